@@ -1,0 +1,2 @@
+#![doc = "evaluate"]
+fn main() {}

@@ -1,0 +1,1 @@
+//! Radii and branching angles.

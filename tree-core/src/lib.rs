@@ -1,0 +1,40 @@
+#![forbid(unsafe_code)]
+#![doc = "The vocabulary of the tree family: what a tree is, before it has a single triangle."]
+//!
+//! * [`Skeleton`]: branches as a rooted tree of nodes with radii, in columns; views on it
+//!   ([children](Skeleton::children), [axes](Skeleton::axes), lengths and counts).
+//! * [`Foliage`] and [`Tree`]: leaves in columns, and both with a [`Species`].
+//! * [`Volume`]: solids and their combinations; crowns, search graphs and obstacles use them.
+//! * [`allometry`]: how thick branches are and at which angles they part.
+//! * [`swc`]: skeletons from and to the plain-text exchange format.
+//! * [`Seed`], [`Control`], [`Limits`]: the same bits for the same seed, progress and cancellation,
+//!   and caps on memory.
+//!
+//! Conventions: right-handed, +Y up, metres, radians, the base of the tree at the origin.
+
+pub mod allometry;
+mod bounds;
+mod control;
+pub mod error;
+pub mod file;
+mod foliage;
+mod limits;
+pub mod seed;
+mod skeleton;
+pub mod swc;
+mod tree;
+pub mod volume;
+
+pub use bounds::Aabb;
+pub use control::{CancelFlag, Cancelled, Control, Progress};
+pub use error::CoreError;
+pub use foliage::{Foliage, Leaf};
+pub use glam;
+pub use limits::{LimitError, Limits, Resource};
+pub use seed::{Rng, Seed};
+pub use skeleton::{
+    Axes, Axis, Children, Continuation, NO_PARENT, Reordered, Skeleton, SkeletonBuilder,
+    SkeletonColumns,
+};
+pub use tree::{Species, Tree, TreeParts};
+pub use volume::Volume;

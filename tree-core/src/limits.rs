@@ -1,0 +1,140 @@
+//! Caps on what one operation may use: over the cap is an error before the memory is asked for.
+
+/// What a limit counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Resource {
+    /// Nodes of a skeleton.
+    Nodes,
+    /// Nodes of all search graphs of one model together.
+    GraphNodes,
+    /// Leaves of one tree.
+    Leaves,
+    /// Cells of a three-dimensional grid.
+    Voxels,
+    /// Pixels of a picture, supersamples included.
+    Pixels,
+    /// Triangles of one mesh.
+    Triangles,
+    /// Bytes of an input file.
+    InputBytes,
+}
+
+impl Resource {
+    /// The field of [`Limits`] that caps this resource.
+    #[must_use]
+    pub const fn field(self) -> &'static str {
+        match self {
+            Self::Nodes => "nodes",
+            Self::GraphNodes => "graph_nodes",
+            Self::Leaves => "leaves",
+            Self::Voxels => "voxels",
+            Self::Pixels => "pixels",
+            Self::Triangles => "triangles",
+            Self::InputBytes => "input_bytes",
+        }
+    }
+}
+
+/// More was asked for than the caller's [`Limits`] allow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{} would be {requested}, Limits::{} allows {cap}", resource.field(), resource.field())]
+pub struct LimitError {
+    /// What would be exceeded.
+    pub resource: Resource,
+    /// How much the request needs.
+    pub requested: u64,
+    /// How much is allowed.
+    pub cap: u64,
+}
+
+/// Caps for one operation. The defaults fit a workstation: a few gigabytes at worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default)
+)]
+#[non_exhaustive]
+pub struct Limits {
+    /// Nodes of a skeleton. Default 20 million (about 320 MB).
+    pub nodes: u64,
+    /// Nodes of all search graphs of one model. Default 50 million.
+    pub graph_nodes: u64,
+    /// Leaves of one tree. Default 20 million (about 760 MB).
+    pub leaves: u64,
+    /// Cells of a three-dimensional grid. Default 512³.
+    pub voxels: u64,
+    /// Pixels of a picture, supersamples included. Default 16,384².
+    pub pixels: u64,
+    /// Triangles of one mesh. Default 100 million.
+    pub triangles: u64,
+    /// Bytes of an input file. Default 1 GiB.
+    pub input_bytes: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            nodes: 20_000_000,
+            graph_nodes: 50_000_000,
+            leaves: 20_000_000,
+            voxels: 512 * 512 * 512,
+            pixels: 16_384 * 16_384,
+            triangles: 100_000_000,
+            input_bytes: 1 << 30,
+        }
+    }
+}
+
+impl Limits {
+    /// The cap on `resource`.
+    #[must_use]
+    pub const fn cap(&self, resource: Resource) -> u64 {
+        match resource {
+            Resource::Nodes => self.nodes,
+            Resource::GraphNodes => self.graph_nodes,
+            Resource::Leaves => self.leaves,
+            Resource::Voxels => self.voxels,
+            Resource::Pixels => self.pixels,
+            Resource::Triangles => self.triangles,
+            Resource::InputBytes => self.input_bytes,
+        }
+    }
+
+    /// Asks before the memory is taken.
+    ///
+    /// # Errors
+    /// [`LimitError`] when `requested` is above the cap.
+    pub const fn check(&self, resource: Resource, requested: u64) -> Result<(), LimitError> {
+        let cap = self.cap(resource);
+        if requested > cap {
+            Err(LimitError {
+                resource,
+                requested,
+                cap,
+            })
+        } else {
+            Ok(())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cap_itself_is_allowed_and_one_more_is_not() {
+        let limits = Limits {
+            nodes: 10,
+            ..Default::default()
+        };
+        assert_eq!(limits.check(Resource::Nodes, 10), Ok(()));
+        let error = limits.check(Resource::Nodes, 11).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "nodes would be 11, Limits::nodes allows 10"
+        );
+    }
+}

@@ -1,0 +1,5 @@
+//! Solids and their combinations.
+
+/// A solid.
+#[derive(Clone, Debug)]
+pub struct Volume;

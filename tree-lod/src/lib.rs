@@ -1,0 +1,2 @@
+#![forbid(unsafe_code)]
+#![doc = "Level of detail, and previews, of botanical trees."]

@@ -1,0 +1,113 @@
+//! What can go wrong in this crate.
+
+use tree_core::{Cancelled, CoreError, LimitError};
+
+/// Shorthand for results of this crate.
+pub type Result<T, E = MeshError> = std::result::Result<T, E>;
+
+/// Every error of tree-mesh. Each says what was wrong, where, and what would be right.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// Columns of a surface differ in length.
+    #[error("surface {surface}: {field} has {found} rows, {expected} are needed")]
+    Length {
+        /// Number of the surface.
+        surface: usize,
+        /// The column at fault.
+        field: &'static str,
+        /// Its number of rows.
+        found: usize,
+        /// The number of positions.
+        expected: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("surface {surface}: {field}[{index}] is not finite")]
+    NotFinite {
+        /// Number of the surface.
+        surface: usize,
+        /// The column at fault.
+        field: &'static str,
+        /// Row in that column.
+        index: usize,
+    },
+    /// An index names something that is not there.
+    #[error("surface {surface}: {what} {found} does not exist, there are only {count}")]
+    Dangling {
+        /// Number of the surface.
+        surface: usize,
+        /// `vertex` or `material`.
+        what: &'static str,
+        /// The index found.
+        found: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// The number of indices is not a multiple of three.
+    #[error("surface {surface}: {found} indices are not whole triangles")]
+    PartialTriangle {
+        /// Number of the surface.
+        surface: usize,
+        /// Number of indices.
+        found: usize,
+    },
+    /// A texture's pixels do not fill its width and height.
+    #[error("texture {name}: {found} bytes, {expected} are needed for {width} × {height} RGBA")]
+    Texture {
+        /// Name of the texture.
+        name: String,
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+        /// Bytes it holds.
+        found: usize,
+        /// Bytes it needs.
+        expected: usize,
+    },
+    /// A parameter lies outside its range.
+    #[error("{field} is {found}, allowed is {min} to {max}")]
+    Parameter {
+        /// The field of the parameter struct.
+        field: &'static str,
+        /// The value that came in.
+        found: f64,
+        /// Smallest allowed value.
+        min: f64,
+        /// Largest allowed value.
+        max: f64,
+    },
+    /// There is no built-in bark or leaf of this name, and none was supplied.
+    #[error("no {what} named '{name}'; built in are {known}, or supply your own texture")]
+    Unknown {
+        /// `bark` or `leaf kind`.
+        what: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// An image could not be decoded or encoded.
+    #[cfg(feature = "image")]
+    #[error("image {name}: {source}")]
+    Image {
+        /// File or texture.
+        name: String,
+        /// What the image library said.
+        #[source]
+        source: image::ImageError,
+    },
+    /// The glTF document could not be written.
+    #[cfg(feature = "gltf")]
+    #[error("glTF: {0}")]
+    Gltf(String),
+    /// Something from the layer below.
+    #[error(transparent)]
+    Core(#[from] CoreError),
+    /// More was asked for than the limits allow.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
+    /// The caller cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}

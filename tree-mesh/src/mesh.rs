@@ -1,0 +1,309 @@
+//! Triangles, materials and textures.
+
+use crate::error::{MeshError, Result};
+use glam::{Vec2, Vec3};
+use std::sync::Arc;
+use tree_core::Aabb;
+
+/// Triangles of one material, in columns. One surface becomes one glTF primitive.
+///
+/// Counter-clockwise triangles seen from outside, texture coordinates with the origin at the top
+/// left of the image and v downwards (as glTF).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    /// Vertex positions in metres.
+    pub positions: Vec<Vec3>,
+    /// Unit normals, one per vertex.
+    pub normals: Vec<Vec3>,
+    /// Texture coordinates, one per vertex. Bark repeats beyond 0 to 1.
+    pub uvs: Vec<Vec2>,
+    /// Three indices per triangle.
+    pub indices: Vec<u32>,
+    /// Index into [`Mesh::materials`].
+    pub material: u32,
+}
+
+impl Surface {
+    /// Number of triangles.
+    #[must_use]
+    pub fn n_triangles(&self) -> usize {
+        self.indices.len() / 3
+    }
+}
+
+/// How a material treats the alpha of its texture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Alpha {
+    /// Alpha is ignored.
+    #[default]
+    Opaque,
+    /// Pixels with alpha below the cutoff (0 to 1) are not drawn.
+    Mask(f32),
+}
+
+/// An image: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Texture {
+    /// Name for people and files, without extension.
+    pub name: String,
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// `4 * width * height` bytes.
+    pub pixels: Vec<u8>,
+}
+
+impl std::fmt::Debug for Texture {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "Texture({}, {} × {})",
+            self.name, self.width, self.height
+        )
+    }
+}
+
+/// Looks of a surface, in glTF's metallic-roughness terms; nothing on a tree is metal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Name for people and files.
+    pub name: String,
+    /// Linear colour and alpha, multiplied with the texture.
+    pub base_color: [f32; 4],
+    /// Image wrapped on the surface; shared between materials and meshes.
+    pub texture: Option<Arc<Texture>>,
+    /// 0 mirror-like to 1 matt.
+    pub roughness: f32,
+    /// How texture alpha is used.
+    pub alpha: Alpha,
+    /// Whether back faces are drawn, with their normals turned over.
+    pub double_sided: bool,
+    /// Share of the light on one face that shines through the other, 0 to 1. Leaves have about 0.4.
+    pub translucency: f32,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            name: "material".into(),
+            base_color: [1.0; 4],
+            texture: None,
+            roughness: 0.9,
+            alpha: Alpha::Opaque,
+            double_sided: false,
+            translucency: 0.0,
+        }
+    }
+}
+
+/// Surfaces and their materials.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// What is drawn, in order.
+    pub surfaces: Vec<Surface>,
+    /// What the surfaces look like.
+    pub materials: Vec<Material>,
+}
+
+impl Mesh {
+    /// Number of vertices of all surfaces.
+    #[must_use]
+    pub fn n_vertices(&self) -> usize {
+        self.surfaces
+            .iter()
+            .map(|surface| surface.positions.len())
+            .sum()
+    }
+
+    /// Number of triangles of all surfaces.
+    #[must_use]
+    pub fn n_triangles(&self) -> usize {
+        self.surfaces.iter().map(Surface::n_triangles).sum()
+    }
+
+    /// The box around all vertices; empty when there are none.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        self.surfaces.iter().fold(Aabb::EMPTY, |aabb, surface| {
+            aabb.union(Aabb::of_points(&surface.positions))
+        })
+    }
+
+    /// Checks that the mesh can be drawn and written: columns of equal length, finite numbers,
+    /// indices and materials that exist, textures filled.
+    ///
+    /// # Errors
+    /// [`MeshError::Length`], [`MeshError::NotFinite`], [`MeshError::Dangling`],
+    /// [`MeshError::PartialTriangle`] or [`MeshError::Texture`], naming surface and row.
+    ///
+    /// # Complexity
+    /// One pass over all columns.
+    pub fn check(&self) -> Result<()> {
+        for (number, surface) in self.surfaces.iter().enumerate() {
+            check_surface(number, surface, self.materials.len())?;
+        }
+        self.materials
+            .iter()
+            .filter_map(|material| material.texture.as_deref())
+            .try_for_each(|texture| {
+                let expected = 4 * texture.width as usize * texture.height as usize;
+                if texture.pixels.len() == expected && expected > 0 {
+                    return Ok(());
+                }
+                Err(MeshError::Texture {
+                    name: texture.name.clone(),
+                    width: texture.width,
+                    height: texture.height,
+                    found: texture.pixels.len(),
+                    expected: expected.max(4),
+                })
+            })
+    }
+}
+
+fn check_surface(number: usize, surface: &Surface, n_materials: usize) -> Result<()> {
+    let expected = surface.positions.len();
+    for (field, found) in [
+        ("normals", surface.normals.len()),
+        ("uvs", surface.uvs.len()),
+    ] {
+        if found != expected {
+            return Err(MeshError::Length {
+                surface: number,
+                field,
+                found,
+                expected,
+            });
+        }
+    }
+    let bad = |field, row: Option<usize>| match row {
+        Some(index) => Err(MeshError::NotFinite {
+            surface: number,
+            field,
+            index,
+        }),
+        None => Ok(()),
+    };
+    bad(
+        "positions",
+        surface.positions.iter().position(|v| !v.is_finite()),
+    )?;
+    bad(
+        "normals",
+        surface.normals.iter().position(|v| !v.is_finite()),
+    )?;
+    bad("uvs", surface.uvs.iter().position(|v| !v.is_finite()))?;
+    if !surface.indices.len().is_multiple_of(3) {
+        return Err(MeshError::PartialTriangle {
+            surface: number,
+            found: surface.indices.len(),
+        });
+    }
+    let dangling = |what, found, count| MeshError::Dangling {
+        surface: number,
+        what,
+        found,
+        count,
+    };
+    if let Some(&found) = surface.indices.iter().find(|&&i| i as usize >= expected) {
+        return Err(dangling("vertex", found, expected));
+    }
+    if surface.material as usize >= n_materials {
+        return Err(dangling("material", surface.material, n_materials));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangle() -> Mesh {
+        let surface = Surface {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+            normals: vec![Vec3::Z; 3],
+            uvs: vec![Vec2::ZERO; 3],
+            indices: vec![0, 1, 2],
+            material: 0,
+        };
+        Mesh {
+            surfaces: vec![surface],
+            materials: vec![Material::default()],
+        }
+    }
+
+    #[test]
+    fn a_triangle_passes_and_is_counted() {
+        let mesh = triangle();
+        mesh.check().unwrap();
+        assert_eq!((mesh.n_vertices(), mesh.n_triangles()), (3, 1));
+        assert_eq!(mesh.bounds().max, Vec3::new(1.0, 1.0, 0.0));
+    }
+
+    #[test]
+    fn each_flaw_has_its_own_error() {
+        let spoil = |change: fn(&mut Mesh)| {
+            let mut mesh = triangle();
+            change(&mut mesh);
+            mesh.check().unwrap_err()
+        };
+        let error = spoil(|m| m.surfaces[0].uvs.truncate(2));
+        assert!(matches!(
+            error,
+            MeshError::Length {
+                field: "uvs",
+                found: 2,
+                expected: 3,
+                ..
+            }
+        ));
+        let error = spoil(|m| m.surfaces[0].normals[1] = Vec3::NAN);
+        assert!(matches!(
+            error,
+            MeshError::NotFinite {
+                field: "normals",
+                index: 1,
+                ..
+            }
+        ));
+        let error = spoil(|m| m.surfaces[0].indices[2] = 3);
+        assert!(matches!(
+            error,
+            MeshError::Dangling {
+                what: "vertex",
+                found: 3,
+                count: 3,
+                ..
+            }
+        ));
+        let error = spoil(|m| m.surfaces[0].material = 1);
+        assert!(matches!(
+            error,
+            MeshError::Dangling {
+                what: "material",
+                found: 1,
+                ..
+            }
+        ));
+        let error = spoil(|m| m.surfaces[0].indices.push(0));
+        assert!(matches!(error, MeshError::PartialTriangle { found: 4, .. }));
+        let error = spoil(|m| {
+            let texture = Texture {
+                name: "t".into(),
+                width: 2,
+                height: 2,
+                pixels: vec![0; 15],
+            };
+            m.materials[0].texture = Some(Arc::new(texture));
+        });
+        assert!(matches!(
+            error,
+            MeshError::Texture {
+                found: 15,
+                expected: 16,
+                ..
+            }
+        ));
+    }
+}

@@ -1,0 +1,2 @@
+#![forbid(unsafe_code)]
+#![doc = "Modelers: from what a person has to a botanical tree."]
