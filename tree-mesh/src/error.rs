@@ -3,7 +3,7 @@
 use tree_core::{Cancelled, CoreError, LimitError};
 
 /// Shorthand for results of this crate.
-pub type Result<T, E = MeshError> = std::result::Result<T, E>;
+pub(crate) type Result<T, E = MeshError> = std::result::Result<T, E>;
 
 /// Every error of tree-mesh. Each says what was wrong, where, and what would be right.
 #[derive(Debug, thiserror::Error)]

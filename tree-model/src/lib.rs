@@ -1,2 +1,29 @@
 #![forbid(unsafe_code)]
 #![doc = "Modelers: from what a person has to a botanical tree."]
+//!
+//! One folder per method. Each module opens with what it computes, its source, its steps, and where
+//! it departs from the source and why.
+//!
+//! * [`path`]: a rough volume becomes a tree of least-cost paths (Xu & Mould 2012).
+//! * [`foliage`]: leaves on the shoots of any skeleton.
+
+mod error;
+pub mod foliage;
+pub mod path;
+
+pub use error::ModelError;
+pub use tree_core;
+pub use tree_core::glam;
+
+use tree_core::{Control, Seed, Tree};
+
+/// Anything that makes a tree of a seed.
+pub trait Modeler {
+    /// Makes the tree. The same seed gives the same bits on every platform, for any number of
+    /// threads.
+    ///
+    /// # Errors
+    /// A [`ModelError`] that names the parameter at fault, or says that a limit was reached or the
+    /// caller cancelled.
+    fn model(&self, seed: Seed, control: &Control) -> Result<Tree, ModelError>;
+}

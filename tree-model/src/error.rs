@@ -1,0 +1,117 @@
+//! What can go wrong in this crate.
+
+use glam::Vec3;
+use tree_core::{Cancelled, CoreError, LimitError};
+
+/// Shorthand for results of this crate.
+pub(crate) type Result<T, E = ModelError> = std::result::Result<T, E>;
+
+/// Every error of tree-model. Each says what was wrong, where, and what would be right.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// A parameter lies outside its range or is not finite.
+    #[error("{field} is {found}, allowed is {min} to {max}")]
+    Parameter {
+        /// Path of the field, for example `levels[2].turn`.
+        field: String,
+        /// The value that came in.
+        found: f64,
+        /// Smallest allowed value.
+        min: f64,
+        /// Largest allowed value.
+        max: f64,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("{field} is not finite")]
+    NotFinite {
+        /// Path of the field, for example `endpoints.placed[3]`.
+        field: String,
+    },
+    /// A volume to grow in holds no point, or has no end.
+    #[error("{field} holds no room for a search graph: {problem}")]
+    EmptyVolume {
+        /// Path of the field.
+        field: String,
+        /// Why nothing fits.
+        problem: &'static str,
+    },
+    /// The root lies outside the volume the tree is to fill.
+    #[error("the root {root} lies outside the volume; the nearest graph node is {nearest} m away, \
+             at most {reach} m is bridged")]
+    RootOutside {
+        /// The root asked for.
+        root: Vec3,
+        /// Distance to the nearest graph node in metres.
+        nearest: f32,
+        /// Linking distance in metres.
+        reach: f32,
+    },
+    /// The root lies inside the obstacle, or within the clearance of it.
+    #[error("the root {root} lies inside the obstacle or its clearance")]
+    RootBlocked {
+        /// The root asked for.
+        root: Vec3,
+    },
+    /// Nothing to grow towards.
+    #[error("no endpoints: give `endpoints.random` above 0 or at least one placed endpoint")]
+    NoEndpoints,
+    /// No path leads to a placed endpoint.
+    #[error("endpoint {index} at {position} cannot be reached from the root: it lies too far \
+             outside the volume, or an obstacle shuts it off")]
+    EndpointUnreachable {
+        /// Index into the placed endpoints.
+        index: usize,
+        /// Where it was placed.
+        position: Vec3,
+    },
+    /// A cost field answered with something that is no cost.
+    #[error("the cost field gives {found} at {position}, allowed is 0 or more and finite")]
+    Cost {
+        /// Where it was asked.
+        position: Vec3,
+        /// Its answer.
+        found: f32,
+    },
+    /// There is no preset of this name.
+    #[error("no preset named '{name}'; there are {known}")]
+    UnknownPreset {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// An SVG drawing cannot be used.
+    #[cfg(feature = "svg")]
+    #[error("SVG: {0}")]
+    Svg(String),
+    /// Something from the layer below.
+    #[error(transparent)]
+    Core(#[from] CoreError),
+    /// More was asked for than the limits allow.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
+    /// The caller cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+/// Checks that a parameter is a number within `min..=max`.
+pub(crate) fn check(
+    field: impl Into<String>,
+    found: impl Into<f64>,
+    min: impl Into<f64>,
+    max: impl Into<f64>,
+) -> Result<()> {
+    let (found, min, max) = (found.into(), min.into(), max.into());
+    // A NaN is in no range.
+    if (min..=max).contains(&found) {
+        return Ok(());
+    }
+    Err(ModelError::Parameter { field: field.into(), found, min, max })
+}
+
+/// Checks that a vector is finite.
+pub(crate) fn check_finite(field: impl Into<String>, value: Vec3) -> Result<()> {
+    if value.is_finite() { Ok(()) } else { Err(ModelError::NotFinite { field: field.into() }) }
+}

@@ -1,0 +1,300 @@
+//! Steps 1G and 1H of Xu & Mould's algorithm: nodes closer than a linking distance are joined, and
+//! each edge gets a random cost.
+//!
+//! The paper uses one length to keep nodes apart and to link them, by which no edge would exist.
+//! Two are meant: a separation, and a linking distance of [`Linking::reach`] separations. At 2, a
+//! strewing without holes is always connected: balls of one separation round the nodes then cover
+//! the volume, and neighbouring balls touch.
+
+use super::nodes::Nodes;
+use super::obstacle::Obstacle;
+use crate::error::{ModelError, Result, check};
+use glam::Vec3;
+use rayon::prelude::*;
+use std::sync::Arc as Shared;
+use tree_core::{Control, Seed, Volume};
+
+/// Nodes linked by one task. Graphs up to this size are linked on the calling thread, because the
+/// many small graphs of one level already keep all threads busy.
+const CHUNK: usize = 4096;
+
+/// One direction of an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// The node it leads to.
+    pub to: u32,
+    /// What it costs, 0 or more.
+    pub cost: f32,
+}
+
+/// An undirected graph with costs, as compressed rows of arcs.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    positions: Vec<Vec3>,
+    starts: Vec<u32>,
+    arcs: Vec<Arc>,
+}
+
+/// How nodes are linked and what edges cost.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+pub struct Linking {
+    /// Linking distance in separations, 1.2 to 4, default 2. More links make straighter paths and
+    /// cost time and memory with the third power; under 1.6 graphs fall apart.
+    pub reach: f32,
+    /// An edge costs its length times a random weight from `low` to 1; 0.01 to 1, default 0.25.
+    /// Low values make crooked branches that run together, 1 makes straight ones.
+    pub low: f32,
+    /// Weights are `low + (1 - low) · u^bias` with u uniform in 0 to 1; 0.1 to 10, default 1. Above
+    /// 1 cheap edges are many, below 1 few.
+    pub bias: f32,
+}
+
+impl Default for Linking {
+    fn default() -> Self {
+        Self { reach: 2.0, low: 0.25, bias: 1.0 }
+    }
+}
+
+impl Linking {
+    /// Checks all ranges.
+    ///
+    /// # Errors
+    /// [`ModelError::Parameter`] naming the field.
+    pub fn validate(&self) -> Result<()> {
+        check("linking.reach", self.reach, 1.2, 4.0)?;
+        check("linking.low", self.low, 0.01, 1.0)?;
+        check("linking.bias", self.bias, 0.1, 10.0)
+    }
+}
+
+/// Makes edges dearer or cheaper inside a volume: the paper's painted maps of edge weights (§5).
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Paint {
+    /// Where: edges whose middle lies inside.
+    pub volume: Volume,
+    /// Their cost is multiplied by this, 0 to 1000. Below 1 attracts branches, above 1 repels them.
+    pub factor: f32,
+}
+
+/// A cost factor for every point in space, given by the user. Must be finite and not negative.
+pub type CostField = Shared<dyn Fn(Vec3) -> f32 + Send + Sync>;
+
+/// What makes edges cost more or less, and where none may pass.
+#[derive(Clone, Default)]
+pub struct Terrain<'a> {
+    /// Painted factors; where several overlap, they multiply.
+    pub paint: &'a [Paint],
+    /// A factor for every point.
+    pub cost: Option<&'a CostField>,
+    /// Where no path may enter.
+    pub(crate) obstacle: Option<&'a Obstacle>,
+}
+
+impl Graph {
+    /// Links `nodes`.
+    ///
+    /// # Errors
+    /// [`ModelError::Cost`] when the user's field answers with no cost, [`ModelError::Cancelled`].
+    ///
+    /// # Complexity
+    /// O(nodes · reach³) time; at the default reach about 15 arcs of 8 bytes a node.
+    pub fn link(
+        nodes: &Nodes,
+        linking: &Linking,
+        terrain: &Terrain<'_>,
+        seed: Seed,
+        control: &Control,
+    ) -> Result<Self> {
+        let n_nodes = nodes.positions.len();
+        let linker = Linker { nodes, linking, terrain, seed, reach: linking.reach * nodes.separation };
+        let ranges = (0..n_nodes).step_by(CHUNK).map(|start| start..(start + CHUNK).min(n_nodes));
+        let rows = if n_nodes <= CHUNK {
+            vec![linker.rows(0..n_nodes)?]
+        } else {
+            let ranges: Vec<_> = ranges.collect();
+            let link = |range: &std::ops::Range<usize>| {
+                control.check()?;
+                linker.rows(range.clone())
+            };
+            ranges.par_iter().map(link).collect::<Result<Vec<_>>>()?
+        };
+        let mut graph = Self {
+            positions: nodes.positions.clone(),
+            starts: Vec::with_capacity(n_nodes + 1),
+            arcs: Vec::with_capacity(rows.iter().map(|rows| rows.arcs.len()).sum()),
+        };
+        graph.starts.push(0);
+        for rows in rows {
+            let base = graph.arcs.len() as u32;
+            graph.starts.extend(rows.ends.iter().map(|end| base + end));
+            graph.arcs.extend_from_slice(&rows.arcs);
+        }
+        Ok(graph)
+    }
+
+    /// Makes a graph of undirected edges (node, node, cost), for graphs from elsewhere.
+    ///
+    /// # Errors
+    /// [`ModelError::Parameter`] when an edge names a node that is not there or has a negative or
+    /// infinite cost.
+    pub fn from_edges(positions: Vec<Vec3>, edges: &[(u32, u32, f32)]) -> Result<Self> {
+        let last = positions.len() as f64 - 1.0;
+        let mut starts = vec![0_u32; positions.len() + 1];
+        for (i, &(a, b, cost)) in edges.iter().enumerate() {
+            check(format!("edges[{i}].0"), a, 0, last)?;
+            check(format!("edges[{i}].1"), b, 0, last)?;
+            check(format!("edges[{i}].2"), cost, 0.0, f32::MAX)?;
+            starts[a as usize + 1] += 1;
+            starts[b as usize + 1] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let mut arcs = vec![Arc { to: 0, cost: 0.0 }; 2 * edges.len()];
+        for &(a, b, cost) in edges {
+            for (from, to) in [(a, b), (b, a)] {
+                let slot = &mut next[from as usize];
+                arcs[*slot as usize] = Arc { to, cost };
+                *slot += 1;
+            }
+        }
+        Ok(Self { positions, starts, arcs })
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether there is no node.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+
+    /// Number of arcs: two for each edge.
+    #[must_use]
+    pub fn n_arcs(&self) -> usize {
+        self.arcs.len()
+    }
+
+    /// Positions of the nodes in metres.
+    #[must_use]
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    /// Arcs that leave `node`; none for a node that does not exist.
+    #[must_use]
+    #[inline]
+    pub fn arcs(&self, node: u32) -> &[Arc] {
+        let node = node as usize;
+        match (self.starts.get(node), self.starts.get(node + 1)) {
+            (Some(&start), Some(&end)) => &self.arcs[start as usize..end as usize],
+            _ => &[],
+        }
+    }
+
+    /// Bytes held.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.positions.as_slice())
+            + size_of_val(self.starts.as_slice())
+            + size_of_val(self.arcs.as_slice())
+    }
+
+    /// Mean and largest cost of an arc; (0, 0) without arcs.
+    pub(crate) fn cost_range(&self) -> (f32, f32) {
+        // A sample tells the mean well enough for a bucket width; the maximum must be exact.
+        let max = self.arcs.iter().fold(0.0_f32, |max, arc| max.max(arc.cost));
+        let step = self.arcs.len() / 4096 + 1;
+        let (sum, n) = self
+            .arcs
+            .iter()
+            .step_by(step)
+            .fold((0.0_f64, 0_u32), |(sum, n), arc| (sum + f64::from(arc.cost), n + 1));
+        ((sum / f64::from(n.max(1))) as f32, max)
+    }
+}
+
+/// The arcs of a range of nodes.
+struct Rows {
+    ends: Vec<u32>,
+    arcs: Vec<Arc>,
+}
+
+struct Linker<'a> {
+    nodes: &'a Nodes,
+    linking: &'a Linking,
+    terrain: &'a Terrain<'a>,
+    seed: Seed,
+    reach: f32,
+}
+
+impl Linker<'_> {
+    fn rows(&self, range: std::ops::Range<usize>) -> Result<Rows> {
+        let positions = &self.nodes.positions;
+        let reach_squared = self.reach * self.reach;
+        let mut rows =
+            Rows { ends: Vec::with_capacity(range.len()), arcs: Vec::with_capacity(16 * range.len()) };
+        for a in range {
+            let here = positions[a];
+            for run in self.nodes.grid.runs_near(here, self.reach) {
+                let first = run.start;
+                for (i, &there) in positions[run].iter().enumerate() {
+                    let b = first + i;
+                    let length_squared = here.distance_squared(there);
+                    if length_squared < reach_squared && a != b {
+                        if let Some(cost) = self.cost(a, b, length_squared.sqrt())? {
+                            rows.arcs.push(Arc { to: b as u32, cost });
+                        }
+                    }
+                }
+            }
+            rows.ends.push(rows.arcs.len() as u32);
+        }
+        Ok(rows)
+    }
+
+    /// The cost of an edge, the same from both ends; `None` where an obstacle is in the way.
+    #[inline]
+    fn cost(&self, a: usize, b: usize, length: f32) -> Result<Option<f32>> {
+        let name = (a.min(b) as u64) << 32 | a.max(b) as u64;
+        let mut u = self.seed.unit(name);
+        if self.linking.bias != 1.0 {
+            u = libm::powf(u, self.linking.bias);
+        }
+        let cost = length * (self.linking.low + (1.0 - self.linking.low) * u);
+        let plain = self.terrain.paint.is_empty()
+            && self.terrain.cost.is_none()
+            && self.terrain.obstacle.is_none();
+        if plain { Ok(Some(cost)) } else { self.cost_on_terrain(a, b, cost) }
+    }
+
+    fn cost_on_terrain(&self, a: usize, b: usize, mut cost: f32) -> Result<Option<f32>> {
+        let positions = &self.nodes.positions;
+        // Lower index first, so that both directions see the same rounding.
+        let (from, to) = (positions[a.min(b)], positions[a.max(b)]);
+        if self.terrain.obstacle.is_some_and(|obstacle| !obstacle.is_free(from, to)) {
+            return Ok(None);
+        }
+        let middle = 0.5 * (from + to);
+        for paint in self.terrain.paint {
+            if paint.volume.contains(middle) {
+                cost *= paint.factor;
+            }
+        }
+        if let Some(field) = self.terrain.cost {
+            let factor = field(middle);
+            if !factor.is_finite() || factor < 0.0 {
+                return Err(ModelError::Cost { position: middle, found: factor });
+            }
+            cost *= factor;
+        }
+        Ok(Some(cost.min(f32::MAX)))
+    }
+}

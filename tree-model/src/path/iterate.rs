@@ -1,0 +1,210 @@
+//! Step 4 of Xu & Mould's algorithm: every endpoint becomes the root of a smaller graph, level by
+//! level; then smoothing, radii and leaves.
+
+use super::draft::{Draft, join_roots};
+use super::graph::Terrain;
+use super::nursery::Nursery;
+use super::obstacle::Obstacle;
+use super::params::{Level, PathParams};
+use super::shoot::{GraphStats, Plot, Shoot, Workspace};
+use super::smooth::smooth;
+use crate::error::Result;
+use crate::foliage;
+use rayon::prelude::*;
+use tree_core::{Control, Foliage, Resource, Seed, Skeleton, Tree};
+
+/// A tree and how it came about.
+#[derive(Clone, Debug)]
+pub struct PathTree {
+    /// The tree.
+    pub tree: Tree,
+    /// Level (from 1) that each skeleton node was grown at; 0 for nodes of the root system.
+    pub levels: Vec<u8>,
+    /// What was done and what was left out.
+    pub report: PathReport,
+}
+
+/// What growing a tree took, and what it left out.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PathReport {
+    /// One entry a level, the first for the base volume.
+    pub levels: Vec<LevelReport>,
+    /// The root system's levels.
+    pub roots: Vec<LevelReport>,
+}
+
+/// What one level took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LevelReport {
+    /// Graphs, their nodes and arcs.
+    pub graphs: GraphStats,
+    /// Endpoints reached.
+    pub endpoints: u64,
+    /// Endpoints of the levels before from which nothing grew, because an obstacle left no room.
+    pub stunted: u64,
+    /// Endpoints of the level before whose lifespan had ended.
+    pub ended: u64,
+}
+
+impl PathReport {
+    /// All graphs of all levels, roots included.
+    #[must_use]
+    pub fn graphs(&self) -> GraphStats {
+        self.levels.iter().chain(&self.roots).fold(GraphStats::default(), |mut sum, level| {
+            sum.add(level.graphs);
+            sum
+        })
+    }
+
+    /// All endpoints of all levels, roots included.
+    #[must_use]
+    pub fn endpoints(&self) -> u64 {
+        self.levels.iter().chain(&self.roots).map(|level| level.endpoints).sum()
+    }
+}
+
+impl PathParams {
+    /// Grows the tree. The same seed gives the same bits for any number of threads.
+    ///
+    /// # Errors
+    /// What [`PathParams::validate`] finds; [`ModelError::EmptyVolume`],
+    /// [`ModelError::RootOutside`], [`ModelError::RootBlocked`],
+    /// [`ModelError::EndpointUnreachable`], [`ModelError::Cost`]; [`ModelError::Limit`] before the
+    /// level that would exceed a limit; [`ModelError::Cancelled`].
+    ///
+    /// # Complexity
+    /// O(nodes of all graphs) time; memory for the largest graph of each thread, about 200 bytes a
+    /// node, and the skeleton.
+    pub fn grow(&self, seed: Seed, control: &Control) -> Result<PathTree> {
+        self.validate()?;
+        control.report("level 1", 0.0)?;
+        let (mut skeleton, mut levels, crown) = self.grow_part(seed, control)?;
+        let mut report = PathReport { levels: crown, ..Default::default() };
+        control.report("leaves", 0.8)?;
+        let leaves = match &self.leaves {
+            Some(leaves) => {
+                foliage::grow_leaves(&skeleton, leaves, seed.stream("leaves"), control)?
+            }
+            None => Foliage::default(),
+        };
+        if let Some(roots) = &self.roots {
+            control.report("roots", 0.9)?;
+            let (below, _, levels_below) = roots.grow_part(seed.stream("roots"), control)?;
+            // Roots come after all other nodes, so that the leaves' nodes stay right.
+            skeleton = join_roots(&skeleton, &below)?;
+            levels.resize(skeleton.len(), 0);
+            report.roots = levels_below;
+        }
+        let tree = Tree::new(skeleton, leaves, self.species.clone())?;
+        control.report("done", 1.0)?;
+        Ok(PathTree { tree, levels, report })
+    }
+
+    /// Grows the branches of all levels: the skeleton, the level of each node, and a report.
+    fn grow_part(
+        &self,
+        seed: Seed,
+        control: &Control,
+    ) -> Result<(Skeleton, Vec<u8>, Vec<LevelReport>)> {
+        let obstacle = self
+            .obstacle
+            .as_ref()
+            .map(|volume| Obstacle { volume: volume.clone(), clearance: self.clearance });
+        let terrain =
+            Terrain { paint: &self.paint, cost: self.cost.as_ref(), obstacle: obstacle.as_ref() };
+        let mut draft = Draft::default();
+        let mut reports = vec![self.grow_base(seed, &terrain, &mut draft, control)?];
+        for (i, level) in self.levels.iter().enumerate() {
+            control.report(LEVEL_NAMES[i.min(LEVEL_NAMES.len() - 1)], self.progress_at(i))?;
+            reports.push(self.grow_level(i, level, seed, &terrain, &mut draft, control)?);
+        }
+        control.limits.check(Resource::Nodes, draft.positions.len() as u64)?;
+        let (mut skeleton, levels) = draft.finish()?;
+        smooth(&mut skeleton, self.smoothing, obstacle.as_ref())?;
+        self.radii.apply(&mut skeleton)?;
+        Ok((skeleton, levels, reports))
+    }
+
+    fn grow_base(
+        &self,
+        seed: Seed,
+        terrain: &Terrain<'_>,
+        draft: &mut Draft,
+        control: &Control,
+    ) -> Result<LevelReport> {
+        let bounds = self.volume.bounds();
+        let plot = Plot {
+            volume: &self.volume,
+            root: self.root,
+            graph_nodes: self.graph_nodes,
+            random: self.endpoints.random,
+            placed: &self.endpoints.placed,
+            placing: self.endpoints.placing,
+            candidates: self.endpoints.candidates,
+            above: bounds.min.y + self.endpoints.above * bounds.size().y,
+            linking: &self.linking,
+            terrain,
+        };
+        let shoot = plot.grow(seed.stream("level 1"), &mut Workspace::default(), control)?;
+        let (graphs, endpoints) = (shoot.stats, shoot.tips.len() as u64);
+        draft.start(&shoot, self.levels.len() as u32);
+        Ok(LevelReport { graphs, endpoints, ..Default::default() })
+    }
+
+    fn grow_level(
+        &self,
+        i: usize,
+        level: &Level,
+        seed: Seed,
+        terrain: &Terrain<'_>,
+        draft: &mut Draft,
+        control: &Control,
+    ) -> Result<LevelReport> {
+        let size = self.level_size(i);
+        let (from, ended) = draft.living_tips(level.from_all_levels);
+        let mut report = LevelReport { ended, ..Default::default() };
+        self.check_limits(level, from.len() as u64, draft, control)?;
+        let stream = seed.stream("levels").child(i as u64);
+        let nursery = Nursery { level, size, linking: &self.linking, terrain, control };
+        let shoots: Vec<Result<Option<Shoot>>> = from
+            .par_iter()
+            .enumerate()
+            .map_init(Workspace::default, |workspace, (number, tip)| {
+                control.check()?;
+                nursery.grow(tip, stream.child(number as u64), workspace)
+            })
+            .collect();
+        let mut tips = Vec::new();
+        for (number, (tip, shoot)) in from.iter().zip(shoots).enumerate() {
+            let Some(shoot) = shoot? else {
+                report.stunted += 1;
+                continue;
+            };
+            report.graphs.add(shoot.stats);
+            report.endpoints += shoot.tips.len() as u64;
+            let life = stream.stream("life").child(number as u64);
+            draft.append(&shoot, tip, i as u8 + 2, &mut tips, |n| {
+                self.lifespan.after(tip.life, life.child(u64::from(n)))
+            });
+        }
+        draft.close_level(tips);
+        Ok(report)
+    }
+
+    /// Both the graphs and the skeleton of a level must stay within the limits.
+    fn check_limits(&self, level: &Level, n: u64, draft: &Draft, control: &Control) -> Result<()> {
+        control.limits.check(Resource::GraphNodes, n * u64::from(level.graph_nodes))?;
+        // At least one node an endpoint; more cannot be known before.
+        let least = draft.positions.len() as u64 + n * u64::from(level.branching);
+        control.limits.check(Resource::Nodes, least)?;
+        Ok(())
+    }
+
+    fn progress_at(&self, i: usize) -> f32 {
+        0.8 * (i as f32 + 1.0) / (self.levels.len() as f32 + 1.0)
+    }
+}
+
+/// Stage names must live for ever; deeper levels share the last.
+const LEVEL_NAMES: [&str; 8] =
+    ["level 2", "level 3", "level 4", "level 5", "level 6", "level 7", "level 8", "level 9 and on"];
