@@ -225,4 +225,4 @@ fn check_columns(positions: &[Vec3], radii: &[f32], n_nodes: usize) -> Result<()
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
