@@ -2,7 +2,7 @@
 
 use crate::error::{CoreError, Result};
 use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -84,14 +84,20 @@ impl Drop for Temporary {
 }
 
 /// Reads a text file whose size is within [`Limits::input_bytes`](crate::Limits::input_bytes).
+/// Bytes that are no UTF-8 (comments in an old encoding) become U+FFFD.
 ///
 /// # Errors
-/// [`CoreError::Io`] or [`CoreError::Limit`], the latter before anything is read.
+/// [`CoreError::Io`] or [`CoreError::Limit`], the latter having read no more than the limit, even
+/// from a pipe whose size nobody knows.
 pub fn read_text(path: &Path, limits: &crate::Limits) -> Result<String> {
     let io = |error| CoreError::io(path, error);
-    let size = fs::metadata(path).map_err(io)?.len();
-    limits.check(crate::Resource::InputBytes, size)?;
-    fs::read_to_string(path).map_err(io)
+    let file = File::open(path).map_err(io)?;
+    let cap = limits.input_bytes;
+    limits.check(crate::Resource::InputBytes, file.metadata().map_err(io)?.len())?;
+    let mut bytes = Vec::new();
+    file.take(cap.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+    limits.check(crate::Resource::InputBytes, bytes.len() as u64)?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 #[cfg(test)]
@@ -144,6 +150,17 @@ mod tests {
         ];
         assert!(write_all_atomic(&mut fail).is_err());
         assert!(names(&folder).is_empty());
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_file_over_the_limit_is_refused_and_odd_bytes_are_replaced() {
+        let folder = folder("read");
+        let path = folder.join("latin1.txt");
+        fs::write(&path, b"ch\xeane").unwrap();
+        assert_eq!(read_text(&path, &crate::Limits::default()).unwrap(), "ch\u{fffd}ne");
+        let limits = crate::Limits { input_bytes: 4, ..Default::default() };
+        assert!(matches!(read_text(&path, &limits), Err(CoreError::Limit(_))));
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -2,7 +2,7 @@
 
 use super::draft::Tip;
 use super::graph::{Linking, Terrain};
-use super::params::{Level, LevelAxis, Lifespan, Placing, SubShape};
+use super::params::{Level, LevelAxis, Lifespan, SubShape};
 use super::shoot::{Plot, Shoot, Workspace};
 use crate::error::{ModelError, Result};
 use glam::{Affine3A, Mat3, Quat, Vec3};
