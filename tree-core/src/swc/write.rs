@@ -32,7 +32,7 @@ pub fn write(skeleton: &Skeleton, options: &SwcOptions) -> Result<String> {
         .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()))
 }
 
-/// Writes a skeleton as SWC, as [`write`] does. Each row is one small write: buffer `out`.
+/// Writes a skeleton as SWC, as [`write()`] does. Each row is one small write: buffer `out`.
 ///
 /// # Errors
 /// As [`SwcOptions::validate`]; [`CoreError::Io`] when `out` fails, with the path `(stream)`.
