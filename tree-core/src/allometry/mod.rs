@@ -156,4 +156,6 @@ fn narrow(radii: impl Iterator<Item = f64>) -> Result<Vec<f32>> {
 }
 
 #[cfg(test)]
+mod angles_tests;
+#[cfg(test)]
 mod tests;

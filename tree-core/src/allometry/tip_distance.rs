@@ -17,8 +17,8 @@ use crate::skeleton::{Continuation, Skeleton};
     serde(default)
 )]
 pub struct TipDistance {
-    /// Radius at level 0, one metre from the tip, in metres; from 1e-6 to 100. Default 0.08: the
-    /// trunk of a tree of ten metres has 16 cm.
+    /// Radius at level 0, one metre from the tip, in metres; from 1e-6 to 100. Default 0.05: the
+    /// trunk of a tree of ten metres has 10 cm.
     pub scale: f32,
     /// ζ, from 0 to 10. Default 0.3. The larger, the quicker branches taper.
     pub zeta: f32,
@@ -30,7 +30,7 @@ pub struct TipDistance {
 impl Default for TipDistance {
     fn default() -> Self {
         Self {
-            scale: 0.08,
+            scale: 0.05,
             zeta: 0.3,
             min_radius: 0.001,
         }
