@@ -93,9 +93,14 @@ pub fn read_text(path: &Path, limits: &crate::Limits) -> Result<String> {
     let io = |error| CoreError::io(path, error);
     let file = File::open(path).map_err(io)?;
     let cap = limits.input_bytes;
-    limits.check(crate::Resource::InputBytes, file.metadata().map_err(io)?.len())?;
+    limits.check(
+        crate::Resource::InputBytes,
+        file.metadata().map_err(io)?.len(),
+    )?;
     let mut bytes = Vec::new();
-    file.take(cap.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+    file.take(cap.saturating_add(1))
+        .read_to_end(&mut bytes)
+        .map_err(io)?;
     limits.check(crate::Resource::InputBytes, bytes.len() as u64)?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
@@ -158,9 +163,18 @@ mod tests {
         let folder = folder("read");
         let path = folder.join("latin1.txt");
         fs::write(&path, b"ch\xeane").unwrap();
-        assert_eq!(read_text(&path, &crate::Limits::default()).unwrap(), "ch\u{fffd}ne");
-        let limits = crate::Limits { input_bytes: 4, ..Default::default() };
-        assert!(matches!(read_text(&path, &limits), Err(CoreError::Limit(_))));
+        assert_eq!(
+            read_text(&path, &crate::Limits::default()).unwrap(),
+            "ch\u{fffd}ne"
+        );
+        let limits = crate::Limits {
+            input_bytes: 4,
+            ..Default::default()
+        };
+        assert!(matches!(
+            read_text(&path, &limits),
+            Err(CoreError::Limit(_))
+        ));
         fs::remove_dir_all(folder).unwrap();
     }
 

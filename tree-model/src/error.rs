@@ -37,8 +37,10 @@ pub enum ModelError {
         problem: &'static str,
     },
     /// The root lies outside the volume the tree is to fill.
-    #[error("the root {root} lies outside the volume; the nearest graph node is {nearest} m away, \
-             at most {reach} m is bridged")]
+    #[error(
+        "the root {root} lies outside the volume; the nearest graph node is {nearest} m away, \
+             at most {reach} m is bridged"
+    )]
     RootOutside {
         /// The root asked for.
         root: Vec3,
@@ -57,8 +59,10 @@ pub enum ModelError {
     #[error("no endpoints: give `endpoints.random` above 0 or at least one placed endpoint")]
     NoEndpoints,
     /// No path leads to a placed endpoint.
-    #[error("endpoint {index} at {position} cannot be reached from the root: it lies too far \
-             outside the volume, or an obstacle shuts it off")]
+    #[error(
+        "endpoint {index} at {position} cannot be reached from the root: it lies too far \
+             outside the volume, or an obstacle shuts it off"
+    )]
     EndpointUnreachable {
         /// Index into the placed endpoints.
         index: usize,
@@ -108,10 +112,21 @@ pub(crate) fn check(
     if (min..=max).contains(&found) {
         return Ok(());
     }
-    Err(ModelError::Parameter { field: field.into(), found, min, max })
+    Err(ModelError::Parameter {
+        field: field.into(),
+        found,
+        min,
+        max,
+    })
 }
 
 /// Checks that a vector is finite.
 pub(crate) fn check_finite(field: impl Into<String>, value: Vec3) -> Result<()> {
-    if value.is_finite() { Ok(()) } else { Err(ModelError::NotFinite { field: field.into() }) }
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(ModelError::NotFinite {
+            field: field.into(),
+        })
+    }
 }

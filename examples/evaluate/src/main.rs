@@ -1,2 +1,37 @@
-#![doc = "evaluate"]
-fn main() {}
+//! Reproduces the papers' tables: one row per case with the paper's figure, ours, the aim and
+//! whether it holds.
+//!
+//! `cargo run --release -p evaluate -- SYSTEM [--json]`
+
+mod measure;
+mod path;
+mod table;
+
+use std::process::ExitCode;
+use table::Table;
+
+type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
+
+/// Every system, by the name of its module.
+const SYSTEMS: [(&str, Evaluation); 1] = [("path", path::evaluate)];
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let json = arguments.iter().any(|argument| argument == "--json");
+    let wanted: Vec<&String> = arguments.iter().filter(|a| !a.starts_with("--")).collect();
+    let known = || SYSTEMS.map(|(name, _)| name).join(", ");
+    let [wanted] = wanted.as_slice() else {
+        eprintln!("usage: evaluate SYSTEM [--json]\nsystems: {}", known());
+        return ExitCode::from(2);
+    };
+    let Some((name, evaluation)) = SYSTEMS.iter().find(|(name, _)| name == wanted) else {
+        eprintln!("no system named '{wanted}'; there are {}", known());
+        return ExitCode::from(2);
+    };
+    let mut table = Table::new(name, json);
+    if let Err(error) = evaluation(&mut table) {
+        eprintln!("{name}: {error}");
+        return ExitCode::FAILURE;
+    }
+    table.finish()
+}

@@ -24,7 +24,9 @@ impl Bearer<'_> {
         let mut ahead = uniform(rng, 0.3, 1.0) * self.params.spacing;
         let mut last = Vec3::Y;
         for &node in axis.nodes {
-            let Some(below) = self.skeleton.parent(node) else { continue };
+            let Some(below) = self.skeleton.parent(node) else {
+                continue;
+            };
             let (a, b) = (positions[below as usize], positions[node as usize]);
             let length = a.distance(b);
             if self.to_tip[node as usize] >= self.params.bearing || length <= 0.0 {
@@ -41,7 +43,13 @@ impl Bearer<'_> {
                 let share = ahead / length;
                 let radius = radii[node as usize] * share
                     + radii[below as usize].min(2.0 * radii[node as usize]) * (1.0 - share);
-                let site = Site { node, point: a.lerp(b, share), along, side, radius };
+                let site = Site {
+                    node,
+                    point: a.lerp(b, share),
+                    along,
+                    side,
+                    radius,
+                };
                 self.bear_node(&site, turn, rng, leaves);
                 turn = (turn + self.params.arrangement.divergence()) % TAU;
                 ahead += self.params.spacing;
@@ -50,7 +58,13 @@ impl Bearer<'_> {
         }
         if let (true, Some(&tip)) = (self.params.terminal, axis.nodes.last()) {
             if self.skeleton.parent(tip).is_some() && self.params.bearing > 0.0 {
-                let site = Site { node: tip, point: positions[tip as usize], along: last, side, radius: 0.0 };
+                let site = Site {
+                    node: tip,
+                    point: positions[tip as usize],
+                    along: last,
+                    side,
+                    radius: 0.0,
+                };
                 let pitch = uniform(rng, 0.0, 0.5 * self.params.jitter);
                 leaves.push(self.leaf(&site, side, pitch, rng));
             }
@@ -105,5 +119,9 @@ struct Site {
 /// The unit part of `v` across `axis`; `None` when they are nearly parallel.
 fn across(v: Vec3, axis: Vec3) -> Option<Vec3> {
     let part = v - axis * v.dot(axis);
-    if part.length_squared() < 1e-6 { None } else { part.try_normalize() }
+    if part.length_squared() < 1e-6 {
+        None
+    } else {
+        part.try_normalize()
+    }
 }

@@ -37,7 +37,11 @@ pub struct Graph {
 
 /// How nodes are linked and what edges cost.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default)
+)]
 pub struct Linking {
     /// Linking distance in separations, 1.2 to 4, default 2. More links make straighter paths and
     /// cost time and memory with the third power; under 1.6 graphs fall apart.
@@ -52,7 +56,11 @@ pub struct Linking {
 
 impl Default for Linking {
     fn default() -> Self {
-        Self { reach: 2.0, low: 0.25, bias: 1.0 }
+        Self {
+            reach: 2.0,
+            low: 0.25,
+            bias: 1.0,
+        }
     }
 }
 
@@ -108,8 +116,16 @@ impl Graph {
         control: &Control,
     ) -> Result<Self> {
         let n_nodes = nodes.positions.len();
-        let linker = Linker { nodes, linking, terrain, seed, reach: linking.reach * nodes.separation };
-        let ranges = (0..n_nodes).step_by(CHUNK).map(|start| start..(start + CHUNK).min(n_nodes));
+        let linker = Linker {
+            nodes,
+            linking,
+            terrain,
+            seed,
+            reach: linking.reach * nodes.separation,
+        };
+        let ranges = (0..n_nodes)
+            .step_by(CHUNK)
+            .map(|start| start..(start + CHUNK).min(n_nodes));
         let rows = if n_nodes <= CHUNK {
             vec![linker.rows(0..n_nodes)?]
         } else {
@@ -161,7 +177,11 @@ impl Graph {
                 *slot += 1;
             }
         }
-        Ok(Self { positions, starts, arcs })
+        Ok(Self {
+            positions,
+            starts,
+            arcs,
+        })
     }
 
     /// Number of nodes.
@@ -216,7 +236,9 @@ impl Graph {
             .arcs
             .iter()
             .step_by(step)
-            .fold((0.0_f64, 0_u32), |(sum, n), arc| (sum + f64::from(arc.cost), n + 1));
+            .fold((0.0_f64, 0_u32), |(sum, n), arc| {
+                (sum + f64::from(arc.cost), n + 1)
+            });
         ((sum / f64::from(n.max(1))) as f32, max)
     }
 }
@@ -239,8 +261,10 @@ impl Linker<'_> {
     fn rows(&self, range: std::ops::Range<usize>) -> Result<Rows> {
         let positions = &self.nodes.positions;
         let reach_squared = self.reach * self.reach;
-        let mut rows =
-            Rows { ends: Vec::with_capacity(range.len()), arcs: Vec::with_capacity(16 * range.len()) };
+        let mut rows = Rows {
+            ends: Vec::with_capacity(range.len()),
+            arcs: Vec::with_capacity(16 * range.len()),
+        };
         for a in range {
             let here = positions[a];
             for run in self.nodes.grid.runs_near(here, self.reach) {
@@ -272,14 +296,22 @@ impl Linker<'_> {
         let plain = self.terrain.paint.is_empty()
             && self.terrain.cost.is_none()
             && self.terrain.obstacle.is_none();
-        if plain { Ok(Some(cost)) } else { self.cost_on_terrain(a, b, cost) }
+        if plain {
+            Ok(Some(cost))
+        } else {
+            self.cost_on_terrain(a, b, cost)
+        }
     }
 
     fn cost_on_terrain(&self, a: usize, b: usize, mut cost: f32) -> Result<Option<f32>> {
         let positions = &self.nodes.positions;
         // Lower index first, so that both directions see the same rounding.
         let (from, to) = (positions[a.min(b)], positions[a.max(b)]);
-        if self.terrain.obstacle.is_some_and(|obstacle| !obstacle.is_free(from, to)) {
+        if self
+            .terrain
+            .obstacle
+            .is_some_and(|obstacle| !obstacle.is_free(from, to))
+        {
             return Ok(None);
         }
         let middle = 0.5 * (from + to);
@@ -291,7 +323,10 @@ impl Linker<'_> {
         if let Some(field) = self.terrain.cost {
             let factor = field(middle);
             if !factor.is_finite() || factor < 0.0 {
-                return Err(ModelError::Cost { position: middle, found: factor });
+                return Err(ModelError::Cost {
+                    position: middle,
+                    found: factor,
+                });
             }
             cost *= factor;
         }

@@ -28,7 +28,12 @@ impl Grid {
             cell *= 1.26; // the cube root of 2: half the cells
         }
         let dims = dims(cell).map(|n| n as u32);
-        Self { origin: bounds.min, cell, dims, starts: Vec::new() }
+        Self {
+            origin: bounds.min,
+            cell,
+            dims,
+            starts: Vec::new(),
+        }
     }
 
     /// Cell of a point; points outside count to the nearest cell.

@@ -46,7 +46,9 @@ mod smooth;
 
 pub use graph::{CostField, Linking, Paint};
 pub use iterate::{LevelReport, PathReport, PathTree};
-pub use params::{Endpoints, Level, LevelAxis, Lifespan, MAX_LEVELS, PathParams, Placing, SubShape};
+pub use params::{
+    Endpoints, Level, LevelAxis, Lifespan, MAX_LEVELS, PathParams, Placing, SubShape,
+};
 pub use presets::{PRESETS, Preset};
 #[cfg(feature = "svg")]
 pub use profile::{Profile, ProfileOptions};

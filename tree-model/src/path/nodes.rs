@@ -67,8 +67,13 @@ pub fn strew(
     seed: Seed,
     control: &Control,
 ) -> Result<Nodes> {
-    control.limits.check(Resource::GraphNodes, u64::from(wanted))?;
-    let empty = |problem| ModelError::EmptyVolume { field: "volume".into(), problem };
+    control
+        .limits
+        .check(Resource::GraphNodes, u64::from(wanted))?;
+    let empty = |problem| ModelError::EmptyVolume {
+        field: "volume".into(),
+        problem,
+    };
     let bounds = volume.bounds();
     if bounds.is_empty() {
         return Err(empty("its bounding box is empty"));
@@ -76,7 +81,9 @@ pub fn strew(
     if !bounds.is_finite() {
         return Err(empty("it has no end; intersect it with a bounded solid"));
     }
-    let measure = volume.measure().unwrap_or_else(|| volume.estimate_measure(MEASURE_SAMPLES));
+    let measure = volume
+        .measure()
+        .unwrap_or_else(|| volume.estimate_measure(MEASURE_SAMPLES));
     let box_measure = bounds.size().element_product();
     if !(measure > 0.0 && box_measure > 0.0) {
         return Err(empty("it has no inside"));
@@ -94,7 +101,9 @@ pub fn strew(
     };
     let points = field.throw_all(forced, seed, control)?;
     if points.len() == forced.len() {
-        return Err(empty("no dart hit it; is it thinner than a hair, or all inside the obstacle?"));
+        return Err(empty(
+            "no dart hit it; is it thinner than a hair, or all inside the obstacle?",
+        ));
     }
     Ok(sort_by_cell(points, forced.len(), separation, grid))
 }
@@ -128,9 +137,12 @@ impl Field<'_> {
                 .filter(|b| (b[0] & 1) | (b[1] & 1) << 1 | (b[2] & 1) << 2 == phase)
                 .collect();
             let throw = |&b: &[u32; 3]| {
-                self.throw_block(b, &points[number(b)], &self.rim(b, blocks, &points, number), {
-                    seed.child(number(b) as u64).rng()
-                })
+                self.throw_block(
+                    b,
+                    &points[number(b)],
+                    &self.rim(b, blocks, &points, number),
+                    { seed.child(number(b) as u64).rng() },
+                )
             };
             let thrown: Vec<Vec<Vec3>> = match members.as_slice() {
                 [one] => vec![throw(one)],
@@ -180,13 +192,7 @@ impl Field<'_> {
     }
 
     /// Throws the darts of one block and returns those that stick.
-    fn throw_block(
-        &self,
-        block: [u32; 3],
-        own: &[Vec3],
-        rim: &[Vec3],
-        mut rng: Rng,
-    ) -> Vec<Vec3> {
+    fn throw_block(&self, block: [u32; 3], own: &[Vec3], rim: &[Vec3], mut rng: Rng) -> Vec<Vec3> {
         let target = self.block_box(block);
         let radius = 0.5 * target.size().length();
         let apart = |distance: f32| distance > radius;
@@ -209,7 +215,9 @@ impl Field<'_> {
             );
             if self.volume.contains(dart)
                 && near.is_free(dart)
-                && !self.obstacle.is_some_and(|obstacle| obstacle.contains(dart))
+                && !self
+                    .obstacle
+                    .is_some_and(|obstacle| obstacle.contains(dart))
             {
                 near.add(dart);
             }
@@ -219,9 +227,8 @@ impl Field<'_> {
 }
 
 fn all_blocks(blocks: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
-    (0..blocks[2]).flat_map(move |z| {
-        (0..blocks[1]).flat_map(move |y| (0..blocks[0]).map(move |x| [x, y, z]))
-    })
+    (0..blocks[2])
+        .flat_map(move |z| (0..blocks[1]).flat_map(move |y| (0..blocks[0]).map(move |x| [x, y, z])))
 }
 
 /// The points in and around one block, in cells of at least one separation, each a linked list.
@@ -244,7 +251,10 @@ impl Near {
         let cell = separation.max(target.size().max_element() / MAX_NEAR_CELLS);
         // One cell of rim on every side, and one more that is never filled, so that the 27 cells
         // around a dart always exist.
-        let dims = target.size().to_array().map(|side| (side / cell) as u32 + 4);
+        let dims = target
+            .size()
+            .to_array()
+            .map(|side| (side / cell) as u32 + 4);
         Self {
             origin: target.min - 1.5 * cell,
             per_metre: cell.recip(),
@@ -318,5 +328,10 @@ fn sort_by_cell(points: Vec<Vec3>, n_forced: usize, separation: f32, mut grid: G
             *entry = slot;
         }
     }
-    Nodes { positions, separation, forced, grid }
+    Nodes {
+        positions,
+        separation,
+        forced,
+        grid,
+    }
 }

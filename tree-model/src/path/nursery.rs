@@ -20,7 +20,12 @@ pub(crate) struct Nursery<'a> {
 
 impl Nursery<'_> {
     /// Grows one subgraph; `None` where an obstacle leaves no room for it.
-    pub(crate) fn grow(&self, tip: &Tip, seed: Seed, workspace: &mut Workspace) -> Result<Option<Shoot>> {
+    pub(crate) fn grow(
+        &self,
+        tip: &Tip,
+        seed: Seed,
+        workspace: &mut Workspace,
+    ) -> Result<Option<Shoot>> {
         let volume = self.volume(tip, seed)?;
         let plot = Plot {
             volume: &volume,

@@ -38,11 +38,27 @@ pub(super) struct Row {
 /// A primitive of the base volume; a row's parts are united.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Part {
-    Cylinder { base: [f32; 3], top: [f32; 3], radius: f32 },
-    Cone { base: [f32; 3], top: [f32; 3], radius: f32 },
+    Cylinder {
+        base: [f32; 3],
+        top: [f32; 3],
+        radius: f32,
+    },
+    Cone {
+        base: [f32; 3],
+        top: [f32; 3],
+        radius: f32,
+    },
     /// A portion of a sphere: within `angle` (share of π) of straight up (`up` 1) or down (−1).
-    Sector { apex: [f32; 3], angle: f32, radius: f32, up: f32 },
-    Ellipsoid { center: [f32; 3], radii: [f32; 3] },
+    Sector {
+        apex: [f32; 3],
+        angle: f32,
+        radius: f32,
+        up: f32,
+    },
+    Ellipsoid {
+        center: [f32; 3],
+        radii: [f32; 3],
+    },
 }
 
 /// Levels that share their settings.
@@ -83,7 +99,9 @@ pub(super) struct LeafRow {
     pub(super) phototropism: f32,
 }
 
-const SPIRAL: Phyllotaxis = Phyllotaxis::Spiral { divergence: crate::foliage::GOLDEN_ANGLE };
+const SPIRAL: Phyllotaxis = Phyllotaxis::Spiral {
+    divergence: crate::foliage::GOLDEN_ANGLE,
+};
 
 /// What most levels share.
 const LEVEL: LevelRow = LevelRow {
@@ -140,8 +158,15 @@ pub(super) const ROWS: [Row; 15] = [
         name: "oak",
         title: "an oak in a meadow, broad and round",
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.1, 3.2, 0.0], radius: 0.45 },
-            Part::Ellipsoid { center: [0.0, 6.4, 0.0], radii: [5.2, 4.0, 5.0] },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.1, 3.2, 0.0],
+                radius: 0.45,
+            },
+            Part::Ellipsoid {
+                center: [0.0, 6.4, 0.0],
+                radii: [5.2, 4.0, 5.0],
+            },
         ],
         branching: 22,
         above: 0.25,
@@ -149,9 +174,22 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.2,
         shrink: 0.62,
         levels: &[
-            LevelRow { branching: 5, shape: Shape::Sector(0.4), ..LEVEL },
-            LevelRow { branching: 5, shape: Shape::Sector(0.35), ..LEVEL },
-            LevelRow { branching: 3, shape: Shape::Sector(0.3), graph_nodes: 60, ..LEVEL },
+            LevelRow {
+                branching: 5,
+                shape: Shape::Sector(0.4),
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 5,
+                shape: Shape::Sector(0.35),
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 3,
+                shape: Shape::Sector(0.3),
+                graph_nodes: 60,
+                ..LEVEL
+            },
         ],
         low: 0.2,
         trunk_radius: 0.48,
@@ -163,8 +201,17 @@ pub(super) const ROWS: [Row; 15] = [
         title: "vase-shaped crown on a short trunk",
         paper_seconds: Some(6.4),
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.0, 2.4, 0.0], radius: 0.35 },
-            Part::Sector { apex: [0.0, 2.0, 0.0], angle: 0.3, radius: 5.0, up: 1.0 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.0, 2.4, 0.0],
+                radius: 0.35,
+            },
+            Part::Sector {
+                apex: [0.0, 2.0, 0.0],
+                angle: 0.3,
+                radius: 5.0,
+                up: 1.0,
+            },
         ],
         branching: 12,
         above: 0.35,
@@ -172,11 +219,24 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.0,
         shrink: 0.66,
         levels: &[
-            LevelRow { repeat: 2, branching: 3, graph_nodes: 430, ..LEVEL },
-            LevelRow { branching: 6, graph_nodes: 430, ..LEVEL },
+            LevelRow {
+                repeat: 2,
+                branching: 3,
+                graph_nodes: 430,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 6,
+                graph_nodes: 430,
+                ..LEVEL
+            },
         ],
         species: "ash",
-        leaves: Some(LeafRow { kind: "beech-cluster", arrangement: Phyllotaxis::Decussate, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "beech-cluster",
+            arrangement: Phyllotaxis::Decussate,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -184,8 +244,17 @@ pub(super) const ROWS: [Row; 15] = [
         title: "slender and upright, dense twigs",
         paper_seconds: Some(7.0),
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.0, 4.2, 0.0], radius: 0.3 },
-            Part::Sector { apex: [0.0, 3.4, 0.0], angle: 0.25, radius: 6.4, up: 1.0 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.0, 4.2, 0.0],
+                radius: 0.3,
+            },
+            Part::Sector {
+                apex: [0.0, 3.4, 0.0],
+                angle: 0.25,
+                radius: 6.4,
+                up: 1.0,
+            },
         ],
         branching: 10,
         above: 0.3,
@@ -193,13 +262,28 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.1,
         shrink: 0.55,
         levels: &[
-            LevelRow { branching: 5, shape: Shape::Sector(0.25), graph_nodes: 1200, ..LEVEL },
-            LevelRow { branching: 10, shape: Shape::Sector(0.25), graph_nodes: 1200, ..LEVEL },
+            LevelRow {
+                branching: 5,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 1200,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 10,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 1200,
+                ..LEVEL
+            },
         ],
         trunk_radius: 0.26,
         species: "birch",
         bark: "birch",
-        leaves: Some(LeafRow { kind: "birch-cluster", droop: 0.3, size: 0.36, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "birch-cluster",
+            droop: 0.3,
+            size: 0.36,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -207,8 +291,17 @@ pub(super) const ROWS: [Row; 15] = [
         title: "weeping willow, branches bending to the ground",
         paper_seconds: Some(13.4),
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.0, 2.6, 0.0], radius: 0.4 },
-            Part::Sector { apex: [0.0, 2.4, 0.0], angle: 0.5, radius: 3.6, up: 1.0 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.0, 2.6, 0.0],
+                radius: 0.4,
+            },
+            Part::Sector {
+                apex: [0.0, 2.4, 0.0],
+                angle: 0.5,
+                radius: 3.6,
+                up: 1.0,
+            },
         ],
         branching: 30,
         above: 0.5,
@@ -216,10 +309,36 @@ pub(super) const ROWS: [Row; 15] = [
         size: 1.0,
         shrink: 0.94,
         levels: &[
-            LevelRow { branching: 2, shape: Shape::Sector(0.25), graph_nodes: 250, turn: 0.12, ..LEVEL },
-            LevelRow { repeat: 2, branching: 1, shape: Shape::Sector(0.25), graph_nodes: 250, turn: 0.12, ..LEVEL },
-            LevelRow { branching: 2, shape: Shape::Sector(0.25), graph_nodes: 250, turn: 0.12, ..LEVEL },
-            LevelRow { repeat: 3, branching: 1, shape: Shape::Sector(0.25), graph_nodes: 250, turn: 0.12, ..LEVEL },
+            LevelRow {
+                branching: 2,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 250,
+                turn: 0.12,
+                ..LEVEL
+            },
+            LevelRow {
+                repeat: 2,
+                branching: 1,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 250,
+                turn: 0.12,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 2,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 250,
+                turn: 0.12,
+                ..LEVEL
+            },
+            LevelRow {
+                repeat: 3,
+                branching: 1,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 250,
+                turn: 0.12,
+                ..LEVEL
+            },
         ],
         trunk_radius: 0.42,
         species: "weeping willow",
@@ -241,8 +360,17 @@ pub(super) const ROWS: [Row; 15] = [
         title: "two stems under a round crown",
         paper_seconds: Some(5.6),
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.0, 2.4, 0.0], radius: 0.35 },
-            Part::Sector { apex: [0.0, 4.0, 0.0], angle: 1.0, radius: 2.0, up: 1.0 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.0, 2.4, 0.0],
+                radius: 0.35,
+            },
+            Part::Sector {
+                apex: [0.0, 4.0, 0.0],
+                angle: 1.0,
+                radius: 2.0,
+                up: 1.0,
+            },
         ],
         branching: 2,
         above: 0.5,
@@ -250,55 +378,125 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.9,
         shrink: 0.62,
         levels: &[
-            LevelRow { branching: 10, shape: Shape::Sector(0.4), graph_nodes: 420, ..LEVEL },
-            LevelRow { repeat: 2, branching: 6, shape: Shape::Sector(0.4), graph_nodes: 420, ..LEVEL },
+            LevelRow {
+                branching: 10,
+                shape: Shape::Sector(0.4),
+                graph_nodes: 420,
+                ..LEVEL
+            },
+            LevelRow {
+                repeat: 2,
+                branching: 6,
+                shape: Shape::Sector(0.4),
+                graph_nodes: 420,
+                ..LEVEL
+            },
         ],
         trunk_radius: 0.34,
         species: "maple",
         bark: "smooth",
-        leaves: Some(LeafRow { kind: "maple-cluster", arrangement: Phyllotaxis::Decussate, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "maple-cluster",
+            arrangement: Phyllotaxis::Decussate,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
         name: "e",
         title: "conifer with upswept branches",
         paper_seconds: Some(3.3),
-        base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 11.0, 0.0], radius: 2.2 }],
+        base: &[Part::Cone {
+            base: [0.0, -0.01, 0.0],
+            top: [0.0, 11.0, 0.0],
+            radius: 2.2,
+        }],
         branching: 40,
         above: 0.08,
         graph_nodes: 2400,
         size: 0.75,
         shrink: 0.85,
         levels: &[
-            LevelRow { repeat: 3, branching: 1, shape: Shape::Sector(0.25), graph_nodes: 110, turn: -0.05, ..LEVEL },
-            LevelRow { branching: 3, shape: Shape::Sector(0.25), graph_nodes: 110, from_all: true, ..LEVEL },
+            LevelRow {
+                repeat: 3,
+                branching: 1,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 110,
+                turn: -0.05,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 3,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 110,
+                from_all: true,
+                ..LEVEL
+            },
         ],
-        leader: Some(Leader { top: [0.0, 10.8, 0.0], radius: 0.3, factor: 0.25 }),
+        leader: Some(Leader {
+            top: [0.0, 10.8, 0.0],
+            radius: 0.3,
+            factor: 0.25,
+        }),
         trunk_radius: 0.2,
         species: "pine",
         bark: "pine",
-        leaves: Some(LeafRow { kind: "pine-needles", size: 0.34, spacing: 0.1, bearing: 0.8, pitch: 0.6, droop: 0.0, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "pine-needles",
+            size: 0.34,
+            spacing: 0.1,
+            bearing: 0.8,
+            pitch: 0.6,
+            droop: 0.0,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
         name: "f",
         title: "umbrella with hanging branches",
         paper_seconds: Some(7.5),
-        base: &[Part::Sector { apex: GROUND, angle: 0.5, radius: 5.2, up: 1.0 }],
+        base: &[Part::Sector {
+            apex: GROUND,
+            angle: 0.5,
+            radius: 5.2,
+            up: 1.0,
+        }],
         branching: 10,
         above: 0.62,
         graph_nodes: 2500,
         size: 2.0,
         shrink: 0.6,
         levels: &[
-            LevelRow { branching: 4, shape: Shape::Sector(0.5), graph_nodes: 380, down: true, ..LEVEL },
-            LevelRow { branching: 4, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
-            LevelRow { branching: 6, shape: Shape::Sector(0.3), graph_nodes: 380, ..LEVEL },
+            LevelRow {
+                branching: 4,
+                shape: Shape::Sector(0.5),
+                graph_nodes: 380,
+                down: true,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 4,
+                shape: Shape::Sector(0.5),
+                graph_nodes: 380,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 6,
+                shape: Shape::Sector(0.3),
+                graph_nodes: 380,
+                ..LEVEL
+            },
         ],
         trunk_radius: 0.3,
         species: "weeping birch",
         bark: "birch",
-        leaves: Some(LeafRow { kind: "birch-cluster", droop: 0.5, size: 0.34, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "birch-cluster",
+            droop: 0.5,
+            size: 0.34,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -306,8 +504,16 @@ pub(super) const ROWS: [Row; 15] = [
         title: "tall conifer with drooping branches",
         paper_seconds: Some(3.0),
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.0, 2.5, 0.0], radius: 0.3 },
-            Part::Cone { base: [0.0, 2.0, 0.0], top: [0.0, 15.0, 0.0], radius: 2.0 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.0, 2.5, 0.0],
+                radius: 0.3,
+            },
+            Part::Cone {
+                base: [0.0, 2.0, 0.0],
+                top: [0.0, 15.0, 0.0],
+                radius: 2.0,
+            },
         ],
         branching: 32,
         above: 0.15,
@@ -315,14 +521,40 @@ pub(super) const ROWS: [Row; 15] = [
         size: 0.6,
         shrink: 0.85,
         levels: &[
-            LevelRow { repeat: 6, branching: 1, shape: Shape::Sector(0.25), graph_nodes: 75, turn: 0.03, ..LEVEL },
-            LevelRow { branching: 8, shape: Shape::Sector(0.25), graph_nodes: 75, from_all: true, size: Some(0.6), ..LEVEL },
+            LevelRow {
+                repeat: 6,
+                branching: 1,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 75,
+                turn: 0.03,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 8,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 75,
+                from_all: true,
+                size: Some(0.6),
+                ..LEVEL
+            },
         ],
-        leader: Some(Leader { top: [0.0, 14.8, 0.0], radius: 0.3, factor: 0.2 }),
+        leader: Some(Leader {
+            top: [0.0, 14.8, 0.0],
+            radius: 0.3,
+            factor: 0.2,
+        }),
         trunk_radius: 0.24,
         species: "spruce",
         bark: "pine",
-        leaves: Some(LeafRow { kind: "spruce-needles", size: 0.34, spacing: 0.1, bearing: 0.8, pitch: 0.6, droop: 0.2, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "spruce-needles",
+            size: 0.34,
+            spacing: 0.1,
+            bearing: 0.8,
+            pitch: 0.6,
+            droop: 0.2,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -330,8 +562,17 @@ pub(super) const ROWS: [Row; 15] = [
         title: "tilted trunk, crown swept by the wind",
         paper_seconds: Some(2.1),
         base: &[
-            Part::Cylinder { base: GROUND, top: [1.9, 3.2, 0.0], radius: 0.35 },
-            Part::Sector { apex: [1.7, 2.9, 0.0], angle: 0.5, radius: 3.4, up: 1.0 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [1.9, 3.2, 0.0],
+                radius: 0.35,
+            },
+            Part::Sector {
+                apex: [1.7, 2.9, 0.0],
+                angle: 0.5,
+                radius: 3.4,
+                up: 1.0,
+            },
         ],
         branching: 8,
         above: 0.5,
@@ -339,13 +580,27 @@ pub(super) const ROWS: [Row; 15] = [
         size: 1.8,
         shrink: 0.55,
         levels: &[
-            LevelRow { branching: 6, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
-            LevelRow { branching: 12, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
+            LevelRow {
+                branching: 6,
+                shape: Shape::Sector(0.5),
+                graph_nodes: 380,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 12,
+                shape: Shape::Sector(0.5),
+                graph_nodes: 380,
+                ..LEVEL
+            },
         ],
         trunk_radius: 0.33,
         species: "hawthorn",
         bark: "oak",
-        leaves: Some(LeafRow { kind: "oak-cluster", size: 0.36, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "oak-cluster",
+            size: 0.36,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -353,8 +608,17 @@ pub(super) const ROWS: [Row; 15] = [
         title: "low and wide, as an old apple tree",
         paper_seconds: Some(0.78),
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.0, 1.8, 0.0], radius: 0.3 },
-            Part::Sector { apex: [0.0, 1.9, 0.0], angle: 0.7, radius: 2.6, up: 1.0 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.0, 1.8, 0.0],
+                radius: 0.3,
+            },
+            Part::Sector {
+                apex: [0.0, 1.9, 0.0],
+                angle: 0.7,
+                radius: 2.6,
+                up: 1.0,
+            },
         ],
         branching: 11,
         above: 0.3,
@@ -372,7 +636,11 @@ pub(super) const ROWS: [Row; 15] = [
         trunk_radius: 0.24,
         species: "apple",
         bark: "oak",
-        leaves: Some(LeafRow { kind: "beech-cluster", size: 0.34, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "beech-cluster",
+            size: 0.34,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -380,8 +648,16 @@ pub(super) const ROWS: [Row; 15] = [
         title: "larch: a cone of cones",
         paper_seconds: Some(3.2),
         base: &[
-            Part::Cylinder { base: GROUND, top: [0.0, 2.0, 0.0], radius: 0.3 },
-            Part::Cone { base: [0.0, 1.5, 0.0], top: [0.0, 10.5, 0.0], radius: 2.6 },
+            Part::Cylinder {
+                base: GROUND,
+                top: [0.0, 2.0, 0.0],
+                radius: 0.3,
+            },
+            Part::Cone {
+                base: [0.0, 1.5, 0.0],
+                top: [0.0, 10.5, 0.0],
+                radius: 2.6,
+            },
         ],
         branching: 16,
         above: 0.2,
@@ -395,52 +671,111 @@ pub(super) const ROWS: [Row; 15] = [
             graph_nodes: 230,
             ..LEVEL
         }],
-        leader: Some(Leader { top: [0.0, 10.0, 0.0], radius: 0.3, factor: 0.35 }),
+        leader: Some(Leader {
+            top: [0.0, 10.0, 0.0],
+            radius: 0.3,
+            factor: 0.35,
+        }),
         trunk_radius: 0.24,
         species: "larch",
         bark: "pine",
-        leaves: Some(LeafRow { kind: "spruce-needles", size: 0.3, spacing: 0.09, bearing: 0.7, pitch: 0.7, droop: 0.1, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "spruce-needles",
+            size: 0.3,
+            spacing: 0.09,
+            bearing: 0.7,
+            pitch: 0.7,
+            droop: 0.1,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
         name: "k",
         title: "a fan of stems from the ground",
         paper_seconds: Some(4.2),
-        base: &[Part::Sector { apex: GROUND, angle: 0.3, radius: 3.4, up: 1.0 }],
+        base: &[Part::Sector {
+            apex: GROUND,
+            angle: 0.3,
+            radius: 3.4,
+            up: 1.0,
+        }],
         branching: 13,
         above: 0.5,
         graph_nodes: 2400,
         size: 1.2,
         shrink: 0.8,
         levels: &[
-            LevelRow { repeat: 3, branching: 2, shape: Shape::Sector(0.2), graph_nodes: 220, ..LEVEL },
-            LevelRow { branching: 4, shape: Shape::Sector(0.3), graph_nodes: 220, ..LEVEL },
+            LevelRow {
+                repeat: 3,
+                branching: 2,
+                shape: Shape::Sector(0.2),
+                graph_nodes: 220,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 4,
+                shape: Shape::Sector(0.3),
+                graph_nodes: 220,
+                ..LEVEL
+            },
         ],
         trunk_radius: 0.16,
         species: "hazel",
         bark: "smooth",
-        leaves: Some(LeafRow { kind: "linden-cluster", size: 0.34, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "linden-cluster",
+            size: 0.34,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
         name: "l",
         title: "cypress: a slim cone, branches hugging the stem",
         paper_seconds: Some(1.3),
-        base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 8.0, 0.0], radius: 0.9 }],
+        base: &[Part::Cone {
+            base: [0.0, -0.01, 0.0],
+            top: [0.0, 8.0, 0.0],
+            radius: 0.9,
+        }],
         branching: 16,
         above: 0.1,
         graph_nodes: 1400,
         size: 1.0,
         shrink: 0.9,
         levels: &[
-            LevelRow { branching: 1, shape: Shape::Sector(0.25), graph_nodes: 380, turn: -0.03, ..LEVEL },
-            LevelRow { branching: 10, shape: Shape::Cone(0.4), graph_nodes: 380, ..LEVEL },
+            LevelRow {
+                branching: 1,
+                shape: Shape::Sector(0.25),
+                graph_nodes: 380,
+                turn: -0.03,
+                ..LEVEL
+            },
+            LevelRow {
+                branching: 10,
+                shape: Shape::Cone(0.4),
+                graph_nodes: 380,
+                ..LEVEL
+            },
         ],
-        leader: Some(Leader { top: [0.0, 7.6, 0.0], radius: 0.2, factor: 0.4 }),
+        leader: Some(Leader {
+            top: [0.0, 7.6, 0.0],
+            radius: 0.2,
+            factor: 0.4,
+        }),
         trunk_radius: 0.14,
         species: "cypress",
         bark: "smooth",
-        leaves: Some(LeafRow { kind: "spruce-needles", size: 0.28, spacing: 0.07, bearing: 1.2, pitch: 0.35, droop: 0.0, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "spruce-needles",
+            size: 0.28,
+            spacing: 0.07,
+            bearing: 1.2,
+            pitch: 0.35,
+            droop: 0.0,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -460,8 +795,17 @@ pub(super) const ROWS: [Row; 15] = [
 /// The tree above both root systems.
 const ROOTED: Row = Row {
     base: &[
-        Part::Cylinder { base: GROUND, top: [0.0, 1.6, 0.0], radius: 0.25 },
-        Part::Sector { apex: [0.0, 1.5, 0.0], angle: 0.5, radius: 2.6, up: 1.0 },
+        Part::Cylinder {
+            base: GROUND,
+            top: [0.0, 1.6, 0.0],
+            radius: 0.25,
+        },
+        Part::Sector {
+            apex: [0.0, 1.5, 0.0],
+            angle: 0.5,
+            radius: 2.6,
+            up: 1.0,
+        },
     ],
     branching: 10,
     above: 0.4,
@@ -469,12 +813,21 @@ const ROOTED: Row = Row {
     size: 1.3,
     shrink: 0.6,
     levels: &[
-        LevelRow { branching: 4, ..LEVEL },
-        LevelRow { branching: 5, ..LEVEL },
+        LevelRow {
+            branching: 4,
+            ..LEVEL
+        },
+        LevelRow {
+            branching: 5,
+            ..LEVEL
+        },
     ],
     trunk_radius: 0.2,
     species: "young oak",
-    leaves: Some(LeafRow { size: 0.32, ..LEAVES }),
+    leaves: Some(LeafRow {
+        size: 0.32,
+        ..LEAVES
+    }),
     ..ROW
 };
 
@@ -483,18 +836,33 @@ const ROOTED: Row = Row {
 const TAPROOT: Row = Row {
     name: "taproot",
     title: "roots",
-    base: &[Part::Ellipsoid { center: [0.0, -1.3, 0.0], radii: [1.5, 1.35, 1.5] }],
+    base: &[Part::Ellipsoid {
+        center: [0.0, -1.3, 0.0],
+        radii: [1.5, 1.35, 1.5],
+    }],
     branching: 16,
     placed: &[[0.0, -2.6, 0.0]],
     graph_nodes: 1800,
     size: 0.7,
     shrink: 0.6,
     levels: &[
-        LevelRow { branching: 4, shape: Shape::Sector(0.4), ..LEVEL },
-        LevelRow { branching: 4, shape: Shape::Sector(0.4), ..LEVEL },
+        LevelRow {
+            branching: 4,
+            shape: Shape::Sector(0.4),
+            ..LEVEL
+        },
+        LevelRow {
+            branching: 4,
+            shape: Shape::Sector(0.4),
+            ..LEVEL
+        },
     ],
     low: 0.15,
-    leader: Some(Leader { top: [0.0, -2.5, 0.0], radius: 0.2, factor: 0.3 }),
+    leader: Some(Leader {
+        top: [0.0, -2.5, 0.0],
+        radius: 0.2,
+        factor: 0.3,
+    }),
     leaves: None,
     ..ROW
 };
@@ -502,15 +870,28 @@ const TAPROOT: Row = Row {
 const HEARTROOT: Row = Row {
     name: "heartroot",
     title: "roots",
-    base: &[Part::Sector { apex: [0.0, 0.0, 0.0], angle: 0.5, radius: 2.6, up: -1.0 }],
+    base: &[Part::Sector {
+        apex: [0.0, 0.0, 0.0],
+        angle: 0.5,
+        radius: 2.6,
+        up: -1.0,
+    }],
     branching: 18,
     placed: &[],
     graph_nodes: 2200,
     size: 1.0,
     shrink: 0.6,
     levels: &[
-        LevelRow { branching: 4, shape: Shape::Sector(0.35), ..LEVEL },
-        LevelRow { branching: 4, shape: Shape::Sector(0.35), ..LEVEL },
+        LevelRow {
+            branching: 4,
+            shape: Shape::Sector(0.35),
+            ..LEVEL
+        },
+        LevelRow {
+            branching: 4,
+            shape: Shape::Sector(0.35),
+            ..LEVEL
+        },
     ],
     low: 0.12,
     leaves: None,
