@@ -136,6 +136,6 @@ fn doubling_beyond_the_cap_is_an_error() {
 
 #[test]
 fn volumes_cross_threads() {
-    fn shareable<T: Send + Sync + Clone + std::fmt::Debug>(_: &T) {}
+    fn shareable<T: Send + Sync + Clone + fmt::Debug>(_: &T) {}
     shareable(&Volume::sphere(Vec3::ZERO, 1.0).unwrap());
 }

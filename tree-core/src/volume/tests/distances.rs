@@ -103,8 +103,10 @@ fn an_ellipsoid_has_the_distance_of_its_nearest_surface_point() {
                         found.abs() <= nearest + 1e-5,
                         "{radii} {p} {found} {nearest}"
                     );
+                    // The samples lie up to 0.07 apart, which counts in full next to the surface.
+                    let slack = 0.01 * (1.0 + 4.0 * found.abs());
                     assert!(
-                        found.abs() >= nearest - 0.01,
+                        found * found >= nearest * nearest - slack,
                         "{radii} {p} {found} {nearest}"
                     );
                 }

@@ -53,8 +53,8 @@ fn winding(positions: &[Vec3], triangles: &[[u32; 3]], p: Vec3) -> f64 {
 fn points_in_line_with_edges_corners_and_diagonals_are_told_right() {
     for diagonals in 0..64 {
         let cube = cube(Vec3::ZERO, 1.0, diagonals);
-        for i in 0..7_u8.pow(3) {
-            let along = |n: u32| f32::from(i as u16 as u8 / 7_u8.pow(n) % 7) * 0.25 - 0.25;
+        for i in 0..7_u16.pow(3) {
+            let along = |n: u32| f32::from(i / 7_u16.pow(n) % 7) * 0.25 - 0.25;
             let p = Vec3::new(along(0), along(1), along(2));
             let surface = cube.distance(p) == Some(0.0);
             let inside = p.cmpgt(Vec3::ZERO).all() && p.cmplt(Vec3::ONE).all();
