@@ -62,7 +62,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Deepest nesting of combinations in one another. Questions, drops and reading recurse, so the stack
-/// must hold it; and serde_json, which stops at 128 brackets, must read whatever it wrote, at two
+/// must hold it; and `serde_json`, which stops at 128 brackets, must read whatever it wrote, at two
 /// brackets for each combination and four for a solid.
 pub const MAX_DEPTH: u32 = 48;
 

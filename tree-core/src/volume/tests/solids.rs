@@ -211,7 +211,7 @@ fn a_closed_profile_turns_into_a_ring() {
     assert!(!torus.contains(Vec3::ZERO) && torus.contains(Vec3::new(0.0, -2.0, 0.1)));
     // The closing lines to the axis cancel: the nearest surface is the inside of the ring.
     assert!((torus.distance(Vec3::ZERO).unwrap() - 1.5).abs() < 1e-6);
-    let exact = 2.0 * std::f32::consts::PI.powi(2) * 2.0 * 0.25;
+    let exact = 2.0 * std::f32::consts::PI * std::f32::consts::PI * 2.0 * 0.25;
     assert!((torus.measure().unwrap() / exact - 1.0).abs() < 0.01);
 }
 
