@@ -37,4 +37,4 @@ pub use skeleton::{
     SkeletonColumns,
 };
 pub use tree::{Species, Tree, TreeParts};
-pub use volume::Volume;
+pub use volume::{Solid, Volume};
