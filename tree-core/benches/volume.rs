@@ -65,7 +65,7 @@ fn volumes() -> tree_core::error::Result<Vec<(String, Volume)>> {
             Volume::revolution(Vec3::ZERO, Vec3::Y, crown)?,
         ),
     ];
-    for n_lat in [5, 16, 51, 160] {
+    for n_lat in [5, 16, 36, 160] {
         let n_triangles = 4 * n_lat * (n_lat - 1);
         volumes.push((format!("mesh of {n_triangles}"), globe(n_lat, 2 * n_lat)?));
     }
