@@ -55,15 +55,9 @@ fn volumes() -> tree_core::error::Result<Vec<(String, Volume)>> {
     let mut volumes = vec![
         ("sphere".to_string(), sphere),
         ("cone".to_string(), Volume::cone(Vec3::ZERO, Vec3::Y, 0.5)?),
-        (
-            "sector".to_string(),
-            Volume::sector(Vec3::ZERO, Vec3::Y, 0.8, 2.0)?,
-        ),
+        ("sector".to_string(), Volume::sector(Vec3::ZERO, Vec3::Y, 0.8, 2.0)?),
         ("union of 3".to_string(), three),
-        (
-            "revolution of 32".to_string(),
-            Volume::revolution(Vec3::ZERO, Vec3::Y, crown)?,
-        ),
+        ("revolution of 32".to_string(), Volume::revolution(Vec3::ZERO, Vec3::Y, crown)?),
     ];
     for n_lat in [5, 16, 36, 160] {
         let n_triangles = 4 * n_lat * (n_lat - 1);
@@ -89,12 +83,7 @@ fn contains(c: &mut Criterion) {
             })
             .collect();
         group.bench_with_input(BenchmarkId::from_parameter(name), &points, |b, points| {
-            b.iter(|| {
-                points
-                    .iter()
-                    .filter(|&&p| black_box(volume).contains(p))
-                    .count()
-            });
+            b.iter(|| points.iter().filter(|&&p| black_box(volume).contains(p)).count());
         });
     }
     group.finish();

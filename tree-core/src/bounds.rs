@@ -14,10 +14,7 @@ pub struct Aabb {
 
 impl Aabb {
     /// The box that contains nothing; joining it to another changes nothing.
-    pub const EMPTY: Self = Self {
-        min: Vec3::INFINITY,
-        max: Vec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
     /// The box from one corner to the opposite one.
     #[must_use]
@@ -28,9 +25,7 @@ impl Aabb {
     /// The smallest box around the points; [`Aabb::EMPTY`] for none.
     #[must_use]
     pub fn of_points(points: &[Vec3]) -> Self {
-        points
-            .iter()
-            .fold(Self::EMPTY, |aabb, &p| aabb.including(p))
+        points.iter().fold(Self::EMPTY, |aabb, &p| aabb.including(p))
     }
 
     /// Whether no point lies inside.
@@ -55,11 +50,7 @@ impl Aabb {
     /// Lengths of the sides; zero for an empty box.
     #[must_use]
     pub fn size(&self) -> Vec3 {
-        if self.is_empty() {
-            Vec3::ZERO
-        } else {
-            self.max - self.min
-        }
+        if self.is_empty() { Vec3::ZERO } else { self.max - self.min }
     }
 
     /// The middle.
@@ -72,37 +63,25 @@ impl Aabb {
     #[must_use]
     #[inline]
     pub fn including(self, point: Vec3) -> Self {
-        Self {
-            min: self.min.min(point),
-            max: self.max.max(point),
-        }
+        Self { min: self.min.min(point), max: self.max.max(point) }
     }
 
     /// The smallest box around both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// What both share; empty when they are apart.
     #[must_use]
     pub fn intersection(self, other: Self) -> Self {
-        Self {
-            min: self.min.max(other.min),
-            max: self.max.min(other.max),
-        }
+        Self { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
     /// Grown by `margin` on every side.
     #[must_use]
     pub fn grown(self, margin: f32) -> Self {
-        Self {
-            min: self.min - margin,
-            max: self.max + margin,
-        }
+        Self { min: self.min - margin, max: self.max + margin }
     }
 
     /// The eight corners.
@@ -129,10 +108,7 @@ mod tests {
         assert_eq!(Aabb::EMPTY.union(unit), unit);
         assert!(Aabb::EMPTY.is_empty() && !Aabb::EMPTY.contains(Vec3::ZERO));
         assert_eq!(Aabb::EMPTY.size(), Vec3::ZERO);
-        assert!(
-            unit.intersection(Aabb::new(Vec3::splat(2.0), Vec3::splat(3.0)))
-                .is_empty()
-        );
+        assert!(unit.intersection(Aabb::new(Vec3::splat(2.0), Vec3::splat(3.0))).is_empty());
     }
 
     #[test]

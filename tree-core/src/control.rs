@@ -86,11 +86,7 @@ impl Control {
     /// # Errors
     /// [`Cancelled`] once the flag is set.
     pub fn check(&self) -> Result<(), Cancelled> {
-        if self.cancel.is_cancelled() {
-            Err(Cancelled)
-        } else {
-            Ok(())
-        }
+        if self.cancel.is_cancelled() { Err(Cancelled) } else { Ok(()) }
     }
 
     /// Reports progress, then checks for cancellation.
@@ -99,10 +95,7 @@ impl Control {
     /// [`Cancelled`] once the flag is set.
     pub fn report(&self, stage: &'static str, fraction: f32) -> Result<(), Cancelled> {
         if let Some(callback) = &self.progress {
-            callback(Progress {
-                stage,
-                fraction: fraction.clamp(0.0, 1.0),
-            });
+            callback(Progress { stage, fraction: fraction.clamp(0.0, 1.0) });
         }
         self.check()
     }

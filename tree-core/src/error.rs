@@ -126,10 +126,7 @@ pub enum CoreError {
 impl CoreError {
     /// Wraps what the system said about `path`.
     pub fn io(path: impl Into<PathBuf>, source: std::io::Error) -> Self {
-        Self::Io {
-            path: path.into(),
-            source,
-        }
+        Self::Io { path: path.into(), source }
     }
 }
 

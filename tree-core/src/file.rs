@@ -21,10 +21,8 @@ pub fn write_atomic<E: From<CoreError>>(
 }
 
 /// One file of a group: where it goes and what fills it.
-pub type Part<'a, E> = (
-    &'a Path,
-    Option<Box<dyn FnOnce(&mut dyn Write) -> std::result::Result<(), E> + 'a>>,
-);
+pub type Part<'a, E> =
+    (&'a Path, Option<Box<dyn FnOnce(&mut dyn Write) -> std::result::Result<(), E> + 'a>>);
 
 /// Writes files that belong together (an OBJ with its materials and textures): none is renamed
 /// before all are written.
@@ -68,9 +66,7 @@ impl Temporary {
         let io = |error| CoreError::io(&self.0, error);
         let mut writer = BufWriter::new(File::create(&self.0).map_err(io)?);
         write(&mut writer)?;
-        let file = writer
-            .into_inner()
-            .map_err(|error| io(error.into_error()))?;
+        let file = writer.into_inner().map_err(|error| io(error.into_error()))?;
         file.sync_all().map_err(io)?;
         Ok(())
     }
@@ -93,14 +89,9 @@ pub fn read_text(path: &Path, limits: &crate::Limits) -> Result<String> {
     let io = |error| CoreError::io(path, error);
     let file = File::open(path).map_err(io)?;
     let cap = limits.input_bytes;
-    limits.check(
-        crate::Resource::InputBytes,
-        file.metadata().map_err(io)?.len(),
-    )?;
+    limits.check(crate::Resource::InputBytes, file.metadata().map_err(io)?.len())?;
     let mut bytes = Vec::new();
-    file.take(cap.saturating_add(1))
-        .read_to_end(&mut bytes)
-        .map_err(io)?;
+    file.take(cap.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
     limits.check(crate::Resource::InputBytes, bytes.len() as u64)?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
@@ -130,8 +121,7 @@ mod tests {
         let path = folder.join("a.txt");
         fs::write(&path, "old").unwrap();
         let result = write_atomic(&path, |out| {
-            out.write_all(b"half of the n")
-                .map_err(|e| CoreError::io("a", e))?;
+            out.write_all(b"half of the n").map_err(|e| CoreError::io("a", e))?;
             Err(CoreError::Empty { what: "test" })
         });
         assert!(matches!(result, Err(CoreError::Empty { what: "test" })));
@@ -145,12 +135,7 @@ mod tests {
         let folder = folder("group");
         let (a, b) = (folder.join("a"), folder.join("b"));
         let mut fail: [Part<'_, CoreError>; 2] = [
-            (
-                &a,
-                Some(Box::new(|out| {
-                    out.write_all(b"1").map_err(|e| CoreError::io("a", e))
-                })),
-            ),
+            (&a, Some(Box::new(|out| out.write_all(b"1").map_err(|e| CoreError::io("a", e))))),
             (&b, Some(Box::new(|_| Err(CoreError::NoRoot)))),
         ];
         assert!(write_all_atomic(&mut fail).is_err());
@@ -163,18 +148,9 @@ mod tests {
         let folder = folder("read");
         let path = folder.join("latin1.txt");
         fs::write(&path, b"ch\xeane").unwrap();
-        assert_eq!(
-            read_text(&path, &crate::Limits::default()).unwrap(),
-            "ch\u{fffd}ne"
-        );
-        let limits = crate::Limits {
-            input_bytes: 4,
-            ..Default::default()
-        };
-        assert!(matches!(
-            read_text(&path, &limits),
-            Err(CoreError::Limit(_))
-        ));
+        assert_eq!(read_text(&path, &crate::Limits::default()).unwrap(), "ch\u{fffd}ne");
+        let limits = crate::Limits { input_bytes: 4, ..Default::default() };
+        assert!(matches!(read_text(&path, &limits), Err(CoreError::Limit(_))));
         fs::remove_dir_all(folder).unwrap();
     }
 
@@ -182,9 +158,6 @@ mod tests {
     fn a_missing_folder_is_an_error_that_names_the_file() {
         let path = Path::new("/no/such/folder/tree.glb");
         let error = write_atomic::<CoreError>(path, |_| Ok(())).unwrap_err();
-        assert!(
-            error.to_string().contains("/no/such/folder/tree.glb"),
-            "{error}"
-        );
+        assert!(error.to_string().contains("/no/such/folder/tree.glb"), "{error}");
     }
 }

@@ -55,17 +55,12 @@ impl Foliage {
     /// leaf would have had; nothing is added then.
     pub fn push(&mut self, leaf: Leaf) -> Result<()> {
         let index = self.len();
-        check_finite("foliage positions", &[leaf.position]).map_err(|_| CoreError::NotFinite {
-            field: "foliage positions",
-            index,
-        })?;
+        check_finite("foliage positions", &[leaf.position])
+            .map_err(|_| CoreError::NotFinite { field: "foliage positions", index })?;
         check_range("foliage sizes", index, leaf.size, 0.0, f32::MAX)?;
         let length = leaf.rotation.length();
         if !length.is_finite() || length < 1e-6 {
-            return Err(CoreError::NotFinite {
-                field: "foliage rotations",
-                index,
-            });
+            return Err(CoreError::NotFinite { field: "foliage rotations", index });
         }
         self.nodes.push(leaf.node);
         self.positions.push(leaf.position);
@@ -163,13 +158,8 @@ impl From<Foliage> for Vec<Leaf> {
 mod tests {
     use super::*;
 
-    const LEAF: Leaf = Leaf {
-        node: 3,
-        position: Vec3::Y,
-        rotation: Quat::IDENTITY,
-        size: 0.1,
-        kind: 0,
-    };
+    const LEAF: Leaf =
+        Leaf { node: 3, position: Vec3::Y, rotation: Quat::IDENTITY, size: 0.1, kind: 0 };
 
     #[test]
     fn a_leaf_comes_out_as_it_went_in() {
@@ -182,34 +172,12 @@ mod tests {
     #[test]
     fn rotations_are_normalised_and_zero_ones_refused() {
         let mut foliage = Foliage::default();
-        foliage
-            .push(Leaf {
-                rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 5.0),
-                ..LEAF
-            })
-            .unwrap();
+        foliage.push(Leaf { rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 5.0), ..LEAF }).unwrap();
         assert_eq!(foliage.rotations()[0], Quat::IDENTITY);
-        let zero = Leaf {
-            rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 0.0),
-            ..LEAF
-        };
+        let zero = Leaf { rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), ..LEAF };
         assert!(foliage.push(zero).is_err());
-        assert!(
-            foliage
-                .push(Leaf {
-                    size: f32::NAN,
-                    ..LEAF
-                })
-                .is_err()
-        );
-        assert!(
-            foliage
-                .push(Leaf {
-                    position: Vec3::INFINITY,
-                    ..LEAF
-                })
-                .is_err()
-        );
+        assert!(foliage.push(Leaf { size: f32::NAN, ..LEAF }).is_err());
+        assert!(foliage.push(Leaf { position: Vec3::INFINITY, ..LEAF }).is_err());
         assert_eq!(foliage.len(), 1);
     }
 }

@@ -50,12 +50,7 @@ pub struct LimitError {
 
 /// Caps for one operation. The defaults fit a workstation: a few gigabytes at worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
-#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Limits {
     /// Nodes of a skeleton. Default 20 million (about 320 MB).
     pub nodes: u64,
@@ -108,15 +103,7 @@ impl Limits {
     /// [`LimitError`] when `requested` is above the cap.
     pub const fn check(&self, resource: Resource, requested: u64) -> Result<(), LimitError> {
         let cap = self.cap(resource);
-        if requested > cap {
-            Err(LimitError {
-                resource,
-                requested,
-                cap,
-            })
-        } else {
-            Ok(())
-        }
+        if requested > cap { Err(LimitError { resource, requested, cap }) } else { Ok(()) }
     }
 }
 
@@ -126,15 +113,9 @@ mod tests {
 
     #[test]
     fn the_cap_itself_is_allowed_and_one_more_is_not() {
-        let limits = Limits {
-            nodes: 10,
-            ..Default::default()
-        };
+        let limits = Limits { nodes: 10, ..Default::default() };
         assert_eq!(limits.check(Resource::Nodes, 10), Ok(()));
         let error = limits.check(Resource::Nodes, 11).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "nodes would be 11, Limits::nodes allows 10"
-        );
+        assert_eq!(error.to_string(), "nodes would be 11, Limits::nodes allows 10");
     }
 }

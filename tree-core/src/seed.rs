@@ -18,11 +18,7 @@ pub type Rng = Xoshiro256PlusPlus;
 /// assert_ne!(seed.stream("nodes"), seed.stream("edges"));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(transparent)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 pub struct Seed(pub u64);
 
 impl Seed {
@@ -43,9 +39,7 @@ impl Seed {
     /// The stream for the `index`-th item of this stage.
     #[must_use]
     pub const fn child(self, index: u64) -> Self {
-        Self(mix(
-            mix(self.0).wrapping_add(index.wrapping_mul(0x9e37_79b9_7f4a_7c15))
-        ))
+        Self(mix(mix(self.0).wrapping_add(index.wrapping_mul(0x9e37_79b9_7f4a_7c15))))
     }
 
     /// A generator at the start of this stream.
@@ -94,11 +88,8 @@ pub fn normal(rng: &mut Rng) -> f32 {
 /// A point uniform in the unit ball, by rejection (no transcendental function).
 pub fn in_unit_ball(rng: &mut Rng) -> Vec3 {
     loop {
-        let p = Vec3::new(
-            uniform(rng, -1.0, 1.0),
-            uniform(rng, -1.0, 1.0),
-            uniform(rng, -1.0, 1.0),
-        );
+        let p =
+            Vec3::new(uniform(rng, -1.0, 1.0), uniform(rng, -1.0, 1.0), uniform(rng, -1.0, 1.0));
         if p.length_squared() <= 1.0 {
             return p;
         }
@@ -142,10 +133,7 @@ mod tests {
         for i in 0..100_000 {
             bins[(Seed(3).unit(i) * 10.0) as usize] += 1;
         }
-        assert!(
-            bins.iter().all(|&n| (9_600..10_400).contains(&n)),
-            "{bins:?}"
-        );
+        assert!(bins.iter().all(|&n| (9_600..10_400).contains(&n)), "{bins:?}");
     }
 
     #[test]
@@ -155,9 +143,6 @@ mod tests {
         let mean = draws.iter().sum::<f32>() / draws.len() as f32;
         let variance =
             draws.iter().map(|x| (x - mean) * (x - mean)).sum::<f32>() / draws.len() as f32;
-        assert!(
-            mean.abs() < 0.02 && (variance - 1.0).abs() < 0.03,
-            "{mean} {variance}"
-        );
+        assert!(mean.abs() < 0.02 && (variance - 1.0).abs() < 0.03, "{mean} {variance}");
     }
 }

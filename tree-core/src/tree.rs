@@ -19,11 +19,7 @@ pub struct Species {
 
 impl Default for Species {
     fn default() -> Self {
-        Self {
-            name: "oak".into(),
-            bark: "oak".into(),
-            leaf_kinds: vec!["oak".into()],
-        }
+        Self { name: "oak".into(), bark: "oak".into(), leaf_kinds: vec!["oak".into()] }
     }
 }
 
@@ -62,12 +58,7 @@ impl Tree {
             .enumerate()
             .find(|&(_, found)| found as usize >= count)
         {
-            Some((leaf, found)) => Err(CoreError::Dangling {
-                leaf,
-                what,
-                found,
-                count,
-            }),
+            Some((leaf, found)) => Err(CoreError::Dangling { leaf, what, found, count }),
             None => Ok(()),
         };
         dangling("node", skeleton.len(), &mut foliage.nodes().iter().copied())?;
@@ -76,21 +67,13 @@ impl Tree {
             species.leaf_kinds.len(),
             &mut foliage.kinds().iter().map(|&kind| u32::from(kind)),
         )?;
-        Ok(Self {
-            skeleton,
-            foliage,
-            species,
-        })
+        Ok(Self { skeleton, foliage, species })
     }
 
     /// A tree without leaves.
     #[must_use]
     pub fn bare(skeleton: Skeleton, species: Species) -> Self {
-        Self {
-            skeleton,
-            foliage: Foliage::default(),
-            species,
-        }
+        Self { skeleton, foliage: Foliage::default(), species }
     }
 
     /// The branches.
@@ -114,11 +97,7 @@ impl Tree {
     /// The parts, to be changed and joined again.
     #[must_use]
     pub fn into_parts(self) -> TreeParts {
-        TreeParts {
-            skeleton: self.skeleton,
-            foliage: self.foliage,
-            species: self.species,
-        }
+        TreeParts { skeleton: self.skeleton, foliage: self.foliage, species: self.species }
     }
 }
 
@@ -144,41 +123,16 @@ mod tests {
 
     #[test]
     fn leaves_must_sit_on_nodes_and_have_kinds_that_exist() {
-        let leaf = Leaf {
-            node: 0,
-            position: Vec3::ZERO,
-            rotation: Quat::IDENTITY,
-            size: 1.0,
-            kind: 0,
-        };
+        let leaf =
+            Leaf { node: 0, position: Vec3::ZERO, rotation: Quat::IDENTITY, size: 1.0, kind: 0 };
         let join = |leaf: Leaf| {
             let foliage = Foliage::try_from(vec![leaf]).unwrap();
-            Tree::new(
-                Skeleton::builder(Vec3::ZERO, 1.0).finish(),
-                foliage,
-                Species::default(),
-            )
+            Tree::new(Skeleton::builder(Vec3::ZERO, 1.0).finish(), foliage, Species::default())
         };
         assert!(join(leaf).is_ok());
         let far = join(Leaf { node: 1, ..leaf }).unwrap_err();
-        assert!(matches!(
-            far,
-            CoreError::Dangling {
-                leaf: 0,
-                what: "node",
-                found: 1,
-                count: 1
-            }
-        ));
+        assert!(matches!(far, CoreError::Dangling { leaf: 0, what: "node", found: 1, count: 1 }));
         let odd = join(Leaf { kind: 7, ..leaf }).unwrap_err();
-        assert!(matches!(
-            odd,
-            CoreError::Dangling {
-                leaf: 0,
-                what: "kind",
-                found: 7,
-                count: 1
-            }
-        ));
+        assert!(matches!(odd, CoreError::Dangling { leaf: 0, what: "kind", found: 7, count: 1 }));
     }
 }

@@ -56,11 +56,7 @@ pub struct Texture {
 
 impl std::fmt::Debug for Texture {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "Texture({}, {} × {})",
-            self.name, self.width, self.height
-        )
+        write!(f, "Texture({}, {} × {})", self.name, self.width, self.height)
     }
 }
 
@@ -110,10 +106,7 @@ impl Mesh {
     /// Number of vertices of all surfaces.
     #[must_use]
     pub fn n_vertices(&self) -> usize {
-        self.surfaces
-            .iter()
-            .map(|surface| surface.positions.len())
-            .sum()
+        self.surfaces.iter().map(|surface| surface.positions.len()).sum()
     }
 
     /// Number of triangles of all surfaces.
@@ -125,9 +118,9 @@ impl Mesh {
     /// The box around all vertices; empty when there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        self.surfaces.iter().fold(Aabb::EMPTY, |aabb, surface| {
-            aabb.union(Aabb::of_points(&surface.positions))
-        })
+        self.surfaces
+            .iter()
+            .fold(Aabb::EMPTY, |aabb, surface| aabb.union(Aabb::of_points(&surface.positions)))
     }
 
     /// Checks that the mesh can be drawn and written: columns of equal length, finite numbers,
@@ -143,10 +136,8 @@ impl Mesh {
         for (number, surface) in self.surfaces.iter().enumerate() {
             check_surface(number, surface, self.materials.len())?;
         }
-        self.materials
-            .iter()
-            .filter_map(|material| material.texture.as_deref())
-            .try_for_each(|texture| {
+        self.materials.iter().filter_map(|material| material.texture.as_deref()).try_for_each(
+            |texture| {
                 let expected = 4 * texture.width as usize * texture.height as usize;
                 if texture.pixels.len() == expected && expected > 0 {
                     return Ok(());
@@ -158,54 +149,29 @@ impl Mesh {
                     found: texture.pixels.len(),
                     expected: expected.max(4),
                 })
-            })
+            },
+        )
     }
 }
 
 fn check_surface(number: usize, surface: &Surface, n_materials: usize) -> Result<()> {
     let expected = surface.positions.len();
-    for (field, found) in [
-        ("normals", surface.normals.len()),
-        ("uvs", surface.uvs.len()),
-    ] {
+    for (field, found) in [("normals", surface.normals.len()), ("uvs", surface.uvs.len())] {
         if found != expected {
-            return Err(MeshError::Length {
-                surface: number,
-                field,
-                found,
-                expected,
-            });
+            return Err(MeshError::Length { surface: number, field, found, expected });
         }
     }
     let bad = |field, row: Option<usize>| match row {
-        Some(index) => Err(MeshError::NotFinite {
-            surface: number,
-            field,
-            index,
-        }),
+        Some(index) => Err(MeshError::NotFinite { surface: number, field, index }),
         None => Ok(()),
     };
-    bad(
-        "positions",
-        surface.positions.iter().position(|v| !v.is_finite()),
-    )?;
-    bad(
-        "normals",
-        surface.normals.iter().position(|v| !v.is_finite()),
-    )?;
+    bad("positions", surface.positions.iter().position(|v| !v.is_finite()))?;
+    bad("normals", surface.normals.iter().position(|v| !v.is_finite()))?;
     bad("uvs", surface.uvs.iter().position(|v| !v.is_finite()))?;
     if !surface.indices.len().is_multiple_of(3) {
-        return Err(MeshError::PartialTriangle {
-            surface: number,
-            found: surface.indices.len(),
-        });
+        return Err(MeshError::PartialTriangle { surface: number, found: surface.indices.len() });
     }
-    let dangling = |what, found, count| MeshError::Dangling {
-        surface: number,
-        what,
-        found,
-        count,
-    };
+    let dangling = |what, found, count| MeshError::Dangling { surface: number, what, found, count };
     if let Some(&found) = surface.indices.iter().find(|&&i| i as usize >= expected) {
         return Err(dangling("vertex", found, expected));
     }
@@ -227,10 +193,7 @@ mod tests {
             indices: vec![0, 1, 2],
             material: 0,
         };
-        Mesh {
-            surfaces: vec![surface],
-            materials: vec![Material::default()],
-        }
+        Mesh { surfaces: vec![surface], materials: vec![Material::default()] }
     }
 
     #[test]
@@ -249,61 +212,19 @@ mod tests {
             mesh.check().unwrap_err()
         };
         let error = spoil(|m| m.surfaces[0].uvs.truncate(2));
-        assert!(matches!(
-            error,
-            MeshError::Length {
-                field: "uvs",
-                found: 2,
-                expected: 3,
-                ..
-            }
-        ));
+        assert!(matches!(error, MeshError::Length { field: "uvs", found: 2, expected: 3, .. }));
         let error = spoil(|m| m.surfaces[0].normals[1] = Vec3::NAN);
-        assert!(matches!(
-            error,
-            MeshError::NotFinite {
-                field: "normals",
-                index: 1,
-                ..
-            }
-        ));
+        assert!(matches!(error, MeshError::NotFinite { field: "normals", index: 1, .. }));
         let error = spoil(|m| m.surfaces[0].indices[2] = 3);
-        assert!(matches!(
-            error,
-            MeshError::Dangling {
-                what: "vertex",
-                found: 3,
-                count: 3,
-                ..
-            }
-        ));
+        assert!(matches!(error, MeshError::Dangling { what: "vertex", found: 3, count: 3, .. }));
         let error = spoil(|m| m.surfaces[0].material = 1);
-        assert!(matches!(
-            error,
-            MeshError::Dangling {
-                what: "material",
-                found: 1,
-                ..
-            }
-        ));
+        assert!(matches!(error, MeshError::Dangling { what: "material", found: 1, .. }));
         let error = spoil(|m| m.surfaces[0].indices.push(0));
         assert!(matches!(error, MeshError::PartialTriangle { found: 4, .. }));
         let error = spoil(|m| {
-            let texture = Texture {
-                name: "t".into(),
-                width: 2,
-                height: 2,
-                pixels: vec![0; 15],
-            };
+            let texture = Texture { name: "t".into(), width: 2, height: 2, pixels: vec![0; 15] };
             m.materials[0].texture = Some(Arc::new(texture));
         });
-        assert!(matches!(
-            error,
-            MeshError::Texture {
-                found: 15,
-                expected: 16,
-                ..
-            }
-        ));
+        assert!(matches!(error, MeshError::Texture { found: 15, expected: 16, .. }));
     }
 }

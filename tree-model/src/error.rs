@@ -112,21 +112,10 @@ pub(crate) fn check(
     if (min..=max).contains(&found) {
         return Ok(());
     }
-    Err(ModelError::Parameter {
-        field: field.into(),
-        found,
-        min,
-        max,
-    })
+    Err(ModelError::Parameter { field: field.into(), found, min, max })
 }
 
 /// Checks that a vector is finite.
 pub(crate) fn check_finite(field: impl Into<String>, value: Vec3) -> Result<()> {
-    if value.is_finite() {
-        Ok(())
-    } else {
-        Err(ModelError::NotFinite {
-            field: field.into(),
-        })
-    }
+    if value.is_finite() { Ok(()) } else { Err(ModelError::NotFinite { field: field.into() }) }
 }

@@ -39,12 +39,7 @@ impl Table {
                 "case", "metric", "paper", "peer", "ours", "unit", "aim"
             );
         }
-        Self {
-            system: system.into(),
-            json,
-            n_missed: 0,
-            n_aims: 0,
-        }
+        Self { system: system.into(), json, n_missed: 0, n_aims: 0 }
     }
 
     pub(crate) fn row(&mut self, row: &Row<'_>) {
@@ -86,17 +81,9 @@ impl Table {
     /// Fails when any aim was missed.
     pub(crate) fn finish(&self) -> ExitCode {
         if !self.json {
-            println!(
-                "{} of {} aims hold",
-                self.n_aims - self.n_missed,
-                self.n_aims
-            );
+            println!("{} of {} aims hold", self.n_aims - self.n_missed, self.n_aims);
         }
-        if self.n_missed == 0 {
-            ExitCode::SUCCESS
-        } else {
-            ExitCode::FAILURE
-        }
+        if self.n_missed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
     }
 }
 

@@ -48,23 +48,14 @@ pub fn murray_angles(r0: f32, r1: f32, r2: f32) -> Result<ForkAngles> {
     let (min, max) = ((s1 - s2).abs().sqrt(), (s1 + s2).sqrt());
     let found = f64::from(r0);
     if found < min * (1.0 - SLACK) || found > max * (1.0 + SLACK) {
-        return Err(CoreError::OutOfRange {
-            field: "r0",
-            index: 0,
-            found,
-            min,
-            max,
-        });
+        return Err(CoreError::OutOfRange { field: "r0", index: 0, found, min, max });
     }
     let angle = |own: f64, other: f64| {
         // a² − b² as a product: no digits are lost where the branches are nearly equal.
         let cosine = (s0 * s0 + (own - other) * (own + other)) / (2.0 * s0 * own);
         libm::acos(cosine.clamp(-1.0, 1.0)) as f32
     };
-    Ok(ForkAngles {
-        alpha1: angle(s1, s2),
-        alpha2: angle(s2, s1),
-    })
+    Ok(ForkAngles { alpha1: angle(s1, s2), alpha2: angle(s2, s1) })
 }
 
 /// Murray's angles where the branch below follows the pipe model, r₀^Δ = r₁^Δ + r₂^Δ.
@@ -88,11 +79,7 @@ pub fn pipe_angles(exponent: f32, r1: f32, r2: f32) -> Result<ForkAngles> {
     let acos = |cosine: f64| libm::acos(cosine.clamp(-1.0, 1.0)) as f32;
     let thin = acos((added * (s0 + 1.0) / t2 + t2) / (2.0 * s0));
     let thick = acos((s0 * s0 + (1.0 - t2) * (1.0 + t2)) / (2.0 * s0));
-    let (alpha1, alpha2) = if r1 < r2 {
-        (thin, thick)
-    } else {
-        (thick, thin)
-    };
+    let (alpha1, alpha2) = if r1 < r2 { (thin, thick) } else { (thick, thin) };
     Ok(ForkAngles { alpha1, alpha2 })
 }
 
@@ -117,8 +104,5 @@ pub fn strand_angles(s1: u64, s2: u64, sum: f32) -> Result<ForkAngles> {
     }
     let (s1, s2, sum) = (s1 as f64, s2 as f64, f64::from(sum));
     let alpha1 = sum * (s2 / (s1 + s2));
-    Ok(ForkAngles {
-        alpha1: alpha1 as f32,
-        alpha2: (sum - alpha1) as f32,
-    })
+    Ok(ForkAngles { alpha1: alpha1 as f32, alpha2: (sum - alpha1) as f32 })
 }

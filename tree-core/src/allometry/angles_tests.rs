@@ -7,10 +7,7 @@ use proptest::prelude::*;
 fn murrays_angle_of_equal_branches_for_delta_three_is_that_of_the_textbook() {
     let r0 = libm::cbrtf(2.0);
     let angles = murray_angles(r0, 1.0, 1.0).unwrap();
-    assert!(
-        (angles.sum().to_degrees() - 74.93).abs() < 0.01,
-        "{angles:?}"
-    );
+    assert!((angles.sum().to_degrees() - 74.93).abs() < 0.01, "{angles:?}");
     // Eq. 5.4 for r1 = r2: cos a = r0² / (2 r1²).
     let cosine = libm::cosf(angles.alpha1);
     assert!((cosine - r0 * r0 / 2.0).abs() < 1e-6);
@@ -32,10 +29,7 @@ fn da_vincis_radii_leave_no_angle() {
 #[test]
 fn pipe_angles_at_their_limits() {
     let textbook = pipe_angles(3.0, 0.5, 0.5).unwrap();
-    assert!(
-        (textbook.sum().to_degrees() - 74.93).abs() < 0.01,
-        "{textbook:?}"
-    );
+    assert!((textbook.sum().to_degrees() - 74.93).abs() < 0.01, "{textbook:?}");
     assert_eq!(textbook.alpha1, textbook.alpha2);
     let twig = pipe_angles(PipeModel::MANDELBROT, 1e-30, 1.0).unwrap();
     assert!(
@@ -44,10 +38,7 @@ fn pipe_angles_at_their_limits() {
     );
     assert!(matches!(
         pipe_angles(1.9, 1.0, 1.0),
-        Err(CoreError::OutOfRange {
-            field: "exponent",
-            ..
-        })
+        Err(CoreError::OutOfRange { field: "exponent", .. })
     ));
     assert!(pipe_angles(3.0, 0.0, 1.0).is_err() && pipe_angles(3.0, 1.0, f32::NAN).is_err());
 }
@@ -64,10 +55,7 @@ fn an_impossible_fork_states_the_range_of_its_base() {
         murray_angles(1.0, f32::NAN, 1.0),
         Err(CoreError::NotFinite { field: "r1", .. })
     ));
-    assert!(matches!(
-        murray_angles(1.0, 1.0, 0.0),
-        Err(CoreError::OutOfRange { field: "r2", .. })
-    ));
+    assert!(matches!(murray_angles(1.0, 1.0, 0.0), Err(CoreError::OutOfRange { field: "r2", .. })));
 }
 
 #[test]

@@ -109,11 +109,7 @@ fn segment_length(skeleton: &Skeleton, node: usize) -> f64 {
 
 fn distance(from: Vec3, to: Vec3) -> f64 {
     let along = |from: f32, to: f32| f64::from(to) - f64::from(from);
-    let (x, y, z) = (
-        along(from.x, to.x),
-        along(from.y, to.y),
-        along(from.z, to.z),
-    );
+    let (x, y, z) = (along(from.x, to.x), along(from.y, to.y), along(from.z, to.z));
     (x * x + y * y + z * z).sqrt()
 }
 
@@ -122,13 +118,7 @@ fn direction(from: Vec3, to: Vec3) -> Option<Vec3> {
     let length = distance(from, to);
     // In f64 for the same reason as the length; a unit vector fits an f32.
     let along = |from: f32, to: f32| ((f64::from(to) - f64::from(from)) / length) as f32;
-    (length > 0.0).then(|| {
-        Vec3::new(
-            along(from.x, to.x),
-            along(from.y, to.y),
-            along(from.z, to.z),
-        )
-    })
+    (length > 0.0).then(|| Vec3::new(along(from.x, to.x), along(from.y, to.y), along(from.z, to.z)))
 }
 
 /// Radii in the precision that skeletons store.

@@ -16,11 +16,7 @@ use crate::skeleton::Skeleton;
 
 /// Radii by the pipe model, with taper along unbranched shoots.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct PipeModel {
     /// Δ in r₀^Δ = Σ rᵢ^Δ, from 1 to 10. Default [`PipeModel::MURRAY`]. A larger exponent makes
     /// the trunk thinner for the same tips.
@@ -38,12 +34,7 @@ pub struct PipeModel {
 
 impl Default for PipeModel {
     fn default() -> Self {
-        Self {
-            exponent: Self::MURRAY,
-            tip_radius: 0.002,
-            taper: 0.002,
-            trunk_radius: None,
-        }
+        Self { exponent: Self::MURRAY, tip_radius: 0.002, taper: 0.002, trunk_radius: None }
     }
 }
 
@@ -59,10 +50,7 @@ impl PipeModel {
     /// The default with another exponent, for example [`PipeModel::DA_VINCI`].
     #[must_use]
     pub fn with_exponent(exponent: f32) -> Self {
-        Self {
-            exponent,
-            ..Self::default()
-        }
+        Self { exponent, ..Self::default() }
     }
 
     /// Checks every field against its range.

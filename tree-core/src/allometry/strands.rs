@@ -38,11 +38,7 @@ pub enum StrandCount {
 
 /// Radii by counting strands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct StrandModel {
     /// t in d = t √S: the diameter of a branch of one strand in metres, from 1e-6 to 100. Default
     /// 0.004.
@@ -54,10 +50,7 @@ pub struct StrandModel {
 
 impl Default for StrandModel {
     fn default() -> Self {
-        Self {
-            strand_diameter: 0.004,
-            count: StrandCount::PerTip,
-        }
+        Self { strand_diameter: 0.004, count: StrandCount::PerTip }
     }
 }
 
@@ -67,13 +60,7 @@ impl StrandModel {
     /// # Errors
     /// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`], naming the field.
     pub fn validate(&self) -> Result<()> {
-        check_range(
-            "strand_diameter",
-            0,
-            self.strand_diameter,
-            MIN_RADIUS,
-            MAX_RADIUS,
-        )?;
+        check_range("strand_diameter", 0, self.strand_diameter, MIN_RADIUS, MAX_RADIUS)?;
         match self.count {
             StrandCount::PerTip => Ok(()),
             StrandCount::ByAngle { base } => check_base(base, 1),
@@ -159,14 +146,7 @@ fn share_by_angle(skeleton: &Skeleton, tips: &[u64], base: u64) -> Vec<u64> {
     let mut heirs = Vec::new();
     for node in 0..skeleton.len() {
         heirs.clear();
-        gather(
-            positions,
-            &children,
-            directions[node],
-            tips,
-            node,
-            &mut heirs,
-        );
+        gather(positions, &children, directions[node], tips, node, &mut heirs);
         share(&mut heirs, strands[node], &mut strands);
     }
     strands
@@ -205,17 +185,9 @@ fn gather(
             }
             None => f64::INFINITY,
         };
-        heirs.push(Heir {
-            node,
-            tips: tips[node as usize],
-            weight,
-        });
+        heirs.push(Heir { node, tips: tips[node as usize], weight });
     }
-    let mean = if n_known > 0 {
-        total / f64::from(n_known)
-    } else {
-        1.0
-    };
+    let mean = if n_known > 0 { total / f64::from(n_known) } else { 1.0 };
     for heir in heirs.iter_mut().filter(|heir| heir.weight.is_infinite()) {
         heir.weight = mean;
     }
@@ -234,11 +206,7 @@ fn share(heirs: &mut [Heir], strands_below: u64, strands: &mut [u64]) {
         tips_left -= heir.tips;
         let most = left.saturating_sub(tips_left);
         let share = (left as f64 * (heir.weight / weight_left) + 0.5) as u64;
-        let given = if i + 1 == n_heirs {
-            left
-        } else {
-            share.max(heir.tips).min(most)
-        };
+        let given = if i + 1 == n_heirs { left } else { share.max(heir.tips).min(most) };
         strands[heir.node as usize] = given;
         left -= given;
         weight_left -= heir.weight;

@@ -11,11 +11,7 @@ use crate::skeleton::{Continuation, Skeleton};
 
 /// Radii by distance to the tip and level.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct TipDistance {
     /// Radius at level 0, one metre from the tip, in metres; from 1e-6 to 100. Default 0.05: the
     /// trunk of a tree of ten metres has 10 cm.
@@ -29,11 +25,7 @@ pub struct TipDistance {
 
 impl Default for TipDistance {
     fn default() -> Self {
-        Self {
-            scale: 0.05,
-            zeta: 0.3,
-            min_radius: 0.001,
-        }
+        Self { scale: 0.05, zeta: 0.3, min_radius: 0.001 }
     }
 }
 

@@ -54,11 +54,7 @@ impl Axes {
         let i = index as usize;
         let order = *self.orders.get(i)?;
         let nodes = &self.nodes[self.starts[i] as usize..self.starts[i + 1] as usize];
-        Some(Axis {
-            index,
-            order,
-            nodes,
-        })
+        Some(Axis { index, order, nodes })
     }
 
     /// All axes, parents first.
@@ -85,9 +81,7 @@ impl Axes {
     /// The Gravelius order of the axis that `node` lies on; `None` for a node that does not exist.
     #[must_use]
     pub fn order_of(&self, node: u32) -> Option<u32> {
-        self.axis_of
-            .get(node as usize)
-            .map(|&axis| self.orders[axis as usize])
+        self.axis_of.get(node as usize).map(|&axis| self.orders[axis as usize])
     }
 }
 
@@ -127,12 +121,7 @@ impl Skeleton {
             nodes[*slot as usize] = node as u32;
             *slot += 1;
         }
-        Axes {
-            axis_of,
-            starts,
-            nodes,
-            orders,
-        }
+        Axes { axis_of, starts, nodes, orders }
     }
 
     /// For each node the child that continues its axis; `u32::MAX` at tips.

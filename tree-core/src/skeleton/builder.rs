@@ -18,21 +18,9 @@ impl SkeletonBuilder {
     /// [`Skeleton::from_columns`] to have it refused instead.
     #[must_use]
     pub fn new(root_position: Vec3, root_radius: f32) -> Self {
-        let position = if root_position.is_finite() {
-            root_position
-        } else {
-            Vec3::ZERO
-        };
-        let radius = if root_radius.is_finite() {
-            root_radius.max(0.0)
-        } else {
-            0.0
-        };
-        Self {
-            positions: vec![position],
-            radii: vec![radius],
-            parents: vec![NO_PARENT],
-        }
+        let position = if root_position.is_finite() { root_position } else { Vec3::ZERO };
+        let radius = if root_radius.is_finite() { root_radius.max(0.0) } else { 0.0 };
+        Self { positions: vec![position], radii: vec![radius], parents: vec![NO_PARENT] }
     }
 
     /// Adds a node above `parent` and returns its index.
@@ -45,10 +33,8 @@ impl SkeletonBuilder {
         if parent as usize >= node || node >= NO_PARENT as usize {
             return Err(CoreError::ParentOrder { node, parent });
         }
-        check_finite("positions", &[position]).map_err(|_| CoreError::NotFinite {
-            field: "positions",
-            index: node,
-        })?;
+        check_finite("positions", &[position])
+            .map_err(|_| CoreError::NotFinite { field: "positions", index: node })?;
         check_range("radii", node, radius, 0.0, f32::MAX)?;
         self.positions.push(position);
         self.radii.push(radius);
@@ -66,10 +52,6 @@ impl SkeletonBuilder {
     /// The finished skeleton.
     #[must_use]
     pub fn finish(self) -> Skeleton {
-        Skeleton {
-            positions: self.positions,
-            radii: self.radii,
-            parents: self.parents,
-        }
+        Skeleton { positions: self.positions, radii: self.radii, parents: self.parents }
     }
 }

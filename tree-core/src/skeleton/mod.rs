@@ -71,11 +71,7 @@ impl TryFrom<SkeletonColumns> for Skeleton {
 
 impl From<Skeleton> for SkeletonColumns {
     fn from(skeleton: Skeleton) -> Self {
-        Self {
-            positions: skeleton.positions,
-            radii: skeleton.radii,
-            parents: skeleton.parents,
-        }
+        Self { positions: skeleton.positions, radii: skeleton.radii, parents: skeleton.parents }
     }
 }
 
@@ -107,11 +103,7 @@ impl Skeleton {
                 return Err(CoreError::ParentOrder { node, parent });
             }
         }
-        Ok(Self {
-            positions,
-            radii,
-            parents,
-        })
+        Ok(Self { positions, radii, parents })
     }
 
     /// Checks the invariants anew. A `Skeleton` always passes; tests and fuzz targets call this.
@@ -119,12 +111,8 @@ impl Skeleton {
     /// # Errors
     /// As [`Skeleton::from_columns`].
     pub fn check(&self) -> Result<()> {
-        Self::from_columns(
-            self.positions.clone(),
-            self.radii.clone(),
-            self.parents.clone(),
-        )
-        .map(|_| ())
+        Self::from_columns(self.positions.clone(), self.radii.clone(), self.parents.clone())
+            .map(|_| ())
     }
 
     /// Number of nodes, at least 1.
@@ -155,10 +143,7 @@ impl Skeleton {
     /// Parent of one node; `None` for the root and for a node that does not exist.
     #[must_use]
     pub fn parent(&self, node: u32) -> Option<u32> {
-        self.parents
-            .get(node as usize)
-            .copied()
-            .filter(|&parent| parent != NO_PARENT)
+        self.parents.get(node as usize).copied().filter(|&parent| parent != NO_PARENT)
     }
 
     /// Every segment as (parent, node), in node order.
@@ -201,11 +186,7 @@ fn check_columns(positions: &[Vec3], radii: &[f32], n_nodes: usize) -> Result<()
     }
     for (field, found) in [("positions", positions.len()), ("radii", radii.len())] {
         if found != n_nodes {
-            return Err(CoreError::Length {
-                field,
-                found,
-                expected: n_nodes,
-            });
+            return Err(CoreError::Length { field, found, expected: n_nodes });
         }
     }
     if n_nodes >= NO_PARENT as usize {

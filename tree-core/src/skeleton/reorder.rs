@@ -33,14 +33,7 @@ impl Skeleton {
         let in_order = root == 0 && (1..parents.len()).all(|row| (parents[row] as usize) < row);
         if in_order {
             let rows = (0..parents.len() as u32).collect();
-            return Ok(Reordered {
-                skeleton: Self {
-                    positions,
-                    radii,
-                    parents,
-                },
-                rows,
-            });
+            return Ok(Reordered { skeleton: Self { positions, radii, parents }, rows });
         }
         let rows = breadth_first(&parents, root)?;
         let mut node_of_row = vec![NO_PARENT; rows.len()];
@@ -103,9 +96,7 @@ fn breadth_first(parents: &[u32], root: usize) -> Result<Vec<u32>> {
         head += 1;
     }
     match seen.iter().position(|&reached| !reached) {
-        Some(row) => Err(CoreError::Cycle {
-            node: walk_into_cycle(parents, row),
-        }),
+        Some(row) => Err(CoreError::Cycle { node: walk_into_cycle(parents, row) }),
         None => Ok(rows),
     }
 }

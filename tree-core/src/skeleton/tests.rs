@@ -3,12 +3,7 @@ use proptest::prelude::*;
 
 /// Random valid columns, leaning to the nasty: doubles, whorls, long chains, zero radii.
 pub(crate) fn any_skeleton(max_nodes: usize) -> impl Strategy<Value = Skeleton> {
-    let node = (
-        0.0_f32..1.0,
-        prop_oneof![Just(0.0_f32), -5.0_f32..5.0],
-        0.0_f32..1.0,
-        0_u8..4,
-    );
+    let node = (0.0_f32..1.0, prop_oneof![Just(0.0_f32), -5.0_f32..5.0], 0.0_f32..1.0, 0_u8..4);
     proptest::collection::vec(node, 0..max_nodes).prop_map(|rows| {
         let mut builder = Skeleton::builder(Vec3::ZERO, 1.0);
         for (pick, shift, radius, habit) in rows {
@@ -20,9 +15,7 @@ pub(crate) fn any_skeleton(max_nodes: usize) -> impl Strategy<Value = Skeleton> 
             }
             .min(last);
             let position = Vec3::new(shift, shift * pick, radius);
-            builder
-                .add(parent, position, if habit == 3 { 0.0 } else { radius })
-                .unwrap();
+            builder.add(parent, position, if habit == 3 { 0.0 } else { radius }).unwrap();
         }
         builder.finish()
     })
@@ -38,46 +31,20 @@ fn fork() -> Skeleton {
 
 #[test]
 fn columns_with_a_nan_are_refused_by_row() {
-    let error = Skeleton::from_columns(
-        vec![Vec3::ZERO, Vec3::NAN],
-        vec![1.0, 1.0],
-        vec![NO_PARENT, 0],
-    )
-    .unwrap_err();
-    assert!(matches!(
-        error,
-        CoreError::NotFinite {
-            field: "positions",
-            index: 1
-        }
-    ));
+    let error =
+        Skeleton::from_columns(vec![Vec3::ZERO, Vec3::NAN], vec![1.0, 1.0], vec![NO_PARENT, 0])
+            .unwrap_err();
+    assert!(matches!(error, CoreError::NotFinite { field: "positions", index: 1 }));
 }
 
 #[test]
 fn an_infinite_or_negative_radius_is_refused_by_row() {
     let make = |radius| {
-        Skeleton::from_columns(
-            vec![Vec3::ZERO, Vec3::Y],
-            vec![1.0, radius],
-            vec![NO_PARENT, 0],
-        )
-        .unwrap_err()
+        Skeleton::from_columns(vec![Vec3::ZERO, Vec3::Y], vec![1.0, radius], vec![NO_PARENT, 0])
+            .unwrap_err()
     };
-    assert!(matches!(
-        make(f32::INFINITY),
-        CoreError::NotFinite {
-            field: "radii",
-            index: 1
-        }
-    ));
-    assert!(matches!(
-        make(-0.5),
-        CoreError::OutOfRange {
-            field: "radii",
-            index: 1,
-            ..
-        }
-    ));
+    assert!(matches!(make(f32::INFINITY), CoreError::NotFinite { field: "radii", index: 1 }));
+    assert!(matches!(make(-0.5), CoreError::OutOfRange { field: "radii", index: 1, .. }));
 }
 
 #[test]
@@ -90,14 +57,7 @@ fn no_nodes_are_refused() {
 fn columns_of_different_length_are_refused() {
     let error =
         Skeleton::from_columns(vec![Vec3::ZERO], vec![1.0], vec![NO_PARENT, 0]).unwrap_err();
-    assert!(matches!(
-        error,
-        CoreError::Length {
-            field: "positions",
-            found: 1,
-            expected: 2
-        }
-    ));
+    assert!(matches!(error, CoreError::Length { field: "positions", found: 1, expected: 2 }));
 }
 
 #[test]
@@ -105,22 +65,10 @@ fn a_second_root_and_a_late_parent_are_refused_by_row() {
     let make = |parents: [u32; 3]| {
         Skeleton::from_columns(vec![Vec3::ZERO; 3], vec![1.0; 3], parents.to_vec()).unwrap_err()
     };
-    assert!(matches!(
-        make([NO_PARENT, 0, NO_PARENT]),
-        CoreError::SecondRoot { node: 2 }
-    ));
-    assert!(matches!(
-        make([NO_PARENT, 2, 0]),
-        CoreError::ParentOrder { node: 1, parent: 2 }
-    ));
-    assert!(matches!(
-        make([NO_PARENT, 1, 0]),
-        CoreError::ParentOrder { node: 1, parent: 1 }
-    ));
-    assert!(matches!(
-        make([2, 0, 0]),
-        CoreError::RootHasParent { parent: 2 }
-    ));
+    assert!(matches!(make([NO_PARENT, 0, NO_PARENT]), CoreError::SecondRoot { node: 2 }));
+    assert!(matches!(make([NO_PARENT, 2, 0]), CoreError::ParentOrder { node: 1, parent: 2 }));
+    assert!(matches!(make([NO_PARENT, 1, 0]), CoreError::ParentOrder { node: 1, parent: 1 }));
+    assert!(matches!(make([2, 0, 0]), CoreError::RootHasParent { parent: 2 }));
 }
 
 #[test]
@@ -129,16 +77,10 @@ fn a_cycle_in_unordered_rows_is_named() {
         let n = parents.len();
         Skeleton::from_unordered(vec![Vec3::ZERO; n], vec![1.0; n], parents).unwrap_err()
     };
-    assert!(matches!(
-        make(vec![NO_PARENT, 2, 1, 1]),
-        CoreError::Cycle { node: 1 | 2 }
-    ));
+    assert!(matches!(make(vec![NO_PARENT, 2, 1, 1]), CoreError::Cycle { node: 1 | 2 }));
     assert!(matches!(make(vec![1, 0]), CoreError::NoRoot));
     assert!(matches!(make(vec![0]), CoreError::NoRoot));
-    assert!(matches!(
-        make(vec![NO_PARENT, 9]),
-        CoreError::ParentOrder { node: 1, parent: 9 }
-    ));
+    assert!(matches!(make(vec![NO_PARENT, 9]), CoreError::ParentOrder { node: 1, parent: 9 }));
 }
 
 #[test]
@@ -182,9 +124,7 @@ fn gravelius_order_counts_from_the_trunk() {
     // A trunk 0-1-2, a lateral 3-4 from 1, and a lateral 5 from 3.
     let mut builder = Skeleton::builder(Vec3::ZERO, 1.0);
     for (parent, radius) in [(0, 0.9), (1, 0.8), (1, 0.5), (3, 0.4), (3, 0.1)] {
-        builder
-            .add(parent, Vec3::new(radius, parent as f32, 0.0), radius)
-            .unwrap();
+        builder.add(parent, Vec3::new(radius, parent as f32, 0.0), radius).unwrap();
     }
     let skeleton = builder.finish();
     let axes = skeleton.axes(Continuation::Thickest);

@@ -21,10 +21,7 @@ pub(super) fn interpolate(skeleton: &mut Skeleton) -> Result<()> {
     let mut above = vec![Above::default(); skeleton.len()];
     for (node, &radius) in radii.iter().enumerate().rev() {
         if radius > 0.0 {
-            above[node] = Above {
-                radius,
-                distance: 0.0,
-            };
+            above[node] = Above { radius, distance: 0.0 };
         }
         if let Some(parent) = skeleton.parent(node as u32) {
             // Of several the thickest, as it is the one that continues the axis.
@@ -42,9 +39,7 @@ pub(super) fn interpolate(skeleton: &mut Skeleton) -> Result<()> {
         if radii[node] > 0.0 {
             continue;
         }
-        let below = skeleton
-            .parent(node as u32)
-            .map_or(0.0, |parent| radii[parent as usize]);
+        let below = skeleton.parent(node as u32).map_or(0.0, |parent| radii[parent as usize]);
         let Above { radius, distance } = above[node];
         radii[node] = if radius == 0.0 {
             below

@@ -77,11 +77,7 @@ pub enum UnknownRadius {
 
 /// How coordinates of a file relate to ours.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct SwcOptions {
     /// The file's upward axis. Default Z.
     pub up: UpAxis,
@@ -117,13 +113,7 @@ impl SwcOptions {
         if !found.is_finite() {
             Err(CoreError::NotFinite { field, index })
         } else if found < min || found > max {
-            Err(CoreError::OutOfRange {
-                field,
-                index,
-                found,
-                min,
-                max,
-            })
+            Err(CoreError::OutOfRange { field, index, found, min, max })
         } else {
             Ok(())
         }

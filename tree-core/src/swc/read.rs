@@ -59,13 +59,13 @@ pub fn read(text: &str, options: &SwcOptions, limits: &Limits) -> Result<SwcImpo
     let (parents, root) = resolve(&rows)?;
     let (positions, moved_by) = place(&rows, root, options)?;
     let radii = std::mem::take(&mut rows.radii);
-    let Reordered {
-        mut skeleton,
-        rows: row_of,
-    } = Skeleton::from_unordered(positions, radii, parents).map_err(|error| match error {
-        CoreError::Cycle { node } => problem(&rows, node, SwcProblem::Cycle { id: rows.ids[node] }),
-        other => other,
-    })?;
+    let Reordered { mut skeleton, rows: row_of } =
+        Skeleton::from_unordered(positions, radii, parents).map_err(|error| match error {
+            CoreError::Cycle { node } => {
+                problem(&rows, node, SwcProblem::Cycle { id: rows.ids[node] })
+            }
+            other => other,
+        })?;
     let n_unknown = |skeleton: &Skeleton| skeleton.radii().iter().filter(|&&r| r == 0.0).count();
     let unknown_radii = n_unknown(&skeleton);
     match options.unknown_radius {
@@ -98,10 +98,7 @@ pub fn read_file(path: &Path, options: &SwcOptions, limits: &Limits) -> Result<S
 }
 
 fn problem(rows: &Rows, row: usize, problem: SwcProblem) -> CoreError {
-    CoreError::Swc {
-        line: rows.lines.get(row).copied().unwrap_or(rows.n_lines.max(1)),
-        problem,
-    }
+    CoreError::Swc { line: rows.lines.get(row).copied().unwrap_or(rows.n_lines.max(1)), problem }
 }
 
 /// The row of each row's parent, and the row of the root.
@@ -168,11 +165,7 @@ fn index_ids(rows: &Rows) -> Result<Vec<(i64, u32)>> {
 
 /// Positions in metres with +Y up, and what was added to them.
 fn place(rows: &Rows, root: usize, options: &SwcOptions) -> Result<(Vec<Vec3>, [f64; 3])> {
-    let base = if options.base_at_origin {
-        rows.positions[root]
-    } else {
-        [0.0; 3]
-    };
+    let base = if options.base_at_origin { rows.positions[root] } else { [0.0; 3] };
     // Not subtracting a zero keeps the sign of a negative zero.
     let offset = |value: f64, base: f64| if base == 0.0 { value } else { value - base };
     let mut positions = Vec::with_capacity(rows.positions.len());
@@ -190,9 +183,6 @@ fn place(rows: &Rows, root: usize, options: &SwcOptions) -> Result<(Vec<Vec3>, [
         positions.push(Vec3::from(options.up.to_y_up([x?, y?, z?])));
     }
     // 0 − x rather than −x: a root that was at the origin is reported as moved by 0, not by −0.
-    let moved_by = options
-        .up
-        .to_y_up(base)
-        .map(|metres| 0.0 - metres * options.scale);
+    let moved_by = options.up.to_y_up(base).map(|metres| 0.0 - metres * options.scale);
     Ok((positions, moved_by))
 }

@@ -48,10 +48,7 @@ impl Rows {
             if let Some(first) = fields.next() {
                 limits.check(Resource::Nodes, rows.ids.len() as u64 + 1)?;
                 rows.push(first, fields, options.scale)
-                    .map_err(|problem| CoreError::Swc {
-                        line: rows.n_lines,
-                        problem,
-                    })?;
+                    .map_err(|problem| CoreError::Swc { line: rows.n_lines, problem })?;
             }
         }
         Ok(rows)
@@ -137,8 +134,5 @@ fn number(field: &'static str, text: &str) -> Result<f64, SwcProblem> {
 }
 
 fn not_a_number(field: &'static str, text: &str) -> SwcProblem {
-    SwcProblem::NotANumber {
-        field,
-        found: text.chars().take(QUOTE_CHARS).collect(),
-    }
+    SwcProblem::NotANumber { field, found: text.chars().take(QUOTE_CHARS).collect() }
 }

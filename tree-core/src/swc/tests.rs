@@ -28,8 +28,7 @@ fn fault(text: &str) -> (usize, SwcProblem) {
 
 fn bits(skeleton: &Skeleton) -> Vec<[u32; 4]> {
     let rows = skeleton.positions().iter().zip(skeleton.radii());
-    rows.map(|(p, r)| [p.x, p.y, p.z, *r].map(f32::to_bits))
-        .collect()
+    rows.map(|(p, r)| [p.x, p.y, p.z, *r].map(f32::to_bits)).collect()
 }
 
 #[test]
@@ -78,10 +77,7 @@ fn comments_and_further_fields_are_reported() {
 #[test]
 fn each_bad_line_is_named_with_what_is_wrong_there() {
     use SwcProblem::*;
-    let not_a_number = |field, found: &str| NotANumber {
-        field,
-        found: found.into(),
-    };
+    let not_a_number = |field, found: &str| NotANumber { field, found: found.into() };
     for (text, line, problem) in [
         ("", 1, NoRows),
         ("# only\n# comments\n", 2, NoRows),
@@ -90,11 +86,7 @@ fn each_bad_line_is_named_with_what_is_wrong_there() {
         ("1 3 0 0 0 1 -1\n2 3 0 0", 2, Fields { found: 4 }),
         ("x 3 0 0 0 1 -1", 1, not_a_number("id", "x")),
         ("1 3.5 0 0 0 1 -1", 1, not_a_number("type", "3.5")),
-        (
-            "1 2147483648 0 0 0 1 -1",
-            1,
-            not_a_number("type", "2147483648"),
-        ),
+        ("1 2147483648 0 0 0 1 -1", 1, not_a_number("type", "2147483648")),
         ("1 3 0 1,5 0 1 -1", 1, not_a_number("y", "1,5")),
         ("1 3 0 0 0 1 1e300", 1, not_a_number("parent", "1e300")),
         ("1 3 0 0 0 1 nan", 1, not_a_number("parent", "nan")),
@@ -104,35 +96,12 @@ fn each_bad_line_is_named_with_what_is_wrong_there() {
         ("1 3 0 0 0 1e999 -1", 1, NotFinite { field: "radius" }),
         ("1 3 0 0 0 -0.5 -1", 1, NegativeRadius { found: -0.5 }),
         ("-4 3 0 0 0 1 -1", 1, NegativeId { found: -4 }),
-        (
-            "5 3 0 0 0 1 -1\n\n5 3 0 0 0 1 5",
-            3,
-            DuplicateId {
-                id: 5,
-                first_line: 1,
-            },
-        ),
-        (
-            "5 3 0 0 0 1 -1\n6 3 0 0 0 1 -2",
-            2,
-            UnknownParent { id: 6, parent: -2 },
-        ),
-        (
-            "5 3 0 0 0 1 -1\n6 3 0 0 0 1 1",
-            2,
-            UnknownParent { id: 6, parent: 1 },
-        ),
-        (
-            "#\n1 3 0 0 0 1 -1\n2 3 0 0 0 1 -1",
-            3,
-            SecondRoot { first_line: 2 },
-        ),
+        ("5 3 0 0 0 1 -1\n\n5 3 0 0 0 1 5", 3, DuplicateId { id: 5, first_line: 1 }),
+        ("5 3 0 0 0 1 -1\n6 3 0 0 0 1 -2", 2, UnknownParent { id: 6, parent: -2 }),
+        ("5 3 0 0 0 1 -1\n6 3 0 0 0 1 1", 2, UnknownParent { id: 6, parent: 1 }),
+        ("#\n1 3 0 0 0 1 -1\n2 3 0 0 0 1 -1", 3, SecondRoot { first_line: 2 }),
         ("1 3 0 0 0 1 -1\n8 3 0 0 0 1 8", 2, Cycle { id: 8 }),
-        (
-            "1 3 0 0 0 1 -1\n2 3 0 0 0 1 3\n\n3 3 0 0 0 1 3",
-            4,
-            Cycle { id: 3 },
-        ),
+        ("1 3 0 0 0 1 -1\n2 3 0 0 0 1 3\n\n3 3 0 0 0 1 3", 4, Cycle { id: 3 }),
     ] {
         assert_eq!(fault(text), (line, problem), "{text:?}");
     }
@@ -146,20 +115,13 @@ fn a_long_field_is_not_repeated_whole() {
 
 #[test]
 fn one_node_over_the_cap_is_refused() {
-    let limits = Limits {
-        nodes: 2,
-        ..Default::default()
-    };
+    let limits = Limits { nodes: 2, ..Default::default() };
     let text = write(&chain(2), &PLAIN).unwrap();
     assert!(read(&text, &PLAIN, &limits).is_ok());
     let text = write(&chain(3), &PLAIN).unwrap();
     assert!(matches!(
         read(&text, &PLAIN, &limits),
-        Err(CoreError::Limit(LimitError {
-            resource: Resource::Nodes,
-            requested: 3,
-            cap: 2
-        }))
+        Err(CoreError::Limit(LimitError { resource: Resource::Nodes, requested: 3, cap: 2 }))
     ));
 }
 
@@ -179,16 +141,10 @@ fn axes_units_and_base_are_brought_to_ours() {
     // A trunk of 2 m in centimetres on a map grid, Z up, with a branch to the north (+Y).
     let text = "1 3 50000012.5 400000000 1000 10 -1\n2 3 50000012.5 400000000 1200 5 1\n\
                 3 4 50000012.5 400000050 1200 1 2";
-    let options = SwcOptions {
-        scale: 0.01,
-        ..Default::default()
-    };
+    let options = SwcOptions { scale: 0.01, ..Default::default() };
     let import = read(text, &options, &Limits::default()).unwrap();
     let found = import.skeleton.positions();
-    assert_eq!(
-        found,
-        [Vec3::ZERO, Vec3::Y * 2.0, Vec3::new(0.0, 2.0, -0.5)]
-    );
+    assert_eq!(found, [Vec3::ZERO, Vec3::Y * 2.0, Vec3::new(0.0, 2.0, -0.5)]);
     assert_eq!(import.skeleton.radii(), [0.1, 0.05, 0.01]);
     assert_eq!(import.report.moved_by, [-500_000.125, -10.0, 4_000_000.0]);
 }
@@ -213,16 +169,9 @@ fn a_scale_out_of_range_is_refused_by_name() {
 #[test]
 fn unknown_radii_are_filled_from_both_sides() {
     let fill = |text: &str| {
-        let options = SwcOptions {
-            unknown_radius: UnknownRadius::Interpolate,
-            ..PLAIN
-        };
+        let options = SwcOptions { unknown_radius: UnknownRadius::Interpolate, ..PLAIN };
         let import = read(text, &options, &Limits::default()).unwrap();
-        (
-            import.skeleton.radii().to_vec(),
-            import.report.unknown_radii,
-            import.report.filled_radii,
-        )
+        (import.skeleton.radii().to_vec(), import.report.unknown_radii, import.report.filled_radii)
     };
     // Known 4 at 0 m and 1 at 3 m; unknown at 1 m, with an unknown twig and a thinner known one.
     let (radii, unknown, filled) = fill(
@@ -232,14 +181,8 @@ fn unknown_radii_are_filled_from_both_sides() {
     assert_eq!((unknown, filled), (3, 3));
     // Nothing known below; then nothing known at all; then no way between.
     assert_eq!(fill("1 3 0 0 0 0 -1\n2 3 0 1 0 2 1").0, [2.0, 2.0]);
-    assert_eq!(
-        fill("1 3 0 0 0 0 -1\n2 3 0 1 0 0 1"),
-        (vec![0.0, 0.0], 2, 0)
-    );
-    assert_eq!(
-        fill("1 3 0 0 0 4 -1\n2 3 0 0 0 0 1\n3 3 0 0 0 2 2").0,
-        [4.0, 3.0, 2.0]
-    );
+    assert_eq!(fill("1 3 0 0 0 0 -1\n2 3 0 1 0 0 1"), (vec![0.0, 0.0], 2, 0));
+    assert_eq!(fill("1 3 0 0 0 4 -1\n2 3 0 0 0 0 1\n3 3 0 0 0 2 2").0, [4.0, 3.0, 2.0]);
 }
 
 #[test]
@@ -275,22 +218,12 @@ fn scanned_trees_have_the_counts_that_their_source_states() {
         eprintln!("skipped: there is no {}", folder.display());
         return;
     }
-    for (file, n_nodes, n_laterals, n_unknown) in [
-        ("puu1_reference.swc", 3966, 906, 661),
-        ("cherry_plantscan3d.swc", 6128, 614, 152),
-    ] {
-        let import = read_file(
-            &folder.join(file),
-            &SwcOptions::default(),
-            &Limits::default(),
-        )
-        .unwrap();
-        let SwcImport {
-            skeleton,
-            types,
-            report,
-            ..
-        } = &import;
+    for (file, n_nodes, n_laterals, n_unknown) in
+        [("puu1_reference.swc", 3966, 906, 661), ("cherry_plantscan3d.swc", 6128, 614, 152)]
+    {
+        let import =
+            read_file(&folder.join(file), &SwcOptions::default(), &Limits::default()).unwrap();
+        let SwcImport { skeleton, types, report, .. } = &import;
         skeleton.check().unwrap();
         assert_eq!(skeleton.len(), n_nodes);
         assert_eq!(types.iter().filter(|&&t| t == 4).count(), n_laterals);
@@ -303,10 +236,8 @@ fn scanned_trees_have_the_counts_that_their_source_states() {
         let again = read(&text, &SwcOptions::default(), &Limits::default()).unwrap();
         assert_eq!(bits(&again.skeleton), bits(skeleton));
 
-        let options = SwcOptions {
-            unknown_radius: UnknownRadius::Interpolate,
-            ..Default::default()
-        };
+        let options =
+            SwcOptions { unknown_radius: UnknownRadius::Interpolate, ..Default::default() };
         let filled = read_file(&folder.join(file), &options, &Limits::default()).unwrap();
         assert_eq!(filled.report.filled_radii, n_unknown);
         assert!(filled.skeleton.radii().iter().all(|&radius| radius > 0.0));
@@ -328,11 +259,7 @@ fn any_finite() -> impl Strategy<Value = f32> {
 }
 
 fn any_row() -> impl Strategy<Value = String> {
-    let number = prop_oneof![
-        "-?[0-9]{1,3}(\\.[0-9]{1,3})?",
-        Just("nan".into()),
-        "[0-9e.+-]{0,4}"
-    ];
+    let number = prop_oneof!["-?[0-9]{1,3}(\\.[0-9]{1,3})?", Just("nan".into()), "[0-9e.+-]{0,4}"];
     (0_i64..12, -1_i64..12, number, "[ \t]{1,2}")
         .prop_map(|(id, parent, x, gap)| format!("{id}{gap}3 {x} 0 {x} 1{gap}{parent}"))
 }

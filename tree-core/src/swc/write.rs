@@ -58,21 +58,15 @@ fn write_rows(skeleton: &Skeleton, options: &SwcOptions, out: &mut dyn Write) ->
         UpAxis::Z => "Z",
     };
     let scale = options.scale;
-    writeln!(
-        out,
-        "# SWC: id type x y z radius parent; {up} up; 1 unit = {scale} m"
-    )?;
+    writeln!(out, "# SWC: id type x y z radius parent; {up} up; 1 unit = {scale} m")?;
     writeln!(
         out,
         "# type {CONTINUES} = continues its parent's axis, {STARTS_LATERAL} = starts a lateral axis; radius 0 = unknown"
     )?;
     let axes = skeleton.axes(Continuation::Thickest);
     let axis_of = axes.axis_of();
-    for (node, (&position, &radius)) in skeleton
-        .positions()
-        .iter()
-        .zip(skeleton.radii())
-        .enumerate()
+    for (node, (&position, &radius)) in
+        skeleton.positions().iter().zip(skeleton.radii()).enumerate()
     {
         let parent = skeleton.parent(node as u32);
         let kind = match parent {

@@ -29,16 +29,10 @@ impl Frustum {
     ) -> Result<Self> {
         let height = base.distance(top);
         let Some(axis) = (top - base).try_normalize() else {
-            return Err(check::problem(
-                solid,
-                "base and top are the same point: they must differ",
-            ));
+            return Err(check::problem(solid, "base and top are the same point: they must differ"));
         };
         if base_radius == 0.0 && top_radius == 0.0 {
-            return Err(check::problem(
-                solid,
-                "both radii are 0: at least one must be positive",
-            ));
+            return Err(check::problem(solid, "both radii are 0: at least one must be positive"));
         }
         Ok(Self {
             meridian: Meridian { base, axis },
@@ -71,11 +65,8 @@ impl Frustum {
 
     pub(super) fn bounds(&self) -> Aabb {
         self.meridian.bounds_of_discs(
-            [
-                DVec2::new(self.base_radius, 0.0),
-                DVec2::new(self.top_radius, self.height),
-            ]
-            .into_iter(),
+            [DVec2::new(self.base_radius, 0.0), DVec2::new(self.top_radius, self.height)]
+                .into_iter(),
         )
     }
 
@@ -112,12 +103,7 @@ impl Sector {
         } else {
             libm::sincos(f64::from(angle))
         };
-        Ok(Self {
-            meridian: Meridian { base, axis },
-            radius,
-            sine,
-            cosine,
-        })
+        Ok(Self { meridian: Meridian { base, axis }, radius, sine, cosine })
     }
 
     /// Whether the angle is at most the sector's: sin(angle - theta) >= 0, without any arc function.

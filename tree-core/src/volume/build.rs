@@ -45,12 +45,7 @@ impl Volume {
     /// # Errors
     /// As [`Volume::new`]; `base` and `top` must differ.
     pub fn frustum(base: Vec3, top: Vec3, base_radius: f32, top_radius: f32) -> Result<Self> {
-        Self::new(Solid::Frustum {
-            base,
-            top,
-            base_radius,
-            top_radius,
-        })
+        Self::new(Solid::Frustum { base, top, base_radius, top_radius })
     }
 
     /// All points within `radius` of the segment; a ball where its ends coincide.
@@ -82,12 +77,7 @@ impl Volume {
     /// # Errors
     /// As [`Volume::new`].
     pub fn sector(apex: Vec3, axis: Vec3, angle: f32, radius: f32) -> Result<Self> {
-        Self::new(Solid::Sector {
-            apex,
-            axis,
-            angle,
-            radius,
-        })
+        Self::new(Solid::Sector { apex, axis, angle, radius })
     }
 
     /// What a profile of (distance from the axis, height above the base) sweeps when turned.
@@ -95,11 +85,7 @@ impl Volume {
     /// # Errors
     /// As [`Volume::new`]; distances must be 0 or more and not all 0, heights not all the same.
     pub fn revolution(base: Vec3, axis: Vec3, profile: Vec<Vec2>) -> Result<Self> {
-        Self::new(Solid::Revolution {
-            base,
-            axis,
-            profile,
-        })
+        Self::new(Solid::Revolution { base, axis, profile })
     }
 
     /// What a closed triangle mesh bounds.
@@ -107,10 +93,7 @@ impl Volume {
     /// # Errors
     /// As [`Volume::new`]; an open edge or a wrong index is named.
     pub fn mesh(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self> {
-        Self::new(Solid::Mesh {
-            positions,
-            triangles,
-        })
+        Self::new(Solid::Mesh { positions, triangles })
     }
 }
 
@@ -153,10 +136,7 @@ impl Volume {
                 without: without.union(other)?,
             });
         }
-        Self::new(Solid::Difference {
-            from: self.clone(),
-            without: other.clone(),
-        })
+        Self::new(Solid::Difference { from: self.clone(), without: other.clone() })
     }
 
     /// The volume moved, turned, scaled or sheared. Of a transformed volume both maps become one,
@@ -166,21 +146,14 @@ impl Volume {
     /// A map that is not finite or that flattens the volume, or beyond
     /// [`MAX_DEPTH`](super::MAX_DEPTH) or [`MAX_SOLIDS`].
     pub fn transformed(&self, world_from_local: Affine3A) -> Result<Self> {
-        if let Solid::Transformed {
-            volume,
-            world_from_local: first,
-        } = self.solid()
-        {
+        if let Solid::Transformed { volume, world_from_local: first } = self.solid() {
             let both: DAffine3 = world_from_local.as_daffine3() * first.as_daffine3();
             return Self::new(Solid::Transformed {
                 volume: volume.clone(),
                 world_from_local: both.as_affine3a(),
             });
         }
-        Self::new(Solid::Transformed {
-            volume: self.clone(),
-            world_from_local,
-        })
+        Self::new(Solid::Transformed { volume: self.clone(), world_from_local })
     }
 
     /// What lies in any of the volumes; a single one is returned as it is.

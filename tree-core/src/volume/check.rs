@@ -5,10 +5,7 @@ use glam::{DVec3, Vec3};
 
 /// An error about the solid as a whole.
 pub(super) fn problem(solid: &'static str, problem: impl Into<String>) -> CoreError {
-    CoreError::Volume {
-        solid,
-        problem: problem.into(),
-    }
+    CoreError::Volume { solid, problem: problem.into() }
 }
 
 /// A finite point, in double precision.
@@ -31,10 +28,7 @@ pub(super) fn radius_or_zero(field: &'static str, index: usize, found: f32) -> R
 
 /// A direction of any length but zero, made a unit vector.
 pub(super) fn direction(solid: &'static str, field: &'static str, found: Vec3) -> Result<DVec3> {
-    point(field, found)?.try_normalize().ok_or_else(|| {
-        problem(
-            solid,
-            format!("{field} has no direction: it must not be zero"),
-        )
-    })
+    point(field, found)?
+        .try_normalize()
+        .ok_or_else(|| problem(solid, format!("{field} has no direction: it must not be zero")))
 }

@@ -26,18 +26,14 @@ impl Union {
         if volumes.is_empty() {
             return Err(CoreError::Empty { what: "union" });
         }
-        let part = |volume: &Volume| Part {
-            bounds: Box64::new(volume.bounds()),
-            volume: volume.clone(),
-        };
+        let part =
+            |volume: &Volume| Part { bounds: Box64::new(volume.bounds()), volume: volume.clone() };
         Ok(Self(volumes.iter().map(part).collect()))
     }
 
     #[inline]
     pub(super) fn contains(&self, p: DVec3) -> bool {
-        self.0
-            .iter()
-            .any(|part| part.bounds.contains(p) && part.volume.shape().contains(p))
+        self.0.iter().any(|part| part.bounds.contains(p) && part.volume.shape().contains(p))
     }
 
     pub(super) fn distance(&self, p: DVec3) -> f64 {
@@ -71,9 +67,7 @@ pub(super) struct Intersection(Vec<Volume>);
 impl Intersection {
     pub(super) fn new(volumes: &[Volume]) -> Result<Self> {
         if volumes.is_empty() {
-            return Err(CoreError::Empty {
-                what: "intersection",
-            });
+            return Err(CoreError::Empty { what: "intersection" });
         }
         Ok(Self(volumes.to_vec()))
     }
@@ -84,17 +78,12 @@ impl Intersection {
     }
 
     pub(super) fn distance(&self, p: DVec3) -> f64 {
-        self.0.iter().fold(f64::NEG_INFINITY, |most, part| {
-            most.max(part.shape().distance(p))
-        })
+        self.0.iter().fold(f64::NEG_INFINITY, |most, part| most.max(part.shape().distance(p)))
     }
 
     pub(super) fn bounds(&self) -> Aabb {
         let everywhere = Aabb::new(glam::Vec3::NEG_INFINITY, glam::Vec3::INFINITY);
-        self.0
-            .iter()
-            .map(Volume::bounds)
-            .fold(everywhere, Aabb::intersection)
+        self.0.iter().map(Volume::bounds).fold(everywhere, Aabb::intersection)
     }
 }
 
@@ -122,10 +111,7 @@ impl Difference {
     }
 
     pub(super) fn distance(&self, p: DVec3) -> f64 {
-        self.from
-            .shape()
-            .distance(p)
-            .max(-self.without.shape().distance(p))
+        self.from.shape().distance(p).max(-self.without.shape().distance(p))
     }
 
     pub(super) fn bounds(&self) -> Aabb {
@@ -158,10 +144,7 @@ pub(super) struct Transformed {
 impl Transformed {
     pub(super) fn new(volume: &Volume, world_from_local: &Affine3A) -> Result<Self> {
         if !world_from_local.is_finite() {
-            return Err(CoreError::NotFinite {
-                field: "transformed.world_from_local",
-                index: 0,
-            });
+            return Err(CoreError::NotFinite { field: "transformed.world_from_local", index: 0 });
         }
         let map = world_from_local.as_daffine3();
         let matrix = map.matrix3;
@@ -234,9 +217,8 @@ fn transformed_bounds(local: Aabb, map: &DAffine3) -> Aabb {
     }
     let (low, high) = (local.min.as_dvec3(), local.max.as_dvec3());
     let (mut min, mut max) = (map.translation, map.translation);
-    for (axis, &edge) in [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis]
-        .iter()
-        .enumerate()
+    for (axis, &edge) in
+        [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis].iter().enumerate()
     {
         for row in 0..3 {
             // 0 times an infinite side is 0 here: the side does not reach along this row.

@@ -12,11 +12,7 @@ pub(super) fn narrow(x: f64) -> f32 {
 /// The largest f32 that is not above `x`.
 fn below(x: f64) -> f32 {
     let near = x as f32;
-    if f64::from(near) > x {
-        near.next_down()
-    } else {
-        near
-    }
+    if f64::from(near) > x { near.next_down() } else { near }
 }
 
 /// The box in single precision, rounded outwards so that it loses nothing.
@@ -36,10 +32,7 @@ pub(super) struct Box64 {
 
 impl Box64 {
     pub(super) fn new(aabb: Aabb) -> Self {
-        Self {
-            min: aabb.min.as_dvec3(),
-            max: aabb.max.as_dvec3(),
-        }
+        Self { min: aabb.min.as_dvec3(), max: aabb.max.as_dvec3() }
     }
 
     /// Closed; false for NaN and for an empty box.
@@ -51,10 +44,7 @@ impl Box64 {
     /// Zero inside.
     #[inline]
     pub(super) fn distance_squared(&self, p: DVec3) -> f64 {
-        (self.min - p)
-            .max(p - self.max)
-            .max(DVec3::ZERO)
-            .length_squared()
+        (self.min - p).max(p - self.max).max(DVec3::ZERO).length_squared()
     }
 }
 
@@ -103,11 +93,7 @@ impl Meridian {
 /// Share of the way from `a` to `b` that is nearest to a point, from its dot products.
 #[inline]
 fn nearest_share(along: f64, length_squared: f64) -> f64 {
-    if length_squared > 0.0 {
-        (along / length_squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    }
+    if length_squared > 0.0 { (along / length_squared).clamp(0.0, 1.0) } else { 0.0 }
 }
 
 /// Squared distance of a point from the segment `a b` in the plane.

@@ -38,29 +38,20 @@ impl Revolution {
         let base = check::point("revolution.base", base)?;
         let axis = check::direction("revolution", "revolution.axis", axis)?;
         if profile.is_empty() {
-            return Err(CoreError::Empty {
-                what: "revolution.profile",
-            });
+            return Err(CoreError::Empty { what: "revolution.profile" });
         }
         for (index, point) in profile.iter().enumerate() {
             if !point.is_finite() {
-                return Err(CoreError::NotFinite {
-                    field: "revolution.profile",
-                    index,
-                });
+                return Err(CoreError::NotFinite { field: "revolution.profile", index });
             }
             check::radius_or_zero("revolution.profile", index, point.x)?;
         }
         if profile.len() > u32::MAX as usize / MAX_ENTRIES_PER_SEGMENT {
-            return Err(check::problem(
-                "revolution",
-                "the profile has too many points",
-            ));
+            return Err(check::problem("revolution", "the profile has too many points"));
         }
         let profile: Vec<DVec2> = profile.iter().map(|p| p.as_dvec2()).collect();
-        let (low, high) = profile
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
+        let (low, high) =
+            profile.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
                 (low.min(p.y), high.max(p.y))
             });
         if low == high {
@@ -147,10 +138,7 @@ impl Revolution {
         let entries = &self.entries[self.starts[bin] as usize..self.starts[bin + 1] as usize];
         let mut inside = false;
         for &segment in entries {
-            let (a, b) = (
-                self.profile[segment as usize],
-                self.profile[segment as usize + 1],
-            );
+            let (a, b) = (self.profile[segment as usize], self.profile[segment as usize + 1]);
             if (a.y <= q.y) != (b.y <= q.y) {
                 // From the lower end up, so that direction of drawing does not matter.
                 let (low, high) = if a.y <= q.y { (a, b) } else { (b, a) };

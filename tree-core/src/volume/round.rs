@@ -34,10 +34,7 @@ impl Capsule {
     }
 
     pub(super) fn bounds(&self) -> Aabb {
-        outward(
-            self.start.min(self.end) - self.radius,
-            self.start.max(self.end) + self.radius,
-        )
+        outward(self.start.min(self.end) - self.radius, self.start.max(self.end) + self.radius)
     }
 
     pub(super) fn measure(&self) -> f64 {
@@ -98,11 +95,7 @@ impl Ellipsoid {
             check::size("ellipsoid.radii", axis, radius)?;
         }
         let radii = radii.as_dvec3();
-        Ok(Self {
-            center,
-            radii,
-            per_radius: radii.recip(),
-        })
+        Ok(Self { center, radii, per_radius: radii.recip() })
     }
 
     #[inline]
@@ -118,11 +111,7 @@ impl Ellipsoid {
         let mut axes = [0, 1, 2].map(|i| (self.radii[i], offset[i]));
         axes.sort_by(|a, b| b.0.total_cmp(&a.0));
         let distance = distance_in_octant(axes);
-        if self.contains(p) {
-            -distance
-        } else {
-            distance
-        }
+        if self.contains(p) { -distance } else { distance }
     }
 
     pub(super) fn bounds(&self) -> Aabb {
@@ -189,11 +178,8 @@ fn distance_by_root(axes: [(f64, f64); 3]) -> f64 {
 /// round away points next to a plane of symmetry. g falls and is convex, and at the start taken here
 /// one term is 1 and none is more, so 0 <= g <= 2: Newton's steps climb to the root, never past it.
 fn nearest_parameter(rises: [f64; 3], shares: [f64; 3]) -> f64 {
-    let mut t = rises
-        .iter()
-        .zip(shares)
-        .map(|(rise, z)| (1.0 + rise) * z - rise)
-        .fold(shares[2], f64::max);
+    let mut t =
+        rises.iter().zip(shares).map(|(rise, z)| (1.0 + rise) * z - rise).fold(shares[2], f64::max);
     for _ in 0..MAX_NEWTON_STEPS {
         let (mut g, mut slope) = (-1.0, 0.0);
         for (rise, z) in rises.iter().zip(shares) {

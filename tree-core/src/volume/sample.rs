@@ -25,9 +25,7 @@ impl Volume {
         }
         let min = bounds.min.as_dvec3();
         let size = bounds.max.as_dvec3() - min;
-        (0..attempts)
-            .map(|_| (min + size * unit_cube(rng)).as_vec3())
-            .find(|&p| self.contains(p))
+        (0..attempts).map(|_| (min + size * unit_cube(rng)).as_vec3()).find(|&p| self.contains(p))
     }
 
     /// Cubic metres inside, by sampling one point in each cell of a grid over the box: the same
@@ -73,9 +71,5 @@ fn unit_cube(rng: &mut Rng) -> DVec3 {
 /// Rounded down. In whole numbers: the cube of the largest answer, 1625, still fits.
 fn cube_root(n: u32) -> u32 {
     let root = libm::cbrt(f64::from(n)).round() as u32;
-    if u64::from(root).pow(3) > u64::from(n) {
-        root - 1
-    } else {
-        root
-    }
+    if u64::from(root).pow(3) > u64::from(n) { root - 1 } else { root }
 }

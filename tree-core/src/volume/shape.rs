@@ -42,12 +42,7 @@ impl Shape {
                 let radius = check::size("cylinder.radius", 0, *radius)?;
                 Self::Frustum(Frustum::new("cylinder", base, top, radius, radius)?)
             }
-            Solid::Frustum {
-                base,
-                top,
-                base_radius,
-                top_radius,
-            } => {
+            Solid::Frustum { base, top, base_radius, top_radius } => {
                 let base = check::point("frustum.base", *base)?;
                 let top = check::point("frustum.top", *top)?;
                 let base_radius = check::radius_or_zero("frustum.base_radius", 0, *base_radius)?;
@@ -59,28 +54,21 @@ impl Shape {
             }
             Solid::Box { min, max } => Self::Cuboid(Cuboid::new(*min, *max)?),
             Solid::HalfSpace { point, normal } => Self::HalfSpace(HalfSpace::new(*point, *normal)?),
-            Solid::Sector {
-                apex,
-                axis,
-                angle,
-                radius,
-            } => Self::Sector(Sector::new(*apex, *axis, *angle, *radius)?),
-            Solid::Revolution {
-                base,
-                axis,
-                profile,
-            } => Self::Revolution(Revolution::new(*base, *axis, profile)?),
-            Solid::Mesh {
-                positions,
-                triangles,
-            } => Self::Mesh(Box::new(Mesh::new(positions, triangles)?)),
+            Solid::Sector { apex, axis, angle, radius } => {
+                Self::Sector(Sector::new(*apex, *axis, *angle, *radius)?)
+            }
+            Solid::Revolution { base, axis, profile } => {
+                Self::Revolution(Revolution::new(*base, *axis, profile)?)
+            }
+            Solid::Mesh { positions, triangles } => {
+                Self::Mesh(Box::new(Mesh::new(positions, triangles)?))
+            }
             Solid::Union(parts) => Self::Union(Union::new(parts)?),
             Solid::Intersection(parts) => Self::Intersection(Intersection::new(parts)?),
             Solid::Difference { from, without } => Self::Difference(Difference::new(from, without)),
-            Solid::Transformed {
-                volume,
-                world_from_local,
-            } => Self::Transformed(Box::new(Transformed::new(volume, world_from_local)?)),
+            Solid::Transformed { volume, world_from_local } => {
+                Self::Transformed(Box::new(Transformed::new(volume, world_from_local)?))
+            }
         })
     }
 

@@ -29,9 +29,7 @@ pub enum Phyllotaxis {
 
 impl Default for Phyllotaxis {
     fn default() -> Self {
-        Self::Spiral {
-            divergence: GOLDEN_ANGLE,
-        }
+        Self::Spiral { divergence: GOLDEN_ANGLE }
     }
 }
 

@@ -43,15 +43,8 @@ pub fn grow_leaves(
     params.validate(usize::from(u16::MAX) + 1)?;
     let axes = skeleton.axes(Continuation::Thickest);
     let to_tip = skeleton.distances_to_tip();
-    control.limits.check(
-        Resource::Leaves,
-        most_leaves(skeleton, params, &to_tip, axes.len()),
-    )?;
-    let bearer = shoot::Bearer {
-        skeleton,
-        params,
-        to_tip: &to_tip,
-    };
+    control.limits.check(Resource::Leaves, most_leaves(skeleton, params, &to_tip, axes.len()))?;
+    let bearer = shoot::Bearer { skeleton, params, to_tip: &to_tip };
     let numbers: Vec<u32> = (0..axes.len() as u32).collect();
     let leaves = numbers
         .par_chunks(CHUNK)
@@ -59,11 +52,7 @@ pub fn grow_leaves(
             control.check()?;
             let mut leaves = Vec::new();
             for axis in chunk.iter().filter_map(|&number| axes.get(number)) {
-                bearer.bear(
-                    axis,
-                    &mut seed.child(u64::from(axis.index)).rng(),
-                    &mut leaves,
-                );
+                bearer.bear(axis, &mut seed.child(u64::from(axis.index)).rng(), &mut leaves);
             }
             Ok(leaves)
         })

@@ -6,11 +6,7 @@ use std::f32::consts::PI;
 
 /// Where leaves stand and how they are held. Lengths in metres, angles in radians.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct LeafParams {
     /// Arrangement along the shoot. Default a spiral at the golden angle.
     pub arrangement: Phyllotaxis,
@@ -62,12 +58,7 @@ impl LeafParams {
     pub fn validate(&self, n_kinds: usize) -> Result<()> {
         match self.arrangement {
             Phyllotaxis::Spiral { divergence } => {
-                check(
-                    "leaves.arrangement.divergence",
-                    divergence,
-                    -2.0 * PI,
-                    2.0 * PI,
-                )?;
+                check("leaves.arrangement.divergence", divergence, -2.0 * PI, 2.0 * PI)?;
             }
             Phyllotaxis::Whorled { count } => check("leaves.arrangement.count", count, 3, 64)?,
             _ => {}

@@ -43,13 +43,7 @@ impl Bearer<'_> {
                 let share = ahead / length;
                 let radius = radii[node as usize] * share
                     + radii[below as usize].min(2.0 * radii[node as usize]) * (1.0 - share);
-                let site = Site {
-                    node,
-                    point: a.lerp(b, share),
-                    along,
-                    side,
-                    radius,
-                };
+                let site = Site { node, point: a.lerp(b, share), along, side, radius };
                 self.bear_node(&site, turn, rng, leaves);
                 turn = (turn + self.params.arrangement.divergence()) % TAU;
                 ahead += self.params.spacing;
@@ -119,9 +113,5 @@ struct Site {
 /// The unit part of `v` across `axis`; `None` when they are nearly parallel.
 fn across(v: Vec3, axis: Vec3) -> Option<Vec3> {
     let part = v - axis * v.dot(axis);
-    if part.length_squared() < 1e-6 {
-        None
-    } else {
-        part.try_normalize()
-    }
+    if part.length_squared() < 1e-6 { None } else { part.try_normalize() }
 }

@@ -32,12 +32,7 @@ impl Draft {
         self.positions.push(shoot.positions[0]);
         self.parents.push(NO_PARENT);
         self.levels.push(1);
-        let root = Tip {
-            node: 0,
-            position: shoot.positions[0],
-            origin: shoot.positions[0],
-            life,
-        };
+        let root = Tip { node: 0, position: shoot.positions[0], origin: shoot.positions[0], life };
         let mut tips = Vec::new();
         self.append(shoot, &root, 1, &mut tips, |_| life);
         self.last_tips = tips;
@@ -55,15 +50,10 @@ impl Draft {
         // The shoot's root is the tip's node, all others follow what is there already.
         let offset = self.positions.len() as u32;
         let global = |local: u32| {
-            if local == 0 {
-                tip.node
-            } else {
-                offset + local - 1
-            }
+            if local == 0 { tip.node } else { offset + local - 1 }
         };
         self.positions.extend_from_slice(&shoot.positions[1..]);
-        self.parents
-            .extend(shoot.parents[1..].iter().map(|&parent| global(parent)));
+        self.parents.extend(shoot.parents[1..].iter().map(|&parent| global(parent)));
         self.levels.resize(self.positions.len(), level);
         tips.extend(shoot.tips.iter().enumerate().map(|(n, &local)| Tip {
             node: global(local),
@@ -75,17 +65,9 @@ impl Draft {
 
     /// The endpoints to grow from that are alive, and how many are not.
     pub(crate) fn living_tips(&self, all_levels: bool) -> (Vec<Tip>, u64) {
-        let earlier = if all_levels {
-            self.earlier_tips.as_slice()
-        } else {
-            &[]
-        };
-        let alive: Vec<Tip> = earlier
-            .iter()
-            .chain(&self.last_tips)
-            .copied()
-            .filter(|tip| tip.life > 0)
-            .collect();
+        let earlier = if all_levels { self.earlier_tips.as_slice() } else { &[] };
+        let alive: Vec<Tip> =
+            earlier.iter().chain(&self.last_tips).copied().filter(|tip| tip.life > 0).collect();
         let ended = (earlier.len() + self.last_tips.len() - alive.len()) as u64;
         (alive, ended)
     }
@@ -98,10 +80,7 @@ impl Draft {
     /// The skeleton, without radii yet, and the level of each node.
     pub(crate) fn finish(self) -> Result<(Skeleton, Vec<u8>)> {
         let radii = vec![0.0; self.positions.len()];
-        Ok((
-            Skeleton::from_columns(self.positions, radii, self.parents)?,
-            self.levels,
-        ))
+        Ok((Skeleton::from_columns(self.positions, radii, self.parents)?, self.levels))
     }
 }
 
@@ -110,20 +89,14 @@ impl Draft {
 pub(crate) fn join_roots(above: &Skeleton, below: &Skeleton) -> Result<Skeleton> {
     let offset = above.len() as u32;
     let base = below.radii()[0];
-    let scale = if base > 0.0 {
-        above.radii()[0] / base
-    } else {
-        1.0
-    };
+    let scale = if base > 0.0 { above.radii()[0] / base } else { 1.0 };
     let mut positions = above.positions().to_vec();
     let mut radii = above.radii().to_vec();
     let mut parents = above.parents().to_vec();
     positions.extend_from_slice(&below.positions()[1..]);
     radii.extend(below.radii()[1..].iter().map(|radius| radius * scale));
     parents.extend(
-        below
-            .segments()
-            .map(|(parent, _)| if parent == 0 { 0 } else { offset + parent - 1 }),
+        below.segments().map(|(parent, _)| if parent == 0 { 0 } else { offset + parent - 1 }),
     );
     Ok(Skeleton::from_columns(positions, radii, parents)?)
 }

@@ -63,11 +63,7 @@ impl Choice<'_> {
                 let Some(node) = self.candidate(taken, &mut listed, rng) else {
                     break;
                 };
-                let room = if self.candidates == 1 {
-                    0.0
-                } else {
-                    self.room(node, taken)
-                };
+                let room = if self.candidates == 1 { 0.0 } else { self.room(node, taken) };
                 if best.is_none_or(|(most, _)| room > most) {
                     best = Some((room, node));
                 }
@@ -99,11 +95,7 @@ impl Choice<'_> {
                 .filter(|node| self.qualifies(*node) && !taken.contains(node))
                 .collect()
         });
-        if list.is_empty() {
-            None
-        } else {
-            Some(list[rng.random_range(0..list.len())])
-        }
+        if list.is_empty() { None } else { Some(list[rng.random_range(0..list.len())]) }
     }
 
     fn qualifies(&self, node: u32) -> bool {

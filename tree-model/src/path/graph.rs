@@ -19,7 +19,7 @@ use tree_core::{Control, Seed, Volume};
 const CHUNK: usize = 4096;
 
 /// One direction of an edge.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Arc {
     /// The node it leads to.
     pub to: u32,
@@ -37,11 +37,7 @@ pub struct Graph {
 
 /// How nodes are linked and what edges cost.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Linking {
     /// Linking distance in separations, 1.2 to 4, default 2. More links make straighter paths and
     /// cost time and memory with the third power; under 1.6 graphs fall apart.
@@ -56,11 +52,7 @@ pub struct Linking {
 
 impl Default for Linking {
     fn default() -> Self {
-        Self {
-            reach: 2.0,
-            low: 0.25,
-            bias: 1.0,
-        }
+        Self { reach: 2.0, low: 0.25, bias: 1.0 }
     }
 }
 
@@ -116,38 +108,43 @@ impl Graph {
         control: &Control,
     ) -> Result<Self> {
         let n_nodes = nodes.positions.len();
-        let linker = Linker {
-            nodes,
-            linking,
-            terrain,
-            seed,
-            reach: linking.reach * nodes.separation,
+        let reach = linking.reach * nodes.separation;
+        let linker = Linker { nodes, linking, terrain, seed, reach };
+        let ranges: Vec<_> =
+            (0..n_nodes).step_by(CHUNK).map(|start| start..(start + CHUNK).min(n_nodes)).collect();
+        let link = |range: &std::ops::Range<usize>| {
+            control.check()?;
+            linker.edges(range.clone())
         };
-        let ranges = (0..n_nodes)
-            .step_by(CHUNK)
-            .map(|start| start..(start + CHUNK).min(n_nodes));
-        let rows = if n_nodes <= CHUNK {
-            vec![linker.rows(0..n_nodes)?]
-        } else {
-            let ranges: Vec<_> = ranges.collect();
-            let link = |range: &std::ops::Range<usize>| {
-                control.check()?;
-                linker.rows(range.clone())
-            };
-            ranges.par_iter().map(link).collect::<Result<Vec<_>>>()?
+        let chunks = match ranges.as_slice() {
+            [one] => vec![link(one)?],
+            many => many.par_iter().map(link).collect::<Result<Vec<_>>>()?,
         };
-        let mut graph = Self {
-            positions: nodes.positions.clone(),
-            starts: Vec::with_capacity(n_nodes + 1),
-            arcs: Vec::with_capacity(rows.iter().map(|rows| rows.arcs.len()).sum()),
-        };
-        graph.starts.push(0);
-        for rows in rows {
-            let base = graph.arcs.len() as u32;
-            graph.starts.extend(rows.ends.iter().map(|end| base + end));
-            graph.arcs.extend_from_slice(&rows.arcs);
+        Ok(Self::assemble(nodes.positions.clone(), &chunks))
+    }
+
+    /// Both directions of every edge, as compressed rows: degrees, running sums, then fill. The
+    /// arcs of a row come in the order of the node they lead to.
+    fn assemble(positions: Vec<Vec3>, chunks: &[Vec<Edge>]) -> Self {
+        let edges = || chunks.iter().flatten();
+        let mut starts = vec![0_u32; positions.len() + 1];
+        for edge in edges() {
+            starts[edge.from as usize + 1] += 1;
+            starts[edge.to as usize + 1] += 1;
         }
-        Ok(graph)
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let mut arcs = vec![Arc::default(); starts.last().map_or(0, |&n| n as usize)];
+        for edge in edges() {
+            for (from, to) in [(edge.from, edge.to), (edge.to, edge.from)] {
+                let slot = &mut next[from as usize];
+                arcs[*slot as usize] = Arc { to, cost: edge.cost };
+                *slot += 1;
+            }
+        }
+        Self { positions, starts, arcs }
     }
 
     /// Makes a graph of undirected edges (node, node, cost), for graphs from elsewhere.
@@ -157,31 +154,14 @@ impl Graph {
     /// infinite cost.
     pub fn from_edges(positions: Vec<Vec3>, edges: &[(u32, u32, f32)]) -> Result<Self> {
         let last = positions.len() as f64 - 1.0;
-        let mut starts = vec![0_u32; positions.len() + 1];
-        for (i, &(a, b, cost)) in edges.iter().enumerate() {
-            check(format!("edges[{i}].0"), a, 0, last)?;
-            check(format!("edges[{i}].1"), b, 0, last)?;
+        let mut checked = Vec::with_capacity(edges.len());
+        for (i, &(from, to, cost)) in edges.iter().enumerate() {
+            check(format!("edges[{i}].0"), from, 0, last)?;
+            check(format!("edges[{i}].1"), to, 0, last)?;
             check(format!("edges[{i}].2"), cost, 0.0, f32::MAX)?;
-            starts[a as usize + 1] += 1;
-            starts[b as usize + 1] += 1;
+            checked.push(Edge { from, to, cost });
         }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut next = starts.clone();
-        let mut arcs = vec![Arc { to: 0, cost: 0.0 }; 2 * edges.len()];
-        for &(a, b, cost) in edges {
-            for (from, to) in [(a, b), (b, a)] {
-                let slot = &mut next[from as usize];
-                arcs[*slot as usize] = Arc { to, cost };
-                *slot += 1;
-            }
-        }
-        Ok(Self {
-            positions,
-            starts,
-            arcs,
-        })
+        Ok(Self::assemble(positions, &[checked]))
     }
 
     /// Number of nodes.
@@ -236,17 +216,16 @@ impl Graph {
             .arcs
             .iter()
             .step_by(step)
-            .fold((0.0_f64, 0_u32), |(sum, n), arc| {
-                (sum + f64::from(arc.cost), n + 1)
-            });
+            .fold((0.0_f64, 0_u32), |(sum, n), arc| (sum + f64::from(arc.cost), n + 1));
         ((sum / f64::from(n.max(1))) as f32, max)
     }
 }
 
-/// The arcs of a range of nodes.
-struct Rows {
-    ends: Vec<u32>,
-    arcs: Vec<Arc>,
+/// An edge, named by its lower node first.
+struct Edge {
+    from: u32,
+    to: u32,
+    cost: f32,
 }
 
 struct Linker<'a> {
@@ -258,78 +237,82 @@ struct Linker<'a> {
 }
 
 impl Linker<'_> {
-    fn rows(&self, range: std::ops::Range<usize>) -> Result<Rows> {
+    /// All edges whose lower node lies in `range`.
+    fn edges(&self, range: std::ops::Range<usize>) -> Result<Vec<Edge>> {
         let positions = &self.nodes.positions;
         let reach_squared = self.reach * self.reach;
-        let mut rows = Rows {
-            ends: Vec::with_capacity(range.len()),
-            arcs: Vec::with_capacity(16 * range.len()),
-        };
-        for a in range {
-            let here = positions[a];
-            for run in self.nodes.grid.runs_near(here, self.reach) {
-                let first = run.start;
-                for (i, &there) in positions[run].iter().enumerate() {
-                    let b = first + i;
-                    let length_squared = here.distance_squared(there);
-                    if length_squared < reach_squared && a != b {
-                        if let Some(cost) = self.cost(a, b, length_squared.sqrt())? {
-                            rows.arcs.push(Arc { to: b as u32, cost });
-                        }
-                    }
-                }
-            }
-            rows.ends.push(rows.arcs.len() as u32);
-        }
-        Ok(rows)
-    }
-
-    /// The cost of an edge, the same from both ends; `None` where an obstacle is in the way.
-    #[inline]
-    fn cost(&self, a: usize, b: usize, length: f32) -> Result<Option<f32>> {
-        let name = (a.min(b) as u64) << 32 | a.max(b) as u64;
-        let mut u = self.seed.unit(name);
-        if self.linking.bias != 1.0 {
-            u = libm::powf(u, self.linking.bias);
-        }
-        let cost = length * (self.linking.low + (1.0 - self.linking.low) * u);
         let plain = self.terrain.paint.is_empty()
             && self.terrain.cost.is_none()
             && self.terrain.obstacle.is_none();
-        if plain {
-            Ok(Some(cost))
-        } else {
-            self.cost_on_terrain(a, b, cost)
+        let mut edges = Vec::with_capacity(8 * range.len());
+        for a in range {
+            let here = positions[a];
+            // Each node draws the weights of its edges from a stream of its own.
+            let stream = self.seed.child(a as u64);
+            self.nodes.grid.for_runs_after(a, here, self.reach, |run| {
+                let first = run.start;
+                for (i, &there) in positions[run].iter().enumerate() {
+                    let length_squared = here.distance_squared(there);
+                    if length_squared < reach_squared {
+                        let to = (first + i) as u32;
+                        let cost = length_squared.sqrt() * self.weight(stream.unit(u64::from(to)));
+                        edges.push(Edge { from: a as u32, to, cost });
+                    }
+                }
+            });
         }
+        if !plain {
+            self.lay_terrain(&mut edges)?;
+        }
+        Ok(edges)
     }
 
-    fn cost_on_terrain(&self, a: usize, b: usize, mut cost: f32) -> Result<Option<f32>> {
+    #[inline]
+    fn weight(&self, mut u: f32) -> f32 {
+        if self.linking.bias != 1.0 {
+            u = libm::powf(u, self.linking.bias);
+        }
+        self.linking.low + (1.0 - self.linking.low) * u
+    }
+
+    /// Makes edges dearer or cheaper, and takes out those that an obstacle is in the way of.
+    fn lay_terrain(&self, edges: &mut Vec<Edge>) -> Result<()> {
+        let mut error = None;
+        edges.retain_mut(|edge| match self.factor(edge) {
+            Ok(Some(factor)) => {
+                edge.cost = (edge.cost * factor).min(f32::MAX);
+                true
+            }
+            Ok(None) => false,
+            Err(e) => {
+                error.get_or_insert(e);
+                false
+            }
+        });
+        error.map_or(Ok(()), Err)
+    }
+
+    /// The factor on the cost of an edge; `None` where an obstacle is in the way.
+    fn factor(&self, edge: &Edge) -> Result<Option<f32>> {
         let positions = &self.nodes.positions;
-        // Lower index first, so that both directions see the same rounding.
-        let (from, to) = (positions[a.min(b)], positions[a.max(b)]);
-        if self
-            .terrain
-            .obstacle
-            .is_some_and(|obstacle| !obstacle.is_free(from, to))
-        {
+        let (from, to) = (positions[edge.from as usize], positions[edge.to as usize]);
+        if self.terrain.obstacle.is_some_and(|obstacle| !obstacle.is_free(from, to)) {
             return Ok(None);
         }
         let middle = 0.5 * (from + to);
+        let mut factor = 1.0;
         for paint in self.terrain.paint {
             if paint.volume.contains(middle) {
-                cost *= paint.factor;
+                factor *= paint.factor;
             }
         }
         if let Some(field) = self.terrain.cost {
-            let factor = field(middle);
-            if !factor.is_finite() || factor < 0.0 {
-                return Err(ModelError::Cost {
-                    position: middle,
-                    found: factor,
-                });
+            let found = field(middle);
+            if !found.is_finite() || found < 0.0 {
+                return Err(ModelError::Cost { position: middle, found });
             }
-            cost *= factor;
+            factor *= found;
         }
-        Ok(Some(cost.min(f32::MAX)))
+        Ok(Some(factor))
     }
 }

@@ -13,6 +13,7 @@ pub(crate) struct Grid {
     pub(crate) origin: Vec3,
     /// Edge of a cell in metres.
     pub(crate) cell: f32,
+    per_metre: f32,
     pub(crate) dims: [u32; 3],
     starts: Vec<u32>,
 }
@@ -28,18 +29,13 @@ impl Grid {
             cell *= 1.26; // the cube root of 2: half the cells
         }
         let dims = dims(cell).map(|n| n as u32);
-        Self {
-            origin: bounds.min,
-            cell,
-            dims,
-            starts: Vec::new(),
-        }
+        Self { origin: bounds.min, cell, per_metre: cell.recip(), dims, starts: Vec::new() }
     }
 
     /// Cell of a point; points outside count to the nearest cell.
     #[inline]
     pub(crate) fn cell_of(&self, point: Vec3) -> [u32; 3] {
-        let cell = ((point - self.origin) / self.cell).to_array();
+        let cell = ((point - self.origin) * self.per_metre).to_array();
         // A cast from float saturates: below 0 becomes 0.
         std::array::from_fn(|i| (cell[i] as u32).min(self.dims[i] - 1))
     }
@@ -73,23 +69,33 @@ impl Grid {
         places
     }
 
-    /// Runs of point indices that cover the ball of radius `reach` round `point`. Points outside
-    /// the grid's box are found too, because they count to its outermost cells.
+    /// Calls `visit` with runs of point indices that cover the points after point `a`, which lies at
+    /// `point`, within `reach` of it. Half of all neighbours, so that each pair is seen once. Points
+    /// outside the grid's box are found too, because they count to its outermost cells.
     #[inline]
-    pub(crate) fn runs_near(
+    pub(crate) fn for_runs_after(
         &self,
+        a: usize,
         point: Vec3,
         reach: f32,
-    ) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+        mut visit: impl FnMut(std::ops::Range<usize>),
+    ) {
         let low = self.cell_of(point - reach);
+        let here = self.cell_of(point);
         let high = self.cell_of(point + reach);
-        (low[2]..=high[2]).flat_map(move |z| {
-            (low[1]..=high[1]).map(move |y| {
-                let row = (z * self.dims[1] + y) * self.dims[0];
-                let start = self.starts[(row + low[0]) as usize] as usize;
-                let end = self.starts[(row + high[0]) as usize + 1] as usize;
-                start..end
-            })
-        })
+        let start = |x: u32, y: u32, z: u32| {
+            self.starts[((z * self.dims[1] + y) * self.dims[0] + x) as usize] as usize
+        };
+        let end = |x: u32, y: u32, z: u32| {
+            self.starts[((z * self.dims[1] + y) * self.dims[0] + x) as usize + 1] as usize
+        };
+        // What is left of the own row, then the rows after it.
+        visit(a + 1..end(high[0], here[1], here[2]));
+        for z in here[2]..=high[2] {
+            let first = if z == here[2] { here[1] + 1 } else { low[1] };
+            for y in first..=high[1] {
+                visit(start(low[0], y, z)..end(high[0], y, z));
+            }
+        }
     }
 }

@@ -51,23 +51,16 @@ impl PathReport {
     /// All graphs of all levels, roots included.
     #[must_use]
     pub fn graphs(&self) -> GraphStats {
-        self.levels
-            .iter()
-            .chain(&self.roots)
-            .fold(GraphStats::default(), |mut sum, level| {
-                sum.add(level.graphs);
-                sum
-            })
+        self.levels.iter().chain(&self.roots).fold(GraphStats::default(), |mut sum, level| {
+            sum.add(level.graphs);
+            sum
+        })
     }
 
     /// All endpoints of all levels, roots included.
     #[must_use]
     pub fn endpoints(&self) -> u64 {
-        self.levels
-            .iter()
-            .chain(&self.roots)
-            .map(|level| level.endpoints)
-            .sum()
+        self.levels.iter().chain(&self.roots).map(|level| level.endpoints).sum()
     }
 }
 
@@ -87,10 +80,7 @@ impl PathParams {
         self.validate()?;
         control.report("level 1", 0.0)?;
         let (mut skeleton, mut levels, crown) = self.grow_part(seed, control)?;
-        let mut report = PathReport {
-            levels: crown,
-            ..Default::default()
-        };
+        let mut report = PathReport { levels: crown, ..Default::default() };
         control.report("leaves", 0.8)?;
         let leaves = match &self.leaves {
             Some(leaves) => {
@@ -108,11 +98,7 @@ impl PathParams {
         }
         let tree = Tree::new(skeleton, leaves, self.species.clone())?;
         control.report("done", 1.0)?;
-        Ok(PathTree {
-            tree,
-            levels,
-            report,
-        })
+        Ok(PathTree { tree, levels, report })
     }
 
     /// Grows the branches of all levels: the skeleton, the level of each node, and a report.
@@ -121,27 +107,19 @@ impl PathParams {
         seed: Seed,
         control: &Control,
     ) -> Result<(Skeleton, Vec<u8>, Vec<LevelReport>)> {
-        let obstacle = self.obstacle.as_ref().map(|volume| Obstacle {
-            volume: volume.clone(),
-            clearance: self.clearance,
-        });
-        let terrain = Terrain {
-            paint: &self.paint,
-            cost: self.cost.as_ref(),
-            obstacle: obstacle.as_ref(),
-        };
+        let obstacle = self
+            .obstacle
+            .as_ref()
+            .map(|volume| Obstacle { volume: volume.clone(), clearance: self.clearance });
+        let terrain =
+            Terrain { paint: &self.paint, cost: self.cost.as_ref(), obstacle: obstacle.as_ref() };
         let mut draft = Draft::default();
         let mut reports = vec![self.grow_base(seed, &terrain, &mut draft, control)?];
         for (i, level) in self.levels.iter().enumerate() {
-            control.report(
-                LEVEL_NAMES[i.min(LEVEL_NAMES.len() - 1)],
-                self.progress_at(i),
-            )?;
+            control.report(LEVEL_NAMES[i.min(LEVEL_NAMES.len() - 1)], self.progress_at(i))?;
             reports.push(self.grow_level(i, level, seed, &terrain, &mut draft, control)?);
         }
-        control
-            .limits
-            .check(Resource::Nodes, draft.positions.len() as u64)?;
+        control.limits.check(Resource::Nodes, draft.positions.len() as u64)?;
         let (mut skeleton, levels) = draft.finish()?;
         smooth(&mut skeleton, self.smoothing, obstacle.as_ref())?;
         match &self.radii {
@@ -178,11 +156,7 @@ impl PathParams {
         let shoot = plot.grow(seed.stream("level 1"), &mut Workspace::default(), control)?;
         let (graphs, endpoints) = (shoot.stats, shoot.tips.len() as u64);
         draft.start(&shoot, self.levels.len() as u32);
-        Ok(LevelReport {
-            graphs,
-            endpoints,
-            ..Default::default()
-        })
+        Ok(LevelReport { graphs, endpoints, ..Default::default() })
     }
 
     fn grow_level(
@@ -196,19 +170,10 @@ impl PathParams {
     ) -> Result<LevelReport> {
         let size = self.level_size(i);
         let (from, ended) = draft.living_tips(level.from_all_levels);
-        let mut report = LevelReport {
-            ended,
-            ..Default::default()
-        };
+        let mut report = LevelReport { ended, ..Default::default() };
         self.check_limits(level, from.len() as u64, draft, control)?;
         let stream = seed.stream("levels").child(i as u64);
-        let nursery = Nursery {
-            level,
-            size,
-            linking: &self.linking,
-            terrain,
-            control,
-        };
+        let nursery = Nursery { level, size, linking: &self.linking, terrain, control };
         let shoots: Vec<Result<Option<Shoot>>> = from
             .par_iter()
             .enumerate()
@@ -236,9 +201,7 @@ impl PathParams {
 
     /// Both the graphs and the skeleton of a level must stay within the limits.
     fn check_limits(&self, level: &Level, n: u64, draft: &Draft, control: &Control) -> Result<()> {
-        control
-            .limits
-            .check(Resource::GraphNodes, n * u64::from(level.graph_nodes))?;
+        control.limits.check(Resource::GraphNodes, n * u64::from(level.graph_nodes))?;
         // At least one node an endpoint; more cannot be known before.
         let least = draft.positions.len() as u64 + n * u64::from(level.branching);
         control.limits.check(Resource::Nodes, least)?;
@@ -251,13 +214,5 @@ impl PathParams {
 }
 
 /// Stage names must live for ever; deeper levels share the last.
-const LEVEL_NAMES: [&str; 8] = [
-    "level 2",
-    "level 3",
-    "level 4",
-    "level 5",
-    "level 6",
-    "level 7",
-    "level 8",
-    "level 9 and on",
-];
+const LEVEL_NAMES: [&str; 8] =
+    ["level 2", "level 3", "level 4", "level 5", "level 6", "level 7", "level 8", "level 9 and on"];

@@ -33,11 +33,8 @@ impl Obstacle {
             return false;
         }
         if self.volume.distance(a).is_none() {
-            return (1..BLIND_STEPS).all(|i| {
-                !self
-                    .volume
-                    .contains(a.lerp(b, i as f32 / BLIND_STEPS as f32))
-            });
+            return (1..BLIND_STEPS)
+                .all(|i| !self.volume.contains(a.lerp(b, i as f32 / BLIND_STEPS as f32)));
         }
         let least = length / MAX_STEPS as f32;
         let mut along = 0.0;

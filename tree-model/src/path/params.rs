@@ -61,11 +61,7 @@ pub struct PathParams {
 
 /// Where the branches of a level 1 graph end.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Endpoints {
     /// Endpoints drawn at random (b). Default 14.
     pub random: u32,
@@ -84,13 +80,7 @@ pub struct Endpoints {
 
 impl Default for Endpoints {
     fn default() -> Self {
-        Self {
-            random: 14,
-            placing: Placing::Volume,
-            candidates: 4,
-            above: 0.0,
-            placed: Vec::new(),
-        }
+        Self { random: 14, placing: Placing::Volume, candidates: 4, above: 0.0, placed: Vec::new() }
     }
 }
 
@@ -107,11 +97,7 @@ pub enum Placing {
 
 /// Subgraphs grown round the endpoints of the level before.
 #[derive(Clone, Debug)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Level {
     /// Endpoints in each subgraph (b), 1 to 10,000. Default 4.
     pub branching: u32,
@@ -214,12 +200,7 @@ impl PathParams {
         self.endpoints.validate()?;
         check("size", self.size, 1e-6, 1e6)?;
         check("shrink", self.shrink, 0.05, 2.0)?;
-        check(
-            "levels.len()",
-            self.levels.len() as f64,
-            0,
-            MAX_LEVELS as f64,
-        )?;
+        check("levels.len()", self.levels.len() as f64, 0, MAX_LEVELS as f64)?;
         for (i, level) in self.levels.iter().enumerate() {
             level.validate(i)?;
         }
@@ -238,12 +219,7 @@ impl PathParams {
         }
         match &self.roots {
             // Roots of roots are ignored, so they need not be valid.
-            Some(roots) => Self {
-                roots: None,
-                leaves: None,
-                ..(**roots).clone()
-            }
-            .validate(),
+            Some(roots) => Self { roots: None, leaves: None, ..(**roots).clone() }.validate(),
             None => Ok(()),
         }
     }
@@ -252,10 +228,7 @@ impl PathParams {
     #[must_use]
     pub fn level_size(&self, i: usize) -> f32 {
         let from_shrink = (0..i).fold(self.size, |size, _| size * self.shrink);
-        self.levels
-            .get(i)
-            .and_then(|level| level.size)
-            .unwrap_or(from_shrink)
+        self.levels.get(i).and_then(|level| level.size).unwrap_or(from_shrink)
     }
 }
 

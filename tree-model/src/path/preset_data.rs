@@ -99,9 +99,7 @@ pub(super) struct LeafRow {
     pub(super) phototropism: f32,
 }
 
-const SPIRAL: Phyllotaxis = Phyllotaxis::Spiral {
-    divergence: crate::foliage::GOLDEN_ANGLE,
-};
+const SPIRAL: Phyllotaxis = Phyllotaxis::Spiral { divergence: crate::foliage::GOLDEN_ANGLE };
 
 /// What most levels share.
 const LEVEL: LevelRow = LevelRow {
@@ -158,15 +156,8 @@ pub(super) const ROWS: [Row; 15] = [
         name: "oak",
         title: "an oak in a meadow, broad and round",
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.1, 3.2, 0.0],
-                radius: 0.45,
-            },
-            Part::Ellipsoid {
-                center: [0.0, 6.4, 0.0],
-                radii: [5.2, 4.0, 5.0],
-            },
+            Part::Cylinder { base: GROUND, top: [0.1, 3.2, 0.0], radius: 0.45 },
+            Part::Ellipsoid { center: [0.0, 6.4, 0.0], radii: [5.2, 4.0, 5.0] },
         ],
         branching: 22,
         above: 0.25,
@@ -174,22 +165,9 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.2,
         shrink: 0.62,
         levels: &[
-            LevelRow {
-                branching: 5,
-                shape: Shape::Sector(0.4),
-                ..LEVEL
-            },
-            LevelRow {
-                branching: 5,
-                shape: Shape::Sector(0.35),
-                ..LEVEL
-            },
-            LevelRow {
-                branching: 3,
-                shape: Shape::Sector(0.3),
-                graph_nodes: 60,
-                ..LEVEL
-            },
+            LevelRow { branching: 5, shape: Shape::Sector(0.4), ..LEVEL },
+            LevelRow { branching: 5, shape: Shape::Sector(0.35), ..LEVEL },
+            LevelRow { branching: 3, shape: Shape::Sector(0.3), graph_nodes: 60, ..LEVEL },
         ],
         low: 0.2,
         trunk_radius: 0.48,
@@ -201,17 +179,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "vase-shaped crown on a short trunk",
         paper_seconds: Some(6.4),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.0, 2.4, 0.0],
-                radius: 0.35,
-            },
-            Part::Sector {
-                apex: [0.0, 2.0, 0.0],
-                angle: 0.3,
-                radius: 5.0,
-                up: 1.0,
-            },
+            Part::Cylinder { base: GROUND, top: [0.0, 2.4, 0.0], radius: 0.35 },
+            Part::Sector { apex: [0.0, 2.0, 0.0], angle: 0.3, radius: 5.0, up: 1.0 },
         ],
         branching: 12,
         above: 0.35,
@@ -219,17 +188,8 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.0,
         shrink: 0.66,
         levels: &[
-            LevelRow {
-                repeat: 2,
-                branching: 3,
-                graph_nodes: 430,
-                ..LEVEL
-            },
-            LevelRow {
-                branching: 6,
-                graph_nodes: 430,
-                ..LEVEL
-            },
+            LevelRow { repeat: 2, branching: 3, graph_nodes: 430, ..LEVEL },
+            LevelRow { branching: 6, graph_nodes: 430, ..LEVEL },
         ],
         species: "ash",
         leaves: Some(LeafRow {
@@ -244,17 +204,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "slender and upright, dense twigs",
         paper_seconds: Some(7.0),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.0, 4.2, 0.0],
-                radius: 0.3,
-            },
-            Part::Sector {
-                apex: [0.0, 3.4, 0.0],
-                angle: 0.25,
-                radius: 6.4,
-                up: 1.0,
-            },
+            Part::Cylinder { base: GROUND, top: [0.0, 4.2, 0.0], radius: 0.3 },
+            Part::Sector { apex: [0.0, 3.4, 0.0], angle: 0.25, radius: 6.4, up: 1.0 },
         ],
         branching: 10,
         above: 0.3,
@@ -262,28 +213,13 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.1,
         shrink: 0.55,
         levels: &[
-            LevelRow {
-                branching: 5,
-                shape: Shape::Sector(0.25),
-                graph_nodes: 1200,
-                ..LEVEL
-            },
-            LevelRow {
-                branching: 10,
-                shape: Shape::Sector(0.25),
-                graph_nodes: 1200,
-                ..LEVEL
-            },
+            LevelRow { branching: 5, shape: Shape::Sector(0.25), graph_nodes: 1200, ..LEVEL },
+            LevelRow { branching: 10, shape: Shape::Sector(0.25), graph_nodes: 1200, ..LEVEL },
         ],
         trunk_radius: 0.26,
         species: "birch",
         bark: "birch",
-        leaves: Some(LeafRow {
-            kind: "birch-cluster",
-            droop: 0.3,
-            size: 0.36,
-            ..LEAVES
-        }),
+        leaves: Some(LeafRow { kind: "birch-cluster", droop: 0.3, size: 0.36, ..LEAVES }),
         ..ROW
     },
     Row {
@@ -291,17 +227,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "weeping willow, branches bending to the ground",
         paper_seconds: Some(13.4),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.0, 2.6, 0.0],
-                radius: 0.4,
-            },
-            Part::Sector {
-                apex: [0.0, 2.4, 0.0],
-                angle: 0.5,
-                radius: 3.6,
-                up: 1.0,
-            },
+            Part::Cylinder { base: GROUND, top: [0.0, 2.6, 0.0], radius: 0.4 },
+            Part::Sector { apex: [0.0, 2.4, 0.0], angle: 0.5, radius: 3.6, up: 1.0 },
         ],
         branching: 30,
         above: 0.5,
@@ -360,17 +287,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "two stems under a round crown",
         paper_seconds: Some(5.6),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.0, 2.4, 0.0],
-                radius: 0.35,
-            },
-            Part::Sector {
-                apex: [0.0, 4.0, 0.0],
-                angle: 1.0,
-                radius: 2.0,
-                up: 1.0,
-            },
+            Part::Cylinder { base: GROUND, top: [0.0, 2.4, 0.0], radius: 0.35 },
+            Part::Sector { apex: [0.0, 4.0, 0.0], angle: 1.0, radius: 2.0, up: 1.0 },
         ],
         branching: 2,
         above: 0.5,
@@ -378,12 +296,7 @@ pub(super) const ROWS: [Row; 15] = [
         size: 2.9,
         shrink: 0.62,
         levels: &[
-            LevelRow {
-                branching: 10,
-                shape: Shape::Sector(0.4),
-                graph_nodes: 420,
-                ..LEVEL
-            },
+            LevelRow { branching: 10, shape: Shape::Sector(0.4), graph_nodes: 420, ..LEVEL },
             LevelRow {
                 repeat: 2,
                 branching: 6,
@@ -406,11 +319,7 @@ pub(super) const ROWS: [Row; 15] = [
         name: "e",
         title: "conifer with upswept branches",
         paper_seconds: Some(3.3),
-        base: &[Part::Cone {
-            base: [0.0, -0.01, 0.0],
-            top: [0.0, 11.0, 0.0],
-            radius: 2.2,
-        }],
+        base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 11.0, 0.0], radius: 2.2 }],
         branching: 40,
         above: 0.08,
         graph_nodes: 2400,
@@ -433,11 +342,7 @@ pub(super) const ROWS: [Row; 15] = [
                 ..LEVEL
             },
         ],
-        leader: Some(Leader {
-            top: [0.0, 10.8, 0.0],
-            radius: 0.3,
-            factor: 0.25,
-        }),
+        leader: Some(Leader { top: [0.0, 10.8, 0.0], radius: 0.3, factor: 0.25 }),
         trunk_radius: 0.2,
         species: "pine",
         bark: "pine",
@@ -456,12 +361,7 @@ pub(super) const ROWS: [Row; 15] = [
         name: "f",
         title: "umbrella with hanging branches",
         paper_seconds: Some(7.5),
-        base: &[Part::Sector {
-            apex: GROUND,
-            angle: 0.5,
-            radius: 5.2,
-            up: 1.0,
-        }],
+        base: &[Part::Sector { apex: GROUND, angle: 0.5, radius: 5.2, up: 1.0 }],
         branching: 10,
         above: 0.62,
         graph_nodes: 2500,
@@ -475,28 +375,13 @@ pub(super) const ROWS: [Row; 15] = [
                 down: true,
                 ..LEVEL
             },
-            LevelRow {
-                branching: 4,
-                shape: Shape::Sector(0.5),
-                graph_nodes: 380,
-                ..LEVEL
-            },
-            LevelRow {
-                branching: 6,
-                shape: Shape::Sector(0.3),
-                graph_nodes: 380,
-                ..LEVEL
-            },
+            LevelRow { branching: 4, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
+            LevelRow { branching: 6, shape: Shape::Sector(0.3), graph_nodes: 380, ..LEVEL },
         ],
         trunk_radius: 0.3,
         species: "weeping birch",
         bark: "birch",
-        leaves: Some(LeafRow {
-            kind: "birch-cluster",
-            droop: 0.5,
-            size: 0.34,
-            ..LEAVES
-        }),
+        leaves: Some(LeafRow { kind: "birch-cluster", droop: 0.5, size: 0.34, ..LEAVES }),
         ..ROW
     },
     Row {
@@ -504,16 +389,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "tall conifer with drooping branches",
         paper_seconds: Some(3.0),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.0, 2.5, 0.0],
-                radius: 0.3,
-            },
-            Part::Cone {
-                base: [0.0, 2.0, 0.0],
-                top: [0.0, 15.0, 0.0],
-                radius: 2.0,
-            },
+            Part::Cylinder { base: GROUND, top: [0.0, 2.5, 0.0], radius: 0.3 },
+            Part::Cone { base: [0.0, 2.0, 0.0], top: [0.0, 15.0, 0.0], radius: 2.0 },
         ],
         branching: 32,
         above: 0.15,
@@ -538,11 +415,7 @@ pub(super) const ROWS: [Row; 15] = [
                 ..LEVEL
             },
         ],
-        leader: Some(Leader {
-            top: [0.0, 14.8, 0.0],
-            radius: 0.3,
-            factor: 0.2,
-        }),
+        leader: Some(Leader { top: [0.0, 14.8, 0.0], radius: 0.3, factor: 0.2 }),
         trunk_radius: 0.24,
         species: "spruce",
         bark: "pine",
@@ -562,17 +435,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "tilted trunk, crown swept by the wind",
         paper_seconds: Some(2.1),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [1.9, 3.2, 0.0],
-                radius: 0.35,
-            },
-            Part::Sector {
-                apex: [1.7, 2.9, 0.0],
-                angle: 0.5,
-                radius: 3.4,
-                up: 1.0,
-            },
+            Part::Cylinder { base: GROUND, top: [1.9, 3.2, 0.0], radius: 0.35 },
+            Part::Sector { apex: [1.7, 2.9, 0.0], angle: 0.5, radius: 3.4, up: 1.0 },
         ],
         branching: 8,
         above: 0.5,
@@ -580,27 +444,13 @@ pub(super) const ROWS: [Row; 15] = [
         size: 1.8,
         shrink: 0.55,
         levels: &[
-            LevelRow {
-                branching: 6,
-                shape: Shape::Sector(0.5),
-                graph_nodes: 380,
-                ..LEVEL
-            },
-            LevelRow {
-                branching: 12,
-                shape: Shape::Sector(0.5),
-                graph_nodes: 380,
-                ..LEVEL
-            },
+            LevelRow { branching: 6, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
+            LevelRow { branching: 12, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
         ],
         trunk_radius: 0.33,
         species: "hawthorn",
         bark: "oak",
-        leaves: Some(LeafRow {
-            kind: "oak-cluster",
-            size: 0.36,
-            ..LEAVES
-        }),
+        leaves: Some(LeafRow { kind: "oak-cluster", size: 0.36, ..LEAVES }),
         ..ROW
     },
     Row {
@@ -608,17 +458,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "low and wide, as an old apple tree",
         paper_seconds: Some(0.78),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.0, 1.8, 0.0],
-                radius: 0.3,
-            },
-            Part::Sector {
-                apex: [0.0, 1.9, 0.0],
-                angle: 0.7,
-                radius: 2.6,
-                up: 1.0,
-            },
+            Part::Cylinder { base: GROUND, top: [0.0, 1.8, 0.0], radius: 0.3 },
+            Part::Sector { apex: [0.0, 1.9, 0.0], angle: 0.7, radius: 2.6, up: 1.0 },
         ],
         branching: 11,
         above: 0.3,
@@ -636,11 +477,7 @@ pub(super) const ROWS: [Row; 15] = [
         trunk_radius: 0.24,
         species: "apple",
         bark: "oak",
-        leaves: Some(LeafRow {
-            kind: "beech-cluster",
-            size: 0.34,
-            ..LEAVES
-        }),
+        leaves: Some(LeafRow { kind: "beech-cluster", size: 0.34, ..LEAVES }),
         ..ROW
     },
     Row {
@@ -648,16 +485,8 @@ pub(super) const ROWS: [Row; 15] = [
         title: "larch: a cone of cones",
         paper_seconds: Some(3.2),
         base: &[
-            Part::Cylinder {
-                base: GROUND,
-                top: [0.0, 2.0, 0.0],
-                radius: 0.3,
-            },
-            Part::Cone {
-                base: [0.0, 1.5, 0.0],
-                top: [0.0, 10.5, 0.0],
-                radius: 2.6,
-            },
+            Part::Cylinder { base: GROUND, top: [0.0, 2.0, 0.0], radius: 0.3 },
+            Part::Cone { base: [0.0, 1.5, 0.0], top: [0.0, 10.5, 0.0], radius: 2.6 },
         ],
         branching: 16,
         above: 0.2,
@@ -671,11 +500,7 @@ pub(super) const ROWS: [Row; 15] = [
             graph_nodes: 230,
             ..LEVEL
         }],
-        leader: Some(Leader {
-            top: [0.0, 10.0, 0.0],
-            radius: 0.3,
-            factor: 0.35,
-        }),
+        leader: Some(Leader { top: [0.0, 10.0, 0.0], radius: 0.3, factor: 0.35 }),
         trunk_radius: 0.24,
         species: "larch",
         bark: "pine",
@@ -694,12 +519,7 @@ pub(super) const ROWS: [Row; 15] = [
         name: "k",
         title: "a fan of stems from the ground",
         paper_seconds: Some(4.2),
-        base: &[Part::Sector {
-            apex: GROUND,
-            angle: 0.3,
-            radius: 3.4,
-            up: 1.0,
-        }],
+        base: &[Part::Sector { apex: GROUND, angle: 0.3, radius: 3.4, up: 1.0 }],
         branching: 13,
         above: 0.5,
         graph_nodes: 2400,
@@ -713,32 +533,19 @@ pub(super) const ROWS: [Row; 15] = [
                 graph_nodes: 220,
                 ..LEVEL
             },
-            LevelRow {
-                branching: 4,
-                shape: Shape::Sector(0.3),
-                graph_nodes: 220,
-                ..LEVEL
-            },
+            LevelRow { branching: 4, shape: Shape::Sector(0.3), graph_nodes: 220, ..LEVEL },
         ],
         trunk_radius: 0.16,
         species: "hazel",
         bark: "smooth",
-        leaves: Some(LeafRow {
-            kind: "linden-cluster",
-            size: 0.34,
-            ..LEAVES
-        }),
+        leaves: Some(LeafRow { kind: "linden-cluster", size: 0.34, ..LEAVES }),
         ..ROW
     },
     Row {
         name: "l",
         title: "cypress: a slim cone, branches hugging the stem",
         paper_seconds: Some(1.3),
-        base: &[Part::Cone {
-            base: [0.0, -0.01, 0.0],
-            top: [0.0, 8.0, 0.0],
-            radius: 0.9,
-        }],
+        base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 8.0, 0.0], radius: 0.9 }],
         branching: 16,
         above: 0.1,
         graph_nodes: 1400,
@@ -752,18 +559,9 @@ pub(super) const ROWS: [Row; 15] = [
                 turn: -0.03,
                 ..LEVEL
             },
-            LevelRow {
-                branching: 10,
-                shape: Shape::Cone(0.4),
-                graph_nodes: 380,
-                ..LEVEL
-            },
+            LevelRow { branching: 10, shape: Shape::Cone(0.4), graph_nodes: 380, ..LEVEL },
         ],
-        leader: Some(Leader {
-            top: [0.0, 7.6, 0.0],
-            radius: 0.2,
-            factor: 0.4,
-        }),
+        leader: Some(Leader { top: [0.0, 7.6, 0.0], radius: 0.2, factor: 0.4 }),
         trunk_radius: 0.14,
         species: "cypress",
         bark: "smooth",
@@ -778,56 +576,25 @@ pub(super) const ROWS: [Row; 15] = [
         }),
         ..ROW
     },
-    Row {
-        name: "taproot",
-        title: "a taproot with laterals",
-        roots: Some(&TAPROOT),
-        ..ROOTED
-    },
-    Row {
-        name: "heartroot",
-        title: "wide, shallow roots",
-        roots: Some(&HEARTROOT),
-        ..ROOTED
-    },
+    Row { name: "taproot", title: "a taproot with laterals", roots: Some(&TAPROOT), ..ROOTED },
+    Row { name: "heartroot", title: "wide, shallow roots", roots: Some(&HEARTROOT), ..ROOTED },
 ];
 
 /// The tree above both root systems.
 const ROOTED: Row = Row {
     base: &[
-        Part::Cylinder {
-            base: GROUND,
-            top: [0.0, 1.6, 0.0],
-            radius: 0.25,
-        },
-        Part::Sector {
-            apex: [0.0, 1.5, 0.0],
-            angle: 0.5,
-            radius: 2.6,
-            up: 1.0,
-        },
+        Part::Cylinder { base: GROUND, top: [0.0, 1.6, 0.0], radius: 0.25 },
+        Part::Sector { apex: [0.0, 1.5, 0.0], angle: 0.5, radius: 2.6, up: 1.0 },
     ],
     branching: 10,
     above: 0.4,
     graph_nodes: 1500,
     size: 1.3,
     shrink: 0.6,
-    levels: &[
-        LevelRow {
-            branching: 4,
-            ..LEVEL
-        },
-        LevelRow {
-            branching: 5,
-            ..LEVEL
-        },
-    ],
+    levels: &[LevelRow { branching: 4, ..LEVEL }, LevelRow { branching: 5, ..LEVEL }],
     trunk_radius: 0.2,
     species: "young oak",
-    leaves: Some(LeafRow {
-        size: 0.32,
-        ..LEAVES
-    }),
+    leaves: Some(LeafRow { size: 0.32, ..LEAVES }),
     ..ROW
 };
 
@@ -836,33 +603,18 @@ const ROOTED: Row = Row {
 const TAPROOT: Row = Row {
     name: "taproot",
     title: "roots",
-    base: &[Part::Ellipsoid {
-        center: [0.0, -1.3, 0.0],
-        radii: [1.5, 1.35, 1.5],
-    }],
+    base: &[Part::Ellipsoid { center: [0.0, -1.3, 0.0], radii: [1.5, 1.35, 1.5] }],
     branching: 16,
     placed: &[[0.0, -2.6, 0.0]],
     graph_nodes: 1800,
     size: 0.7,
     shrink: 0.6,
     levels: &[
-        LevelRow {
-            branching: 4,
-            shape: Shape::Sector(0.4),
-            ..LEVEL
-        },
-        LevelRow {
-            branching: 4,
-            shape: Shape::Sector(0.4),
-            ..LEVEL
-        },
+        LevelRow { branching: 4, shape: Shape::Sector(0.4), ..LEVEL },
+        LevelRow { branching: 4, shape: Shape::Sector(0.4), ..LEVEL },
     ],
     low: 0.15,
-    leader: Some(Leader {
-        top: [0.0, -2.5, 0.0],
-        radius: 0.2,
-        factor: 0.3,
-    }),
+    leader: Some(Leader { top: [0.0, -2.5, 0.0], radius: 0.2, factor: 0.3 }),
     leaves: None,
     ..ROW
 };
@@ -870,28 +622,15 @@ const TAPROOT: Row = Row {
 const HEARTROOT: Row = Row {
     name: "heartroot",
     title: "roots",
-    base: &[Part::Sector {
-        apex: [0.0, 0.0, 0.0],
-        angle: 0.5,
-        radius: 2.6,
-        up: -1.0,
-    }],
+    base: &[Part::Sector { apex: [0.0, 0.0, 0.0], angle: 0.5, radius: 2.6, up: -1.0 }],
     branching: 18,
     placed: &[],
     graph_nodes: 2200,
     size: 1.0,
     shrink: 0.6,
     levels: &[
-        LevelRow {
-            branching: 4,
-            shape: Shape::Sector(0.35),
-            ..LEVEL
-        },
-        LevelRow {
-            branching: 4,
-            shape: Shape::Sector(0.35),
-            ..LEVEL
-        },
+        LevelRow { branching: 4, shape: Shape::Sector(0.35), ..LEVEL },
+        LevelRow { branching: 4, shape: Shape::Sector(0.35), ..LEVEL },
     ],
     low: 0.12,
     leaves: None,

@@ -41,16 +41,10 @@ impl Preset {
     /// # Errors
     /// [`ModelError::UnknownPreset`] that lists the names there are.
     pub fn find(name: &str) -> Result<Self> {
-        PRESETS
-            .into_iter()
-            .find(|preset| preset.name() == name)
-            .ok_or_else(|| {
-                let known = PRESETS.map(|preset| preset.name()).join(", ");
-                ModelError::UnknownPreset {
-                    name: name.into(),
-                    known,
-                }
-            })
+        PRESETS.into_iter().find(|preset| preset.name() == name).ok_or_else(|| {
+            let known = PRESETS.map(|preset| preset.name()).join(", ");
+            ModelError::UnknownPreset { name: name.into(), known }
+        })
     }
 
     /// Its name: `oak`, `a` to `l`, `taproot`, `heartroot`.
@@ -110,11 +104,7 @@ impl Row {
             phototropism: row.phototropism,
             ..LeafParams::default()
         });
-        let leaf_kinds = self
-            .leaves
-            .map(|row| row.kind.to_owned())
-            .into_iter()
-            .collect();
+        let leaf_kinds = self.leaves.map(|row| row.kind.to_owned()).into_iter().collect();
         Ok(PathParams {
             volume,
             root: Vec3::ZERO,
@@ -128,13 +118,8 @@ impl Row {
             size: self.size,
             shrink: self.shrink,
             levels: self.levels.iter().flat_map(LevelRow::levels).collect(),
-            lifespan: self
-                .lifespan_stop
-                .map_or(Lifespan::Full, |stop| Lifespan::Random { stop }),
-            linking: Linking {
-                low: self.low,
-                ..Linking::default()
-            },
+            lifespan: self.lifespan_stop.map_or(Lifespan::Full, |stop| Lifespan::Random { stop }),
+            linking: Linking { low: self.low, ..Linking::default() },
             paint,
             cost: None,
             obstacle: None,
@@ -146,11 +131,7 @@ impl Row {
                 ..PipeModel::default()
             }),
             leaves,
-            species: Species {
-                name: self.species.into(),
-                bark: self.bark.into(),
-                leaf_kinds,
-            },
+            species: Species { name: self.species.into(), bark: self.bark.into(), leaf_kinds },
             roots: match self.roots {
                 Some(roots) => Some(Box::new(roots.params()?)),
                 None => None,
@@ -170,11 +151,7 @@ impl LevelRow {
             branching: self.branching,
             shape,
             graph_nodes: self.graph_nodes,
-            axis: if self.down {
-                LevelAxis::Down
-            } else {
-                LevelAxis::Outward
-            },
+            axis: if self.down { LevelAxis::Down } else { LevelAxis::Outward },
             turn: self.turn * PI,
             size: self.size,
             from_all_levels: self.from_all,
@@ -195,12 +172,9 @@ impl Part {
         Ok(match *self {
             Self::Cylinder { base, top, radius } => Volume::cylinder(at(base), at(top), radius)?,
             Self::Cone { base, top, radius } => Volume::cone(at(base), at(top), radius)?,
-            Self::Sector {
-                apex,
-                angle,
-                radius,
-                up,
-            } => Volume::sector(at(apex), Vec3::Y * up, angle * PI, radius)?,
+            Self::Sector { apex, angle, radius, up } => {
+                Volume::sector(at(apex), Vec3::Y * up, angle * PI, radius)?
+            }
             Self::Ellipsoid { center, radii } => Volume::ellipsoid(at(center), at(radii))?,
         })
     }

@@ -39,10 +39,7 @@ pub struct ProfileOptions {
 
 impl Default for ProfileOptions {
     fn default() -> Self {
-        Self {
-            height: 10.0,
-            widen: 1.0,
-        }
+        Self { height: 10.0, widen: 1.0 }
     }
 }
 
@@ -97,9 +94,7 @@ impl Drawing {
             "defs", "clipPath", "mask", "marker", "metadata", "pattern", "symbol", "style", "title",
         ];
         if depth > MAX_DEPTH {
-            return Err(ModelError::Svg(format!(
-                "groups nest deeper than {MAX_DEPTH}"
-            )));
+            return Err(ModelError::Svg(format!("groups nest deeper than {MAX_DEPTH}")));
         }
         let name = node.tag_name().name();
         if SKIPPED.contains(&name) || is_hidden(node) {
@@ -120,24 +115,15 @@ impl Drawing {
         if !(size > 0.0 && size.is_finite()) {
             return;
         }
-        if node
-            .attribute("id")
-            .is_some_and(|id| id.eq_ignore_ascii_case("axis"))
-        {
+        if node.attribute("id").is_some_and(|id| id.eq_ignore_ascii_case("axis")) {
             self.axis = Some(bounds.center().x);
             return;
         }
-        let mut contour = Contour {
-            points: Vec::new(),
-            closed: false,
-        };
+        let mut contour = Contour { points: Vec::new(), closed: false };
         let mut finished = Vec::new();
         kurbo::flatten(path.iter(), FLATNESS * size, |element| match element {
             PathEl::MoveTo(point) => {
-                let next = Contour {
-                    points: vec![point],
-                    closed: false,
-                };
+                let next = Contour { points: vec![point], closed: false };
                 finished.push(std::mem::replace(&mut contour, next));
             }
             PathEl::LineTo(point) => contour.points.push(point),
@@ -146,10 +132,7 @@ impl Drawing {
             PathEl::QuadTo(..) | PathEl::CurveTo(..) => {}
         });
         finished.push(contour);
-        for mut contour in finished
-            .into_iter()
-            .filter(|contour| contour.points.len() > 1)
-        {
+        for mut contour in finished.into_iter().filter(|contour| contour.points.len() > 1) {
             if let (Some(first), Some(last)) = (contour.points.first(), contour.points.last()) {
                 contour.closed |=
                     contour.points.len() > 2 && first.distance(*last) < CLOSED_GAP * size;
@@ -168,9 +151,7 @@ impl Drawing {
         let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
         let high = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
         if !(high - low > 0.0) || points.iter().all(|p| p.x <= 0.0) {
-            return Err(ModelError::Svg(
-                "the drawing has no height or no width".into(),
-            ));
+            return Err(ModelError::Svg("the drawing has no height or no width".into()));
         }
         let scale = f64::from(options.height) / (high - low);
         let widen = f64::from(options.widen);
@@ -178,47 +159,30 @@ impl Drawing {
             .iter()
             .map(|p| Vec2::new((p.x * scale * widen) as f32, ((p.y - low) * scale) as f32))
             .collect();
-        Ok(Profile {
-            points,
-            from_outline,
-        })
+        Ok(Profile { points, from_outline })
     }
 
     /// The longest open curve as (distance from the axis, height).
     fn beside_axis(&self) -> Result<Vec<Point>> {
         let extent = |contour: &&Contour| {
-            contour
-                .points
-                .windows(2)
-                .map(|pair| pair[0].distance(pair[1]))
-                .sum::<f64>()
+            contour.points.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>()
         };
         let curve = self
             .contours
             .iter()
             .max_by(|a, b| extent(a).total_cmp(&extent(b)))
             .ok_or_else(|| ModelError::Svg("no path, polyline or other shape found".into()))?;
-        let leftmost = curve
-            .points
-            .iter()
-            .map(|p| p.x)
-            .fold(f64::INFINITY, f64::min);
+        let leftmost = curve.points.iter().map(|p| p.x).fold(f64::INFINITY, f64::min);
         let axis = self.axis.unwrap_or(leftmost);
-        Ok(curve
-            .points
-            .iter()
-            .map(|p| Point::new((p.x - axis).abs(), -p.y))
-            .collect())
+        Ok(curve.points.iter().map(|p| Point::new((p.x - axis).abs(), -p.y)).collect())
     }
 }
 
 /// Half the full width of all contours together, at even heights from the lowest point up.
 fn half_widths(contours: &[&Contour]) -> Result<Vec<Point>> {
     let ys = || contours.iter().flat_map(|c| c.points.iter().map(|p| p.y));
-    let (top, bottom) = (
-        ys().fold(f64::INFINITY, f64::min),
-        ys().fold(f64::NEG_INFINITY, f64::max),
-    );
+    let (top, bottom) =
+        (ys().fold(f64::INFINITY, f64::min), ys().fold(f64::NEG_INFINITY, f64::max));
     let mut points = Vec::with_capacity(ROWS + 1);
     for row in 0..=ROWS {
         // The outermost rows lie just inside, where the outline still has a width.
@@ -311,11 +275,7 @@ fn polyline(node: Node<'_, '_>, close: bool) -> Result<Option<BezPath>> {
     let mut path = BezPath::new();
     for (i, pair) in numbers.chunks_exact(2).enumerate() {
         let point = Point::new(pair[0], pair[1]);
-        if i == 0 {
-            path.move_to(point)
-        } else {
-            path.line_to(point)
-        }
+        if i == 0 { path.move_to(point) } else { path.line_to(point) }
     }
     if close && !path.is_empty() {
         path.close_path();
@@ -352,21 +312,11 @@ mod tests {
     fn a_curve_gives_its_distance_from_the_axis() {
         let text = svg("<line id='axis' x1='10' y1='0' x2='10' y2='9'/>\
                         <path fill='none' d='M12 10 L15 5 L11 0'/>");
-        let profile = Profile::from_svg(
-            &text,
-            &ProfileOptions {
-                height: 10.0,
-                widen: 2.0,
-            },
-        )
-        .unwrap();
+        let profile =
+            Profile::from_svg(&text, &ProfileOptions { height: 10.0, widen: 2.0 }).unwrap();
         assert_eq!(
             profile.points,
-            [
-                Vec2::new(4.0, 0.0),
-                Vec2::new(10.0, 5.0),
-                Vec2::new(2.0, 10.0)
-            ]
+            [Vec2::new(4.0, 0.0), Vec2::new(10.0, 5.0), Vec2::new(2.0, 10.0)]
         );
     }
 
@@ -392,25 +342,16 @@ mod tests {
         fails(&svg("<path d='M0 0 L 10 0 Z'/>"));
         fails(&svg("<polyline points='1,x'/>"));
         fails(&svg("<g transform='wobble(1)'><circle r='3'/></g>"));
-        fails(&svg(&format!(
-            "{}{}",
-            "<g>".repeat(100),
-            "</g>".repeat(100)
-        )));
-        let options = ProfileOptions {
-            height: f32::NAN,
-            ..Default::default()
-        };
+        fails(&svg(&format!("{}{}", "<g>".repeat(100), "</g>".repeat(100))));
+        let options = ProfileOptions { height: f32::NAN, ..Default::default() };
         let error = Profile::from_svg(&svg("<circle r='3'/>"), &options).unwrap_err();
         assert!(matches!(error, ModelError::Parameter { .. }));
     }
 
     #[test]
     fn hidden_things_and_definitions_do_not_count() {
-        let text = svg(
-            "<defs><circle r='50'/></defs><circle r='90' style='display: none'/>\
-                        <circle cx='5' cy='5' r='2'/>",
-        );
+        let text = svg("<defs><circle r='50'/></defs><circle r='90' style='display: none'/>\
+                        <circle cx='5' cy='5' r='2'/>");
         let profile = Profile::from_svg(&text, &ProfileOptions::default()).unwrap();
         let widest = profile.points.iter().map(|p| p.x).fold(0.0, f32::max);
         assert!((widest - 5.0).abs() < 0.05, "{widest}");

@@ -35,17 +35,13 @@ impl Routes {
     /// Cost of the cheapest path from the root; infinite where there is none.
     #[must_use]
     pub fn cost(&self, node: u32) -> f32 {
-        self.labels
-            .get(node as usize)
-            .map_or(f32::INFINITY, |label| label.cost)
+        self.labels.get(node as usize).map_or(f32::INFINITY, |label| label.cost)
     }
 
     /// The node before `node` on that path; [`NO_NODE`] at the root and where there is no path.
     #[must_use]
     pub fn from(&self, node: u32) -> u32 {
-        self.labels
-            .get(node as usize)
-            .map_or(NO_NODE, |label| label.from)
+        self.labels.get(node as usize).map_or(NO_NODE, |label| label.from)
     }
 
     /// Whether a path leads to `node`.
@@ -57,10 +53,7 @@ impl Routes {
     /// Number of nodes with a path.
     #[must_use]
     pub fn n_reached(&self) -> usize {
-        self.labels
-            .iter()
-            .filter(|label| label.cost < f32::INFINITY)
-            .count()
+        self.labels.iter().filter(|label| label.cost < f32::INFINITY).count()
     }
 }
 
@@ -85,20 +78,12 @@ pub struct Scratch {
 pub fn search_with(graph: &Graph, root: u32, routes: &mut Routes, scratch: &mut Scratch) {
     let n_nodes = graph.len();
     routes.labels.clear();
-    routes.labels.resize(
-        n_nodes,
-        Label {
-            cost: f32::INFINITY,
-            from: NO_NODE,
-        },
-    );
+    routes.labels.resize(n_nodes, Label { cost: f32::INFINITY, from: NO_NODE });
     if root as usize >= n_nodes {
         return;
     }
     let (mean, max) = graph.cost_range();
-    let width = (WIDTH_SHARE * mean)
-        .max(max / MAX_BUCKETS)
-        .max(f32::MIN_POSITIVE);
+    let width = (WIDTH_SHARE * mean).max(max / MAX_BUCKETS).max(f32::MIN_POSITIVE);
     let per_width = width.recip().min(f32::MAX);
     // One lap must hold the costliest arc from anywhere in a bucket, plus rounding.
     let lap = (max * per_width) as usize + 3;
@@ -124,10 +109,7 @@ pub fn search_with(graph: &Graph, root: u32, routes: &mut Routes, scratch: &mut 
                 let reach = cost + arc.cost;
                 let label = &mut routes.labels[arc.to as usize];
                 if reach < label.cost {
-                    *label = Label {
-                        cost: reach,
-                        from: node,
-                    };
+                    *label = Label { cost: reach, from: node };
                     let ahead = ((reach * per_width) as u64).saturating_sub(bucket) as usize;
                     let mut at = slot + ahead.min(lap - 1);
                     if at >= lap {

@@ -11,7 +11,7 @@ use glam::Vec3;
 use tree_core::{Control, Seed, Volume};
 
 /// Share of the nodes that may be out of reach before the graph is linked anew with a longer reach.
-const MAX_STRAY_SHARE: f32 = 0.02;
+const MAX_STRAY_SHARE: f32 = 0.05;
 
 /// Factor on the reach, and how often it is applied, when a graph falls apart: thin trunks have
 /// holes that a solid crown has not. Beyond that the volume itself is in pieces.
@@ -117,11 +117,7 @@ impl Plot<'_> {
             above: self.above,
             candidates: self.candidates,
         };
-        choice.draw(
-            self.random,
-            &mut targets,
-            &mut seed.stream("endpoints").rng(),
-        );
+        choice.draw(self.random, &mut targets, &mut seed.stream("endpoints").rng());
         let mut shoot = union_of_paths(&linked.graph, routes, linked.root, &targets);
         shoot.stats = linked.stats;
         Ok(shoot)
@@ -135,36 +131,20 @@ impl Plot<'_> {
         scratch: &mut Scratch,
         control: &Control,
     ) -> Result<Linked> {
-        if self
-            .terrain
-            .obstacle
-            .is_some_and(|obstacle| obstacle.holds(self.root))
-        {
+        if self.terrain.obstacle.is_some_and(|obstacle| obstacle.holds(self.root)) {
             return Err(ModelError::RootBlocked { root: self.root });
         }
         let mut forced = Vec::with_capacity(self.placed.len() + 1);
         forced.push(self.root);
         forced.extend_from_slice(self.placed);
         let obstacle = self.terrain.obstacle.map(|obstacle| &obstacle.volume);
-        let nodes = strew(
-            self.volume,
-            obstacle,
-            self.graph_nodes,
-            &forced,
-            seed.stream("nodes"),
-            control,
-        )?;
+        let nodes =
+            strew(self.volume, obstacle, self.graph_nodes, &forced, seed.stream("nodes"), control)?;
         let (root, placed) = (nodes.forced[0], nodes.forced[1..].to_vec());
         let mut linking = self.linking.clone();
         let mut widenings = 0;
         loop {
-            let graph = Graph::link(
-                &nodes,
-                &linking,
-                self.terrain,
-                seed.stream("edges"),
-                control,
-            )?;
+            let graph = Graph::link(&nodes, &linking, self.terrain, seed.stream("edges"), control)?;
             search_with(&graph, root, routes, scratch);
             let n_reached = routes.n_reached();
             let strays = graph.len() - n_reached;
@@ -182,13 +162,7 @@ impl Plot<'_> {
                     widened: u64::from(widenings > 0),
                     largest_bytes: graph.bytes() as u64,
                 };
-                return Ok(Linked {
-                    graph,
-                    separation: nodes.separation,
-                    root,
-                    placed,
-                    stats,
-                });
+                return Ok(Linked { graph, separation: nodes.separation, root, placed, stats });
             }
             widenings += 1;
             linking.reach *= WIDEN;
@@ -203,11 +177,7 @@ impl Plot<'_> {
             .filter(|&(node, position)| node as u32 != root && !self.placed.contains(position))
             .map(|(_, position)| position.distance(self.root))
             .fold(f32::INFINITY, f32::min);
-        ModelError::RootOutside {
-            root: self.root,
-            nearest,
-            reach,
-        }
+        ModelError::RootOutside { root: self.root, nearest, reach }
     }
 }
 

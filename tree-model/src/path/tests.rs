@@ -1,1 +1,451 @@
+use super::graph::Graph;
+use super::search::{NO_NODE, search};
+use super::*;
+use crate::ModelError;
+use glam::Vec3;
+use petgraph::algo::dijkstra;
+use petgraph::graph::{NodeIndex, UnGraph};
+use proptest::prelude::*;
+use tree_core::{CancelFlag, Limits, Skeleton, Volume};
 
+const SEED: Seed = Seed(11);
+
+fn control() -> Control {
+    Control::default()
+}
+
+/// A small tree that grows in a millisecond.
+fn shrub() -> PathParams {
+    let trunk = Volume::cylinder(Vec3::ZERO, 1.2 * Vec3::Y, 0.3).unwrap();
+    let crown = Volume::sphere(2.0 * Vec3::Y, 1.2).unwrap();
+    let level = Level { branching: 3, graph_nodes: 60, ..Level::default() };
+    PathParams {
+        volume: trunk.union(&crown).unwrap(),
+        graph_nodes: 500,
+        endpoints: Endpoints { random: 6, ..Endpoints::default() },
+        size: 0.7,
+        levels: vec![level.clone(), level],
+        ..PathParams::oak().unwrap()
+    }
+}
+
+fn skeleton(params: &PathParams) -> Skeleton {
+    params.grow(SEED, &control()).unwrap().tree.skeleton().clone()
+}
+
+fn n_tips(skeleton: &Skeleton) -> usize {
+    let children = skeleton.children();
+    (0..skeleton.len() as u32).filter(|&node| children.is_tip(node)).count()
+}
+
+#[test]
+fn every_preset_grows_a_valid_tree() {
+    for preset in PRESETS {
+        let grown = preset.params().unwrap().grow(SEED, &control()).unwrap();
+        grown.tree.skeleton().check().unwrap();
+        assert_eq!(grown.levels.len(), grown.tree.skeleton().len(), "{}", preset.name());
+        assert!(grown.tree.foliage().len() > 300, "{}", preset.name());
+        let report = grown.report;
+        assert_eq!(report.levels[0].graphs.widened, 0, "{}: {report:?}", preset.name());
+        assert_eq!(report.levels.iter().map(|level| level.stunted).sum::<u64>(), 0);
+    }
+}
+
+#[test]
+fn a_preset_is_found_by_name_and_a_wrong_name_lists_those_there_are() {
+    assert_eq!(Preset::find("c").unwrap().name(), "c");
+    let error = Preset::find("z").unwrap_err();
+    assert!(error.to_string().contains("oak, a, b"), "{error}");
+}
+
+#[test]
+fn branching_multiplies_from_level_to_level() {
+    let grown = shrub().grow(SEED, &control()).unwrap();
+    let endpoints: Vec<u64> = grown.report.levels.iter().map(|level| level.endpoints).collect();
+    assert_eq!(endpoints, [6, 18, 54]);
+}
+
+#[test]
+fn the_last_level_grows_round_the_endpoints_of_all_levels_where_asked() {
+    let mut params = shrub();
+    params.levels[1].from_all_levels = true;
+    let grown = params.grow(SEED, &control()).unwrap();
+    assert_eq!(grown.report.levels[2].endpoints, 3 * (6 + 18));
+}
+
+#[test]
+fn placed_endpoints_are_tips_where_they_were_put() {
+    let placed = vec![Vec3::new(0.5, 2.5, 0.0), Vec3::new(-0.6, 1.9, 0.3)];
+    let params = PathParams {
+        endpoints: Endpoints { random: 0, placed: placed.clone(), ..Endpoints::default() },
+        levels: Vec::new(),
+        ..shrub()
+    };
+    let skeleton = skeleton(&params);
+    assert_eq!(n_tips(&skeleton), 2);
+    for point in placed {
+        assert!(skeleton.positions().contains(&point), "{point}");
+    }
+}
+
+#[test]
+fn surface_endpoints_lie_near_the_surface() {
+    let crown = Volume::sphere(2.0 * Vec3::Y, 2.0).unwrap();
+    let params = PathParams {
+        volume: crown.clone(),
+        endpoints: Endpoints {
+            random: 40,
+            placing: Placing::Surface,
+            candidates: 1,
+            ..Endpoints::default()
+        },
+        graph_nodes: 4000,
+        levels: Vec::new(),
+        ..shrub()
+    };
+    let skeleton = skeleton(&params);
+    let children = skeleton.children();
+    for node in (0..skeleton.len() as u32).filter(|&node| children.is_tip(node)) {
+        let depth = -crown.distance(skeleton.positions()[node as usize]).unwrap();
+        assert!(depth < 0.2, "a tip {depth} m below the surface");
+    }
+}
+
+#[test]
+fn no_branch_enters_an_obstacle() {
+    let wall = Volume::box_solid(Vec3::new(0.25, 0.0, -3.0), Vec3::new(0.3, 6.0, 3.0)).unwrap();
+    let params =
+        PathParams { obstacle: Some(wall.clone()), clearance: 0.02, smoothing: 10, ..shrub() };
+    let grown = params.grow(SEED, &control()).unwrap();
+    let skeleton = grown.tree.skeleton();
+    for (parent, node) in skeleton.segments() {
+        let (a, b) = (skeleton.positions()[parent as usize], skeleton.positions()[node as usize]);
+        for i in 0..=100 {
+            assert!(!wall.contains(a.lerp(b, i as f32 / 100.0)), "{a} to {b}");
+        }
+    }
+    assert!(skeleton.positions().iter().all(|p| p.x < 0.25), "the wall is not walked round");
+    assert!(skeleton.len() > 100);
+}
+
+#[test]
+fn paint_and_cost_fields_draw_branches_aside() {
+    let right_side = Volume::half_space(Vec3::ZERO, Vec3::NEG_X).unwrap();
+    let mean_x = |params: &PathParams| {
+        let skeleton = skeleton(params);
+        skeleton.positions().iter().map(|p| p.x).sum::<f32>() / skeleton.len() as f32
+    };
+    let sphere = Volume::sphere(Vec3::Y, 1.0).unwrap();
+    let endpoints = Endpoints { random: 0, placed: vec![1.9 * Vec3::Y], ..Endpoints::default() };
+    let plain =
+        PathParams { volume: sphere, graph_nodes: 3000, endpoints, levels: Vec::new(), ..shrub() };
+    let painted =
+        PathParams { paint: vec![Paint { volume: right_side, factor: 0.2 }], ..plain.clone() };
+    let field = PathParams {
+        cost: Some(std::sync::Arc::new(|p: Vec3| if p.x > 0.0 { 0.2 } else { 1.0 })),
+        ..plain.clone()
+    };
+    assert!(mean_x(&painted) > mean_x(&plain) + 0.05);
+    assert!(mean_x(&field) > mean_x(&plain) + 0.05);
+}
+
+#[test]
+fn turns_bend_down_when_positive_and_up_when_negative() {
+    let mean_height = |turn: f32| {
+        let mut params = shrub();
+        for level in &mut params.levels {
+            level.turn = turn;
+        }
+        let skeleton = skeleton(&params);
+        skeleton.positions().iter().map(|p| p.y).sum::<f32>() / skeleton.len() as f32
+    };
+    let (down, straight, up) = (mean_height(0.9), mean_height(0.0), mean_height(-0.9));
+    assert!(down < straight && straight < up, "{down} {straight} {up}");
+}
+
+#[test]
+fn a_random_lifespan_ends_some_branches_early() {
+    let params = PathParams { lifespan: Lifespan::Random { stop: 0.3 }, ..shrub() };
+    let grown = params.grow(SEED, &control()).unwrap();
+    let last = grown.report.levels[2];
+    assert!(last.ended > 0 && last.endpoints > 0, "{last:?}");
+}
+
+#[test]
+fn roots_grow_below_and_meet_the_trunk_with_its_radius() {
+    let grown = Preset::find("taproot").unwrap().params().unwrap().grow(SEED, &control()).unwrap();
+    let skeleton = grown.tree.skeleton();
+    let first_root = grown.levels.iter().position(|&level| level == 0).unwrap();
+    assert!(skeleton.bounds().min.y < -2.0);
+    assert_eq!(skeleton.parents()[first_root], 0);
+    assert!(grown.tree.foliage().nodes().iter().all(|&node| (node as usize) < first_root));
+    let children = skeleton.children();
+    let roots: Vec<u32> =
+        children.of(0).iter().copied().filter(|&c| c as usize >= first_root).collect();
+    let thickest = roots.iter().map(|&c| skeleton.radii()[c as usize]).fold(0.0, f32::max);
+    assert!(thickest <= skeleton.radii()[0] && thickest > 0.3 * skeleton.radii()[0]);
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bits_on_one_thread_and_on_two() {
+    let params = Preset::find("i").unwrap().params().unwrap();
+    let big = PathParams { graph_nodes: 30_000, ..params };
+    let grow = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| big.grow(SEED, &control()).unwrap())
+    };
+    let (one, two) = (grow(1), grow(2));
+    assert_eq!(one.tree, two.tree);
+    assert_eq!(one.report, two.report);
+    assert_ne!(one.tree, big.grow(Seed(12), &control()).unwrap().tree);
+}
+
+#[test]
+fn progress_never_falls_and_ends_at_one() {
+    let seen = std::sync::Arc::new(std::sync::Mutex::new(Vec::new()));
+    let sink = seen.clone();
+    let control = control().with_progress(move |p| sink.lock().unwrap().push(p.fraction));
+    shrub().grow(SEED, &control).unwrap();
+    let seen = seen.lock().unwrap();
+    assert!(seen.windows(2).all(|pair| pair[0] <= pair[1]), "{seen:?}");
+    assert_eq!(seen.last(), Some(&1.0));
+}
+
+#[test]
+fn cancelled_work_stops() {
+    let flag = CancelFlag::default();
+    flag.cancel();
+    let error = shrub().grow(SEED, &control().with_cancel(flag)).unwrap_err();
+    assert!(matches!(error, ModelError::Cancelled(_)));
+}
+
+mod bad_input {
+    use super::*;
+
+    fn error(params: &PathParams) -> ModelError {
+        params.grow(SEED, &control()).unwrap_err()
+    }
+
+    #[test]
+    fn parameters_out_of_range_are_named() {
+        let field = |params: PathParams| match error(&params) {
+            ModelError::Parameter { field, .. } | ModelError::NotFinite { field } => field,
+            other => panic!("{other}"),
+        };
+        assert_eq!(field(PathParams { root: Vec3::NAN, ..shrub() }), "root");
+        assert_eq!(field(PathParams { size: f32::NAN, ..shrub() }), "size");
+        assert_eq!(field(PathParams { shrink: f32::INFINITY, ..shrub() }), "shrink");
+        assert_eq!(field(PathParams { graph_nodes: 0, ..shrub() }), "graph_nodes");
+        let mut params = shrub();
+        params.levels[1].turn = 9.0;
+        assert_eq!(field(params), "levels[1].turn");
+        let mut params = shrub();
+        params.levels[0].axis = LevelAxis::Fixed(Vec3::ZERO);
+        assert_eq!(field(params), "levels[0].axis.length()");
+        let mut params = shrub();
+        params.endpoints.placed = vec![Vec3::Y, Vec3::new(0.0, f32::INFINITY, 0.0)];
+        assert_eq!(field(params), "endpoints.placed[1]");
+    }
+
+    #[test]
+    fn zero_endpoints_are_refused() {
+        let mut params = shrub();
+        params.endpoints.random = 0;
+        assert!(matches!(error(&params), ModelError::NoEndpoints));
+    }
+
+    #[test]
+    fn an_empty_or_endless_volume_is_refused() {
+        let left = Volume::sphere(Vec3::NEG_X, 0.5).unwrap();
+        let right = Volume::sphere(Vec3::X, 0.5).unwrap();
+        for volume in [
+            left.intersection(&right).unwrap(),
+            left.difference(&left).unwrap(),
+            Volume::half_space(Vec3::ZERO, Vec3::Y).unwrap(),
+        ] {
+            let error = error(&PathParams { volume, ..shrub() });
+            assert!(matches!(error, ModelError::EmptyVolume { .. }), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_root_outside_the_volume_is_refused() {
+        let error = error(&PathParams { root: Vec3::new(30.0, 0.0, 0.0), ..shrub() });
+        let ModelError::RootOutside { nearest, .. } = error else { panic!("{error}") };
+        assert!((28.0..30.0).contains(&nearest), "{nearest}");
+    }
+
+    #[test]
+    fn a_root_inside_the_obstacle_is_refused() {
+        let obstacle = Some(Volume::sphere(Vec3::ZERO, 0.2).unwrap());
+        let error = error(&PathParams { obstacle, ..shrub() });
+        assert!(matches!(error, ModelError::RootBlocked { .. }), "{error}");
+    }
+
+    #[test]
+    fn an_endpoint_that_cannot_be_reached_is_named() {
+        let mut params = shrub();
+        params.endpoints.placed = vec![2.0 * Vec3::Y, Vec3::new(0.0, 50.0, 0.0)];
+        let found = error(&params);
+        assert!(matches!(found, ModelError::EndpointUnreachable { index: 1, .. }), "{found}");
+
+        // Shut in by a shell.
+        let mut params = shrub();
+        let center = 2.2 * Vec3::Y;
+        let shell = Volume::sphere(center, 0.5).unwrap();
+        params.obstacle = Some(shell.difference(&Volume::sphere(center, 0.4).unwrap()).unwrap());
+        params.endpoints.placed = vec![center];
+        let found = error(&params);
+        assert!(matches!(found, ModelError::EndpointUnreachable { index: 0, .. }), "{found}");
+    }
+
+    #[test]
+    fn budgets_above_the_limits_are_refused() {
+        let limits = Limits { graph_nodes: 499, ..Limits::default() };
+        let found = shrub().grow(SEED, &control().with_limits(limits)).unwrap_err();
+        assert!(matches!(found, ModelError::Limit(_)), "{found}");
+        let limits = Limits { nodes: 50, ..Limits::default() };
+        let found = shrub().grow(SEED, &control().with_limits(limits)).unwrap_err();
+        assert!(matches!(found, ModelError::Limit(_)), "{found}");
+    }
+
+    #[test]
+    fn a_cost_field_that_gives_no_cost_is_refused() {
+        let params = PathParams { cost: Some(std::sync::Arc::new(|_| -1.0)), ..shrub() };
+        assert!(matches!(error(&params), ModelError::Cost { found: -1.0, .. }));
+    }
+}
+
+#[test]
+fn a_thin_slanted_volume_neither_hangs_nor_eats_memory() {
+    let volume = Volume::capsule(Vec3::ZERO, Vec3::splat(30.0), 0.02).unwrap();
+    let endpoints =
+        Endpoints { random: 0, placed: vec![Vec3::splat(29.0)], ..Endpoints::default() };
+    let params = PathParams { volume, endpoints, levels: Vec::new(), ..shrub() };
+    match params.grow(SEED, &control()) {
+        Ok(grown) => grown.tree.skeleton().check().unwrap(),
+        Err(ModelError::EmptyVolume { .. } | ModelError::EndpointUnreachable { .. }) => {}
+        Err(ModelError::RootOutside { .. }) => {}
+        Err(other) => panic!("{other}"),
+    }
+}
+
+#[test]
+fn strewn_nodes_keep_their_separation_and_their_number() {
+    let volume = Volume::sphere(Vec3::ZERO, 3.0).unwrap();
+    for wanted in [100, 1000, 20_000] {
+        let strewn = nodes::strew(&volume, None, wanted, &[Vec3::ZERO], SEED, &control()).unwrap();
+        let found = strewn.positions.len() as f32 / wanted as f32;
+        assert!((0.85..1.25).contains(&found), "{found} of {wanted}");
+        if wanted <= 1000 {
+            for (i, a) in strewn.positions.iter().enumerate() {
+                for b in &strewn.positions[..i] {
+                    assert!(a.distance(*b) >= strewn.separation);
+                }
+            }
+        }
+        assert_eq!(strewn.positions[strewn.forced[0] as usize], Vec3::ZERO);
+    }
+}
+
+#[test]
+fn links_are_all_pairs_within_reach() {
+    let volume = Volume::sphere(Vec3::ZERO, 3.0).unwrap();
+    let strewn = nodes::strew(&volume, None, 600, &[], SEED, &control()).unwrap();
+    let linking = Linking::default();
+    let graph =
+        Graph::link(&strewn, &linking, &graph::Terrain::default(), SEED, &control()).unwrap();
+    let reach = linking.reach * strewn.separation;
+    for (a, here) in strewn.positions.iter().enumerate() {
+        let mut linked: Vec<u32> = graph.arcs(a as u32).iter().map(|arc| arc.to).collect();
+        linked.sort_unstable();
+        let near: Vec<u32> = (0..strewn.positions.len())
+            .filter(|&b| b != a && here.distance_squared(strewn.positions[b]) < reach * reach)
+            .map(|b| b as u32)
+            .collect();
+        assert_eq!(linked, near);
+    }
+}
+
+/// Random graphs, leaning to the nasty: no edges, parallel edges, loops, zero and huge costs.
+fn any_graph() -> impl Strategy<Value = (u32, Vec<(u32, u32, f32)>)> {
+    (1_u32..60).prop_flat_map(|n| {
+        let cost =
+            prop_oneof![Just(0.0_f32), Just(1.0), 0.0_f32..1.0, 1e-30_f32..1e-28, 1e6_f32..1e9];
+        (Just(n), proptest::collection::vec((0..n, 0..n, cost), 0..200))
+    })
+}
+
+proptest! {
+    #[test]
+    fn path_costs_equal_petgraphs((n, edges) in any_graph()) {
+        let graph = Graph::from_edges(vec![Vec3::ZERO; n as usize], &edges).unwrap();
+        let mut theirs = UnGraph::<(), f32>::default();
+        for _ in 0..n {
+            theirs.add_node(());
+        }
+        for &(a, b, cost) in &edges {
+            theirs.add_edge(NodeIndex::new(a as usize), NodeIndex::new(b as usize), cost);
+        }
+        let costs = dijkstra(&theirs, NodeIndex::new(0), None, |edge| *edge.weight());
+        let routes = search(&graph, 0);
+        for node in 0..n {
+            let oracle = costs.get(&NodeIndex::new(node as usize)).copied();
+            prop_assert_eq!(oracle.unwrap_or(f32::INFINITY), routes.cost(node));
+            prop_assert_eq!(routes.reached(node), oracle.is_some());
+            // Walking back to the root ends, and costs what it says.
+            let (mut at, mut steps) = (node, 0);
+            while routes.from(at) != NO_NODE {
+                let from = routes.from(at);
+                let legs = graph.arcs(from).iter().filter(|arc| arc.to == at);
+                prop_assert!(
+                    legs.map(|arc| routes.cost(from) + arc.cost).any(|c| c == routes.cost(at))
+                );
+                at = from;
+                steps += 1;
+                prop_assert!(steps <= n, "a cycle");
+            }
+            prop_assert!(at == 0 || !routes.reached(node));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn any_parameters_give_a_valid_tree_or_an_error(
+        seed in 0_u64..1000,
+        branching in 1_u32..9,
+        nodes in 8_u32..400,
+        angle in 0.001_f32..3.2,
+        turn in -3.2_f32..3.2,
+        shrink in 0.01_f32..2.1,
+        reach in 1.0_f32..4.5,
+        low in 0.0_f32..1.1,
+        smoothing in 0_u32..6,
+        random_life in any::<bool>(),
+    ) {
+        let level = Level {
+            branching,
+            graph_nodes: nodes,
+            shape: SubShape::Sector { angle },
+            turn,
+            axis: if seed % 3 == 0 { LevelAxis::Random } else { LevelAxis::Outward },
+            ..Level::default()
+        };
+        let params = PathParams {
+            levels: vec![level.clone(), level],
+            shrink,
+            linking: Linking { reach, low, ..Linking::default() },
+            smoothing,
+            lifespan: if random_life { Lifespan::Random { stop: 0.3 } } else { Lifespan::Full },
+            ..shrub()
+        };
+        match params.grow(Seed(seed), &control()) {
+            Ok(grown) => grown.tree.skeleton().check().unwrap(),
+            Err(ModelError::Parameter { .. }) => prop_assert!(params.validate().is_err()),
+            Err(ModelError::RootOutside { .. }) => prop_assert!(reach < 1.7),
+            Err(other) => prop_assert!(false, "{}", other),
+        }
+    }
+}

@@ -36,9 +36,7 @@ pub(super) struct Mesh {
 impl Mesh {
     pub(super) fn new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Result<Self> {
         if triangles.is_empty() {
-            return Err(CoreError::Empty {
-                what: "mesh.triangles",
-            });
+            return Err(CoreError::Empty { what: "mesh.triangles" });
         }
         if triangles.len() > MAX_TRIANGLES {
             return Err(CoreError::OutOfRange {
@@ -78,12 +76,7 @@ impl Mesh {
         }
         let nearest = Nearest::new(&mut solid);
         let columns = Columns::new(&solid, bounds);
-        Ok(Self {
-            triangles: solid,
-            columns,
-            nearest,
-            bounds,
-        })
+        Ok(Self { triangles: solid, columns, nearest, bounds })
     }
 
     #[inline]
@@ -121,10 +114,7 @@ fn weld(positions: &[Vec3]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..positions.len() as u32).collect();
     order.sort_unstable_by(|&i, &j| {
         let (a, b) = (key(i), key(j));
-        a.x.total_cmp(&b.x)
-            .then(a.y.total_cmp(&b.y))
-            .then(a.z.total_cmp(&b.z))
-            .then(i.cmp(&j))
+        a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)).then(i.cmp(&j))
     });
     let mut welded = vec![0; positions.len()];
     let mut first = 0;

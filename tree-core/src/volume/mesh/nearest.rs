@@ -78,17 +78,12 @@ impl Nearest {
 fn build(nodes: &mut Vec<Node>, triangles: &mut [Corners], first: usize) {
     let bounds = Aabb::of_points(triangles.as_flattened());
     let this = nodes.len();
-    nodes.push(Node {
-        bounds,
-        other: first as u32,
-        n_triangles: triangles.len() as u32,
-    });
+    nodes.push(Node { bounds, other: first as u32, n_triangles: triangles.len() as u32 });
     if triangles.len() <= LEAF {
         return;
     }
-    let centers = triangles
-        .iter()
-        .fold(Aabb::EMPTY, |aabb, corners| aabb.including(center(corners)));
+    let centers =
+        triangles.iter().fold(Aabb::EMPTY, |aabb, corners| aabb.including(center(corners)));
     let axis = longest(centers.size());
     let half = triangles.len() / 2;
     triangles.select_nth_unstable_by(half, |a, b| center(a)[axis].total_cmp(&center(b)[axis]));

@@ -43,15 +43,10 @@ fn a_transform_of_a_transform_is_one_transform() {
     let ball = Volume::sphere(Vec3::ZERO, 1.0).unwrap();
     let mut moved = ball.clone();
     for _ in 0..200 {
-        moved = moved
-            .transformed(Affine3A::from_translation(Vec3::X))
-            .unwrap();
+        moved = moved.transformed(Affine3A::from_translation(Vec3::X)).unwrap();
     }
     assert_eq!(moved.0.depth, 1);
-    assert_eq!(
-        moved.bounds(),
-        Aabb::new(Vec3::new(199.0, -1.0, -1.0), Vec3::new(201.0, 1.0, 1.0))
-    );
+    assert_eq!(moved.bounds(), Aabb::new(Vec3::new(199.0, -1.0, -1.0), Vec3::new(201.0, 1.0, 1.0)));
 }
 
 #[test]
@@ -62,15 +57,11 @@ fn an_intersection_may_bound_half_spaces() {
         assert!(!cube.is_bounded());
         cube = cube.intersection(&slab(normal)).unwrap();
     }
-    assert_eq!(
-        cube.bounds(),
-        Aabb::new(Vec3::splat(-0.5), Vec3::splat(0.5))
-    );
+    assert_eq!(cube.bounds(), Aabb::new(Vec3::splat(-0.5), Vec3::splat(0.5)));
     assert_eq!(cube.estimate_measure(1000), 1.0);
     // Quarter turns may leave infinite sides infinite, but not make NaN of them.
-    let turned = slab(Vec3::X)
-        .transformed(Affine3A::from_rotation_z(std::f32::consts::FRAC_PI_2))
-        .unwrap();
+    let turned =
+        slab(Vec3::X).transformed(Affine3A::from_rotation_z(std::f32::consts::FRAC_PI_2)).unwrap();
     assert!(!turned.bounds().min.is_nan() && !turned.bounds().max.is_nan());
     assert!(turned.contains(Vec3::NEG_Y) && !turned.contains(Vec3::Y));
 }
@@ -79,10 +70,7 @@ fn an_intersection_may_bound_half_spaces() {
 fn one_volume_united_is_that_volume() {
     let ball = Volume::sphere(Vec3::ZERO, 1.0).unwrap();
     assert_eq!(Volume::union_all([ball.clone()]).unwrap(), ball);
-    assert!(matches!(
-        Volume::union_all([]),
-        Err(CoreError::Empty { what: "union" })
-    ));
+    assert!(matches!(Volume::union_all([]), Err(CoreError::Empty { what: "union" })));
     let many = (0..100_u8).map(|i| Volume::sphere(f32::from(i) * Vec3::X, 0.4).unwrap());
     let row = Volume::union_all(many).unwrap();
     assert!(row.contains(50.3 * Vec3::X) && !row.contains(50.5 * Vec3::X));
@@ -105,13 +93,7 @@ fn nesting_beyond_the_cap_is_an_error_and_below_it_works() {
         }
     };
     assert_eq!(deep.0.depth, MAX_DEPTH);
-    assert!(matches!(
-        error,
-        CoreError::OutOfRange {
-            field: "volume.depth",
-            ..
-        }
-    ));
+    assert!(matches!(error, CoreError::OutOfRange { field: "volume.depth", .. }));
     assert!(!deep.contains(Vec3::ZERO) && deep.contains(0.7 * Vec3::X));
     assert!(deep.distance(Vec3::X).is_some());
 }
@@ -125,13 +107,7 @@ fn doubling_beyond_the_cap_is_an_error() {
             Err(error) => break error,
         }
     };
-    assert!(matches!(
-        error,
-        CoreError::OutOfRange {
-            field: "volume.solids",
-            ..
-        }
-    ));
+    assert!(matches!(error, CoreError::OutOfRange { field: "volume.solids", .. }));
 }
 
 #[test]

@@ -72,37 +72,24 @@ fn an_ellipsoid_has_the_distance_of_its_nearest_surface_point() {
             (0..240).map(move |j| {
                 let phi = std::f32::consts::TAU * j as f32 / 240.0;
                 let ring = libm::sinf(theta);
-                Vec3::new(
-                    ring * libm::cosf(phi),
-                    libm::cosf(theta),
-                    ring * libm::sinf(phi),
-                )
+                Vec3::new(ring * libm::cosf(phi), libm::cosf(theta), ring * libm::sinf(phi))
             })
         })
         .collect();
     // Points on planes and axes of symmetry, at the middle, on and next to the evolute.
     let coordinates = [0.0, 1e-30, 0.2, -1.0, 3.0];
-    for radii in [
-        Vec3::new(1.0, 2.0, 4.0),
-        Vec3::new(3.0, 3.0, 1.0),
-        Vec3::new(1.0, 3.0, 3.0),
-        Vec3::ONE,
-    ] {
+    for radii in
+        [Vec3::new(1.0, 2.0, 4.0), Vec3::new(3.0, 3.0, 1.0), Vec3::new(1.0, 3.0, 3.0), Vec3::ONE]
+    {
         let egg = Volume::ellipsoid(Vec3::ZERO, radii).unwrap();
         let surface: Vec<Vec3> = shares.iter().map(|&s| s * radii).collect();
         for x in coordinates {
             for y in coordinates {
                 for z in coordinates {
                     let p = Vec3::new(x, y, z);
-                    let nearest = surface
-                        .iter()
-                        .map(|q| q.distance(p))
-                        .fold(f32::MAX, f32::min);
+                    let nearest = surface.iter().map(|q| q.distance(p)).fold(f32::MAX, f32::min);
                     let found = egg.distance(p).unwrap();
-                    assert!(
-                        found.abs() <= nearest + 1e-5,
-                        "{radii} {p} {found} {nearest}"
-                    );
+                    assert!(found.abs() <= nearest + 1e-5, "{radii} {p} {found} {nearest}");
                     // The samples lie up to 0.07 apart, which counts in full next to the surface.
                     let slack = 0.01 * (1.0 + 4.0 * found.abs());
                     assert!(
@@ -118,10 +105,8 @@ fn an_ellipsoid_has_the_distance_of_its_nearest_surface_point() {
 #[test]
 fn the_nearest_triangle_of_many_is_found() {
     let (positions, triangles) = icosphere(3);
-    let corners: Vec<[glam::DVec3; 3]> = triangles
-        .iter()
-        .map(|t| t.map(|i| positions[i as usize].as_dvec3()))
-        .collect();
+    let corners: Vec<[glam::DVec3; 3]> =
+        triangles.iter().map(|t| t.map(|i| positions[i as usize].as_dvec3())).collect();
     let mesh = Volume::mesh(positions, triangles).unwrap();
     for p in scattered(200, 2.0).chain([Vec3::ZERO, Vec3::Y, 100.0 * Vec3::ONE]) {
         let nearest = corners

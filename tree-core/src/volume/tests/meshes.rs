@@ -12,22 +12,14 @@ fn cube_positions(min: Vec3, side: f32) -> Vec<Vec3> {
 
 /// Outwards; each face is split along the one diagonal or the other.
 fn cube_triangles(diagonals: u8) -> Vec<[u32; 3]> {
-    let faces: [[u32; 4]; 6] = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
+    let faces: [[u32; 4]; 6] =
+        [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
     (0..)
         .zip(faces)
-        .flat_map(
-            |(face, [a, b, c, d]): (u8, _)| match diagonals >> face & 1 {
-                0 => [[a, b, c], [a, c, d]],
-                _ => [[b, c, d], [b, d, a]],
-            },
-        )
+        .flat_map(|(face, [a, b, c, d]): (u8, _)| match diagonals >> face & 1 {
+            0 => [[a, b, c], [a, c, d]],
+            _ => [[b, c, d], [b, d, a]],
+        })
         .collect()
 }
 
@@ -191,10 +183,7 @@ fn an_open_mesh_is_refused_with_its_edge() {
     triangles.remove(3);
     let error = Volume::mesh(cube_positions(Vec3::ZERO, 1.0), triangles).unwrap_err();
     let text = error.to_string();
-    assert!(
-        text.starts_with("mesh: the edge from position ") && text.contains("open"),
-        "{text}"
-    );
+    assert!(text.starts_with("mesh: the edge from position ") && text.contains("open"), "{text}");
     // One triangle turned over: every edge has two triangles, but they run the same way.
     let mut triangles = cube_triangles(0);
     triangles[3].swap(0, 1);
@@ -206,24 +195,15 @@ fn a_mesh_without_depth_or_triangles_or_with_a_wrong_index_is_refused() {
     let positions = cube_positions(Vec3::ZERO, 1.0);
     assert!(matches!(
         Volume::mesh(positions.clone(), vec![]),
-        Err(CoreError::Empty {
-            what: "mesh.triangles"
-        })
+        Err(CoreError::Empty { what: "mesh.triangles" })
     ));
     let mut triangles = cube_triangles(0);
     triangles[5][1] = 8;
-    let text = Volume::mesh(positions.clone(), triangles)
-        .unwrap_err()
-        .to_string();
-    assert_eq!(
-        text,
-        "mesh: triangle 5 names position 8, but there are only 8"
-    );
+    let text = Volume::mesh(positions.clone(), triangles).unwrap_err().to_string();
+    assert_eq!(text, "mesh: triangle 5 names position 8, but there are only 8");
     assert!(Volume::mesh(vec![], vec![[0, 1, 2]]).is_err());
     for flat in [vec![[0, 1, 2], [0, 2, 1]], vec![[0, 0, 0]]] {
-        let text = Volume::mesh(positions.clone(), flat)
-            .unwrap_err()
-            .to_string();
+        let text = Volume::mesh(positions.clone(), flat).unwrap_err().to_string();
         assert!(text.contains("one plane"), "{text}");
     }
 }

@@ -53,12 +53,7 @@ fn any_plain() -> impl Strategy<Value = Volume> {
         (p(), p(), size()).prop_map(|(a, b, r)| Volume::capsule(a, b, r)),
         (p(), [size(), size(), size()])
             .prop_map(|(a, s)| Volume::box_solid(a, a + Vec3::from_array(s))),
-        (
-            p(),
-            direction(),
-            prop_oneof![0.2_f32..3.1, Just(std::f32::consts::PI)],
-            size()
-        )
+        (p(), direction(), prop_oneof![0.2_f32..3.1, Just(std::f32::consts::PI)], size())
             .prop_map(|(a, d, angle, r)| Volume::sector(a, d, angle, r)),
         (p(), direction(), rising_profile())
             .prop_map(|(a, d, profile)| Volume::revolution(a, d, profile)),
@@ -73,19 +68,15 @@ fn any_plain() -> impl Strategy<Value = Volume> {
 /// Turned, moved, and scaled by 0.4 to 2 along each axis, mirrored or not.
 fn any_map() -> impl Strategy<Value = Affine3A> {
     let factor = || prop_oneof![0.4_f32..2.0, -2.0_f32..-0.4, Just(1.0)];
-    (
-        direction(),
-        -3.0_f32..3.0,
-        [factor(), factor(), factor()],
-        point_in(1.0),
-    )
-        .prop_map(|(axis, angle, factors, shift)| {
+    (direction(), -3.0_f32..3.0, [factor(), factor(), factor()], point_in(1.0)).prop_map(
+        |(axis, angle, factors, shift)| {
             Affine3A::from_scale_rotation_translation(
                 Vec3::from_array(factors),
                 Quat::from_axis_angle(axis.normalize(), angle),
                 shift,
             )
-        })
+        },
+    )
 }
 
 /// Combinations up to four deep, half-spaces and all.

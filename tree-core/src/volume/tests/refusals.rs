@@ -12,11 +12,7 @@ fn field(result: Result<Volume>) -> &'static str {
 #[test]
 fn a_point_that_is_not_finite_is_refused_by_name() {
     let o = Vec3::ZERO;
-    for bad in [
-        Vec3::NAN,
-        Vec3::INFINITY,
-        Vec3::new(0.0, f32::NEG_INFINITY, 0.0),
-    ] {
+    for bad in [Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NEG_INFINITY, 0.0)] {
         for (result, name) in [
             (Volume::sphere(bad, 1.0), "sphere.center"),
             (Volume::ellipsoid(bad, Vec3::ONE), "ellipsoid.center"),
@@ -49,10 +45,7 @@ fn a_size_out_of_range_is_refused_by_name() {
     for bad in [0.0, -0.0, -1.0, f32::MIN, f32::NAN, f32::INFINITY, 1e-40] {
         for (result, name) in [
             (Volume::sphere(o, bad), "sphere.radius"),
-            (
-                Volume::ellipsoid(o, Vec3::new(1.0, bad, 1.0)),
-                "ellipsoid.radii",
-            ),
+            (Volume::ellipsoid(o, Vec3::new(1.0, bad, 1.0)), "ellipsoid.radii"),
             (Volume::cylinder(o, Vec3::Y, bad), "cylinder.radius"),
             (Volume::capsule(o, Vec3::Y, bad), "capsule.radius"),
             (Volume::sector(o, Vec3::Y, bad, 1.0), "sector.angle"),
@@ -62,14 +55,8 @@ fn a_size_out_of_range_is_refused_by_name() {
         }
     }
     for bad in [-1.0, f32::NAN, f32::INFINITY] {
-        assert_eq!(
-            field(Volume::frustum(o, Vec3::Y, bad, 1.0)),
-            "frustum.base_radius"
-        );
-        assert_eq!(
-            field(Volume::frustum(o, Vec3::Y, 1.0, bad)),
-            "frustum.top_radius"
-        );
+        assert_eq!(field(Volume::frustum(o, Vec3::Y, bad, 1.0)), "frustum.base_radius");
+        assert_eq!(field(Volume::frustum(o, Vec3::Y, 1.0, bad)), "frustum.top_radius");
         assert_eq!(field(Volume::cone(o, Vec3::Y, bad)), "frustum.base_radius");
     }
     assert_eq!(field(Volume::sector(o, Vec3::Y, 3.15, 1.0)), "sector.angle");
@@ -99,12 +86,7 @@ fn a_profile_that_bounds_nothing_is_refused() {
         let profile = profile.iter().copied().map(Vec2::from_array).collect();
         Volume::revolution(Vec3::ZERO, Vec3::Y, profile)
     };
-    assert!(matches!(
-        turn(&[]),
-        Err(CoreError::Empty {
-            what: "revolution.profile"
-        })
-    ));
+    assert!(matches!(turn(&[]), Err(CoreError::Empty { what: "revolution.profile" })));
     assert_eq!(field(turn(&[[1.0, 0.0]])), "revolution");
     assert_eq!(field(turn(&[[1.0, 2.0], [2.0, 2.0]])), "revolution");
     assert_eq!(field(turn(&[[0.0, 0.0], [0.0, 1.0]])), "revolution");
@@ -129,10 +111,7 @@ fn a_map_that_flattens_is_refused() {
     ] {
         assert!(matches!(
             ball.transformed(flat),
-            Err(CoreError::Volume {
-                solid: "transformed",
-                ..
-            })
+            Err(CoreError::Volume { solid: "transformed", .. })
         ));
     }
     for bad in [f32::NAN, f32::INFINITY] {
@@ -142,17 +121,11 @@ fn a_map_that_flattens_is_refused() {
         ));
     }
     // Small and strongly stretched is not flat.
-    assert!(
-        ball.transformed(Affine3A::from_scale(Vec3::new(1e-6, 1e6, 1.0)))
-            .is_ok()
-    );
+    assert!(ball.transformed(Affine3A::from_scale(Vec3::new(1e-6, 1e6, 1.0))).is_ok());
 }
 
 #[test]
 fn combinations_of_nothing_are_refused() {
     assert_eq!(field(Volume::new(Solid::Union(vec![]))), "union");
-    assert_eq!(
-        field(Volume::new(Solid::Intersection(vec![]))),
-        "intersection"
-    );
+    assert_eq!(field(Volume::new(Solid::Intersection(vec![]))), "intersection");
 }

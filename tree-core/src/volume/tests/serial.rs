@@ -21,11 +21,7 @@ fn an_invalid_volume_cannot_be_read() {
 
 fn nested(depth: usize) -> String {
     let leaf = r#"{"Sphere":{"center":[0,0,0],"radius":1}}"#;
-    format!(
-        r#"{}{leaf}{}"#,
-        r#"{"Union":["#.repeat(depth),
-        "]}".repeat(depth)
-    )
+    format!(r#"{}{leaf}{}"#, r#"{"Union":["#.repeat(depth), "]}".repeat(depth))
 }
 
 #[test]

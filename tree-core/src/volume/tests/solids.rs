@@ -84,10 +84,7 @@ proptest! {
 fn samples_fill_a_half_ball_evenly() {
     let half = Volume::sector(Vec3::ZERO, Vec3::Y, std::f32::consts::FRAC_PI_2, 1.0).unwrap();
     let mut rng = crate::Seed(2).rng();
-    let mean = (0..20_000)
-        .map(|_| half.sample(&mut rng, 64).unwrap())
-        .sum::<Vec3>()
-        / 20_000.0;
+    let mean = (0..20_000).map(|_| half.sample(&mut rng, 64).unwrap()).sum::<Vec3>() / 20_000.0;
     // The centroid of a half ball lies at 3/8 of its radius.
     assert!((mean - 0.375 * Vec3::Y).length() < 0.01, "{mean}");
 }
@@ -114,22 +111,13 @@ fn plain_solids_hold_their_surface() {
     let angle = std::f32::consts::FRAC_PI_2;
     for (volume, p) in [
         (Volume::sphere(Vec3::ZERO, 2.0), v(2.0, 0.0, 0.0)),
-        (
-            Volume::ellipsoid(Vec3::ZERO, v(1.0, 2.0, 4.0)),
-            v(0.0, 2.0, 0.0),
-        ),
+        (Volume::ellipsoid(Vec3::ZERO, v(1.0, 2.0, 4.0)), v(0.0, 2.0, 0.0)),
         (Volume::cylinder(Vec3::ZERO, Vec3::Y, 1.0), v(1.0, 1.0, 0.0)),
         (Volume::cone(Vec3::ZERO, Vec3::Y, 1.0), v(0.0, 1.0, 0.0)),
-        (
-            Volume::frustum(Vec3::ZERO, Vec3::Y, 1.0, 0.5),
-            v(0.75, 0.5, 0.0),
-        ),
+        (Volume::frustum(Vec3::ZERO, Vec3::Y, 1.0, 0.5), v(0.75, 0.5, 0.0)),
         (Volume::capsule(Vec3::ZERO, Vec3::Y, 1.0), v(0.0, 2.0, 0.0)),
         (Volume::box_solid(Vec3::ZERO, Vec3::ONE), v(1.0, 0.0, 1.0)),
-        (
-            Volume::half_space(Vec3::ZERO, v(0.0, 3.0, 0.0)),
-            v(5.0, 0.0, 1.0),
-        ),
+        (Volume::half_space(Vec3::ZERO, v(0.0, 3.0, 0.0)), v(5.0, 0.0, 1.0)),
         (Volume::sector(Vec3::ZERO, Vec3::Y, 1.0, 1.0), Vec3::ZERO),
         (Volume::sector(Vec3::ZERO, Vec3::Y, angle, 1.0), Vec3::Y),
     ] {
@@ -176,22 +164,12 @@ fn the_distance_of_a_frustum_counts_the_nearest_of_side_and_ends() {
 #[test]
 fn a_profile_with_an_overhang_keeps_its_hollow() {
     // An umbrella: a stem, and a cap whose rim hangs down below its middle.
-    let profile = [
-        [0.2, 0.0],
-        [0.2, 2.0],
-        [1.5, 1.0],
-        [2.0, 1.0],
-        [1.0, 3.0],
-        [0.0, 3.0],
-    ]
-    .map(Vec2::from_array)
-    .to_vec();
+    let profile = [[0.2, 0.0], [0.2, 2.0], [1.5, 1.0], [2.0, 1.0], [1.0, 3.0], [0.0, 3.0]]
+        .map(Vec2::from_array)
+        .to_vec();
     let umbrella = Volume::revolution(Vec3::ZERO, Vec3::Y, profile).unwrap();
     assert!(umbrella.contains(Vec3::new(0.1, 0.5, 0.0)), "stem");
-    assert!(
-        !umbrella.contains(Vec3::new(0.8, 1.1, 0.0)),
-        "under the cap"
-    );
+    assert!(!umbrella.contains(Vec3::new(0.8, 1.1, 0.0)), "under the cap");
     assert!(umbrella.contains(Vec3::new(0.0, 1.2, -1.6)), "rim");
     assert!(umbrella.contains(Vec3::new(0.0, 2.5, 0.0)), "cap");
     let estimate = umbrella.estimate_measure(125_000);
@@ -218,12 +196,7 @@ fn a_closed_profile_turns_into_a_ring() {
 #[test]
 fn a_profile_is_the_same_drawn_up_or_down() {
     let up: Vec<Vec2> = (0..500_u16)
-        .map(|i| {
-            Vec2::new(
-                1.0 + f32::from(i % 7) * 0.1,
-                f32::from(i) * 0.01 + f32::from(i % 3),
-            )
-        })
+        .map(|i| Vec2::new(1.0 + f32::from(i % 7) * 0.1, f32::from(i) * 0.01 + f32::from(i % 3)))
         .collect();
     let down = up.iter().rev().copied().collect();
     let up = Volume::revolution(Vec3::ZERO, Vec3::Y, up).unwrap();
@@ -241,13 +214,7 @@ fn tiny_and_huge_solids_still_answer() {
         assert!(ball.contains(Vec3::ZERO) && ball.contains(0.9 * radius * Vec3::X));
         assert!(!ball.contains(0.9 * radius * Vec3::ONE));
         let egg = Volume::ellipsoid(Vec3::ZERO, Vec3::new(radius, 1.0, 1.0)).unwrap();
-        for p in [
-            Vec3::ZERO,
-            Vec3::Y,
-            radius * Vec3::X,
-            Vec3::MAX,
-            Vec3::splat(1e-30),
-        ] {
+        for p in [Vec3::ZERO, Vec3::Y, radius * Vec3::X, Vec3::MAX, Vec3::splat(1e-30)] {
             assert!(egg.distance(p).unwrap().is_finite());
         }
     }
