@@ -47,7 +47,7 @@ mod smooth;
 pub use graph::{CostField, Linking, Paint};
 pub use iterate::{LevelReport, PathReport, PathTree};
 pub use params::{
-    Endpoints, Level, LevelAxis, Lifespan, MAX_LEVELS, PathParams, Placing, SubShape,
+    Endpoints, Level, LevelAxis, Lifespan, MAX_LEVELS, MIN_ANGLE, PathParams, Placing, SubShape,
 };
 pub use presets::{PRESETS, Preset};
 #[cfg(feature = "svg")]

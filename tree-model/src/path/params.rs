@@ -11,6 +11,9 @@ use tree_core::{Species, Volume};
 /// Most levels: 2 to the 16th subgraphs at the smallest branching would be a forest.
 pub const MAX_LEVELS: usize = 16;
 
+/// Narrowest sector, in radians (3°): a thinner one is hit by too few darts to hold a graph.
+pub const MIN_ANGLE: f32 = 0.05;
+
 /// Everything that shapes a tree by Xu & Mould's method. Lengths in metres, angles in radians.
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -137,8 +140,8 @@ impl Default for Level {
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SubShape {
-    /// The part of a ball round the root that lies within `angle` (α) of the axis; radians, above 0
-    /// to π (the whole ball). The paper's default (§3.3.2).
+    /// The part of a ball round the root that lies within `angle` (α) of the axis; radians,
+    /// [`MIN_ANGLE`] to π (the whole ball). The paper's default (§3.3.2).
     Sector {
         /// Angle α.
         angle: f32,
@@ -260,7 +263,7 @@ impl Level {
             check(field("axis.length()"), axis.length(), 1e-6, f32::MAX)?;
         }
         match &self.shape {
-            SubShape::Sector { angle } => check(field("shape.angle"), *angle, 1e-3, PI),
+            SubShape::Sector { angle } => check(field("shape.angle"), *angle, MIN_ANGLE, PI),
             SubShape::Cone { width } | SubShape::InvertedCone { width } => {
                 check(field("shape.width"), *width, 0.05, 5.0)
             }
