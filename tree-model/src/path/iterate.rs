@@ -8,7 +8,7 @@ use super::obstacle::Obstacle;
 use super::params::{Level, PathParams};
 use super::shoot::{GraphStats, Plot, Shoot, Workspace};
 use super::smooth::smooth;
-use crate::error::Result;
+use crate::error::{ModelError, Result};
 use crate::foliage;
 use rayon::prelude::*;
 use tree_core::allometry::RadiusRule;
@@ -41,7 +41,8 @@ pub struct LevelReport {
     pub graphs: GraphStats,
     /// Endpoints reached.
     pub endpoints: u64,
-    /// Endpoints of the levels before from which nothing grew, because an obstacle left no room.
+    /// Endpoints of the levels before from which nothing grew, because an obstacle left no room or
+    /// a narrow subgraph did not hang together.
     pub stunted: u64,
     /// Endpoints of the level before whose lifespan had ended.
     pub ended: u64,
@@ -174,7 +175,7 @@ impl PathParams {
         self.check_limits(level, from.len() as u64, draft, control)?;
         let stream = seed.stream("levels").child(i as u64);
         let nursery = Nursery { level, size, linking: &self.linking, terrain, control };
-        let shoots: Vec<Result<Option<Shoot>>> = from
+        let shoots: Vec<Result<Shoot>> = from
             .par_iter()
             .enumerate()
             .map_init(Workspace::default, |workspace, (number, tip)| {
@@ -183,10 +184,16 @@ impl PathParams {
             })
             .collect();
         let mut tips = Vec::new();
+        let mut why = None;
         for (number, (tip, shoot)) in from.iter().zip(shoots).enumerate() {
-            let Some(shoot) = shoot? else {
-                report.stunted += 1;
-                continue;
+            let shoot = match shoot {
+                Ok(shoot) => shoot,
+                Err(error) if is_local(&error) => {
+                    report.stunted += 1;
+                    why.get_or_insert(error);
+                    continue;
+                }
+                Err(error) => return Err(error),
             };
             report.graphs.add(shoot.stats);
             report.endpoints += shoot.tips.len() as u64;
@@ -194,6 +201,10 @@ impl PathParams {
             draft.append(&shoot, tip, i as u8 + 2, &mut tips, |n| {
                 self.lifespan.after(tip.life, life.child(u64::from(n)))
             });
+        }
+        if let (Some(error), true, None) = (why, tips.is_empty(), terrain.obstacle) {
+            // Nothing grew at all and no obstacle is to blame: the level's shape is.
+            return Err(error);
         }
         draft.close_level(tips);
         Ok(report)
@@ -211,6 +222,16 @@ impl PathParams {
     fn progress_at(&self, i: usize) -> f32 {
         0.8 * (i as f32 + 1.0) / (self.levels.len() as f32 + 1.0)
     }
+}
+
+/// Errors that end one branch and not the tree: its subgraph has no room, or does not hang together.
+fn is_local(error: &ModelError) -> bool {
+    matches!(
+        error,
+        ModelError::EmptyVolume { .. }
+            | ModelError::RootOutside { .. }
+            | ModelError::RootBlocked { .. }
+    )
 }
 
 /// Stage names must live for ever; deeper levels share the last.

@@ -4,7 +4,7 @@ use super::draft::Tip;
 use super::graph::{Linking, Terrain};
 use super::params::{Level, LevelAxis, Lifespan, SubShape};
 use super::shoot::{Plot, Shoot, Workspace};
-use crate::error::{ModelError, Result};
+use crate::error::Result;
 use glam::{Affine3A, Mat3, Quat, Vec3};
 use tree_core::seed::{uniform, unit_vector};
 use tree_core::{Control, Seed, Volume};
@@ -19,13 +19,8 @@ pub(crate) struct Nursery<'a> {
 }
 
 impl Nursery<'_> {
-    /// Grows one subgraph; `None` where an obstacle leaves no room for it.
-    pub(crate) fn grow(
-        &self,
-        tip: &Tip,
-        seed: Seed,
-        workspace: &mut Workspace,
-    ) -> Result<Option<Shoot>> {
+    /// Grows one subgraph.
+    pub(crate) fn grow(&self, tip: &Tip, seed: Seed, workspace: &mut Workspace) -> Result<Shoot> {
         let volume = self.volume(tip, seed)?;
         let plot = Plot {
             volume: &volume,
@@ -39,15 +34,7 @@ impl Nursery<'_> {
             linking: self.linking,
             terrain: self.terrain,
         };
-        match plot.grow(seed, workspace, self.control) {
-            Ok(shoot) => Ok(Some(shoot)),
-            Err(
-                ModelError::EmptyVolume { .. }
-                | ModelError::RootOutside { .. }
-                | ModelError::RootBlocked { .. },
-            ) if self.terrain.obstacle.is_some() => Ok(None),
-            Err(error) => Err(error),
-        }
+        plot.grow(seed, workspace, self.control)
     }
 
     /// The subgraph's volume: the level's shape, pointed along the axis (§3.3.2).

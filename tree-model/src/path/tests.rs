@@ -444,7 +444,10 @@ proptest! {
         match params.grow(Seed(seed), &control()) {
             Ok(grown) => grown.tree.skeleton().check().unwrap(),
             Err(ModelError::Parameter { .. }) => prop_assert!(params.validate().is_err()),
-            Err(ModelError::RootOutside { .. }) => prop_assert!(reach < 1.7),
+            // Eight nodes in a needle, or links too short to hang together.
+            Err(ModelError::RootOutside { .. } | ModelError::EmptyVolume { .. }) => {
+                prop_assert!(reach < 1.8 || nodes < 40, "reach {reach}, {nodes} nodes");
+            }
             Err(other) => prop_assert!(false, "{}", other),
         }
     }
