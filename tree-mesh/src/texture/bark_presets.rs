@@ -1,0 +1,187 @@
+//! The built-in barks, a row each.
+
+use super::bark::{BarkStyle, Lenticels, Patches};
+use std::borrow::Cow;
+use tree_core::Seed;
+
+const fn lichen(color: [u8; 3], share: f32) -> Patches {
+    Patches {
+        color,
+        count: [5, 5],
+        share,
+        softness: 0.5,
+        opacity: 0.5,
+        roughness: 0.15,
+    }
+}
+
+const BASE: BarkStyle = BarkStyle::DEFAULT;
+
+pub(super) const TABLE: &[(&str, BarkStyle)] = &[
+    (
+        "oak",
+        BarkStyle {
+            seed: Seed(1),
+            ridge: [139, 126, 110],
+            furrow: [44, 36, 30],
+            tint: [108, 104, 84],
+            tinting: 0.5,
+            plates: [9, 3],
+            crack: 0.3,
+            plate_contrast: 0.12,
+            furrows: [7, 2],
+            furrow_width: 0.3,
+            warp: 0.03,
+            grain: [26, 9],
+            grain_height: 0.45,
+            patches: Cow::Borrowed(&[lichen([132, 140, 108], 0.2)]),
+            ..BASE
+        },
+    ),
+    (
+        "birch",
+        BarkStyle {
+            seed: Seed(2),
+            ridge: [228, 224, 215],
+            furrow: [176, 166, 152],
+            tint: [206, 192, 172],
+            tinting: 0.5,
+            plates: [0, 0],
+            furrows: [0, 0],
+            warp: 0.04,
+            grain: [4, 64],
+            grain_height: 0.2,
+            rings: 36,
+            ring_contrast: 0.16,
+            patches: Cow::Borrowed(&[
+                Patches {
+                    color: [203, 170, 140],
+                    count: [3, 9],
+                    share: 0.13,
+                    softness: 0.25,
+                    opacity: 0.6,
+                    roughness: 0.1,
+                },
+                Patches {
+                    color: [58, 52, 47],
+                    count: [3, 4],
+                    share: 0.06,
+                    softness: 0.12,
+                    opacity: 0.95,
+                    roughness: 0.9,
+                },
+            ]),
+            lenticels: Some(Lenticels {
+                color: [62, 54, 48],
+                count: [5, 34],
+                share: 0.45,
+                length: 1.0,
+                thickness: 0.45,
+            }),
+            relief: 0.8,
+            ..BASE
+        },
+    ),
+    (
+        "pine",
+        BarkStyle {
+            seed: Seed(3),
+            ridge: [158, 108, 80],
+            furrow: [46, 33, 28],
+            tint: [128, 108, 96],
+            tinting: 0.7,
+            plates: [5, 4],
+            crack: 0.16,
+            plate_contrast: 0.16,
+            furrows: [0, 0],
+            warp: 0.05,
+            flakes: 0.45,
+            grain: [20, 16],
+            grain_height: 0.3,
+            ..BASE
+        },
+    ),
+    (
+        "smooth",
+        BarkStyle {
+            seed: Seed(4),
+            ridge: [146, 143, 134],
+            furrow: [98, 94, 86],
+            tint: [124, 126, 116],
+            tinting: 0.6,
+            plates: [0, 0],
+            furrows: [0, 0],
+            warp: 0.03,
+            grain: [18, 26],
+            grain_height: 0.14,
+            rings: 22,
+            ring_contrast: 0.16,
+            patches: Cow::Borrowed(&[lichen([172, 174, 160], 0.26), lichen([118, 124, 104], 0.16)]),
+            relief: 0.7,
+            ..BASE
+        },
+    ),
+    (
+        "spruce",
+        BarkStyle {
+            seed: Seed(5),
+            ridge: [126, 104, 90],
+            furrow: [58, 46, 40],
+            tint: [138, 126, 114],
+            tinting: 0.6,
+            plates: [14, 12],
+            crack: 0.3,
+            plate_contrast: 0.2,
+            furrows: [0, 0],
+            warp: 0.04,
+            flakes: 0.3,
+            grain: [30, 24],
+            grain_height: 0.3,
+            ..BASE
+        },
+    ),
+    (
+        "cherry",
+        BarkStyle {
+            seed: Seed(6),
+            ridge: [112, 78, 68],
+            furrow: [62, 44, 40],
+            tint: [132, 104, 92],
+            tinting: 0.6,
+            plates: [0, 0],
+            furrows: [0, 0],
+            warp: 0.02,
+            grain: [3, 48],
+            grain_height: 0.25,
+            rings: 26,
+            ring_contrast: 0.4,
+            lenticels: Some(Lenticels {
+                color: [160, 122, 96],
+                count: [4, 24],
+                share: 0.5,
+                length: 0.8,
+                thickness: 0.4,
+            }),
+            ..BASE
+        },
+    ),
+    (
+        "palm",
+        BarkStyle {
+            seed: Seed(7),
+            ridge: [142, 126, 106],
+            furrow: [84, 70, 56],
+            tint: [118, 108, 94],
+            tinting: 0.5,
+            plates: [0, 0],
+            furrows: [26, 2],
+            furrow_width: 0.12,
+            warp: 0.01,
+            grain: [36, 8],
+            grain_height: 0.3,
+            rings: 12,
+            ring_contrast: 1.0,
+            ..BASE
+        },
+    ),
+];

@@ -1,0 +1,183 @@
+//! Periodic noise on the unit square: every function repeats when `u` or `v` grows by one.
+//!
+//! Lattice noise after Perlin (1985, quintic fade of 2002), cells after Worley (1996) with the distance
+//! to the border between cells instead of to the second point, so that cracks have one width.
+//! No transcendental functions: the same bits everywhere.
+
+use tree_core::Seed;
+
+/// One source of noise; the seed makes it independent of others.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Noise(u32);
+
+/// Where a point lies among jittered cells.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    /// Random bits of the cell.
+    pub(super) id: u32,
+    /// Distance to the cell's border, in cells: 0 on the border, about 0.5 in the middle.
+    pub(super) edge: f32,
+}
+
+/// Cells or waves across and along the unit square.
+pub(super) type Count = [u32; 2];
+
+impl Noise {
+    pub(super) fn new(seed: Seed, name: &str) -> Self {
+        Self((seed.stream(name).0 >> 32) as u32)
+    }
+
+    /// Gradient noise in about -1 to 1, mean 0, with `count` waves across the square.
+    #[inline]
+    pub(super) fn gradient(self, u: f32, v: f32, count: Count) -> f32 {
+        let (x0, fx) = split(u, count[0]);
+        let (y0, fy) = split(v, count[1]);
+        let (x1, y1) = (next(x0, count[0]), next(y0, count[1]));
+        let (sx, sy) = (fade(fx), fade(fy));
+        let corner = |x: u32, y: u32, dx: f32, dy: f32| {
+            let h = self.hash(x, y);
+            let a = (h & 0xffff) as f32 * (2.0 / 65535.0) - 1.0;
+            let b = (h >> 16) as f32 * (2.0 / 65535.0) - 1.0;
+            a * dx + b * dy
+        };
+        let top = mix(corner(x0, y0, fx, fy), corner(x1, y0, fx - 1.0, fy), sx);
+        let low = mix(
+            corner(x0, y1, fx, fy - 1.0),
+            corner(x1, y1, fx - 1.0, fy - 1.0),
+            sx,
+        );
+        1.6 * mix(top, low, sy)
+    }
+
+    /// Octaves of gradient noise, each of twice the frequency and half the height; about -1 to 1.
+    #[inline]
+    pub(super) fn fbm(self, u: f32, v: f32, count: Count, octaves: u32) -> f32 {
+        let (mut sum, mut height, mut count) = (0.0, 0.62, count);
+        for octave in 0..octaves {
+            sum += height * Self(self.0 ^ octave.wrapping_mul(0x9e37_79b9)).gradient(u, v, count);
+            height *= 0.5;
+            count = count.map(|n| n.saturating_mul(2));
+        }
+        sum
+    }
+
+    /// Random bits for the cell that holds the point and the distance to the cell's border.
+    /// `jitter` is 0 for a regular grid to 1.
+    #[inline]
+    pub(super) fn cell(self, u: f32, v: f32, count: Count, jitter: f32) -> Cell {
+        let (x0, fx) = split(u, count[0]);
+        let (y0, fy) = split(v, count[1]);
+        let mut points = [[0.0_f32; 2]; 9];
+        let (mut best, mut nearest, mut id) = (f32::MAX, [0.0; 2], 0);
+        for (k, point) in points.iter_mut().enumerate() {
+            let (i, j) = ((k % 3) as u32, (k / 3) as u32);
+            let h = self.hash(
+                (x0 + count[0] - 1 + i) % count[0],
+                (y0 + count[1] - 1 + j) % count[1],
+            );
+            let a = (h & 0xffff) as f32 * (1.0 / 65536.0) - 0.5;
+            let b = (h >> 16) as f32 * (1.0 / 65536.0) - 0.5;
+            *point = [
+                i as f32 - 0.5 + jitter * a - fx,
+                j as f32 - 0.5 + jitter * b - fy,
+            ];
+            let distance = point[0] * point[0] + point[1] * point[1];
+            if distance < best {
+                (best, nearest, id) = (distance, *point, h);
+            }
+        }
+        let mut edge = 1.0_f32;
+        for point in points {
+            let [dx, dy] = [point[0] - nearest[0], point[1] - nearest[1]];
+            let length = dx * dx + dy * dy;
+            if length > 1e-6 {
+                let mx = 0.5 * (point[0] + nearest[0]);
+                let my = 0.5 * (point[1] + nearest[1]);
+                edge = edge.min((mx * dx + my * dy) / length.sqrt());
+            }
+        }
+        Cell {
+            id: scramble(id),
+            edge,
+        }
+    }
+
+    #[inline]
+    pub(super) fn hash(self, x: u32, y: u32) -> u32 {
+        scramble(self.0 ^ x.wrapping_mul(0x85eb_ca6b) ^ scramble(y.wrapping_mul(0xc2b2_ae35)))
+    }
+}
+
+/// The lattice cell of a coordinate, wrapped, and the place in it (0 to 1).
+#[inline]
+pub(super) fn split(u: f32, count: u32) -> (u32, f32) {
+    let x = u * count as f32;
+    let cut = x as i32;
+    let floor = cut - i32::from(x < cut as f32);
+    (floor.rem_euclid(count as i32) as u32, x - floor as f32)
+}
+
+#[inline]
+fn next(x: u32, count: u32) -> u32 {
+    if x + 1 == count { 0 } else { x + 1 }
+}
+
+#[inline]
+fn fade(t: f32) -> f32 {
+    t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
+}
+
+/// From `a` to `b` as `t` goes from 0 to 1.
+#[inline]
+pub(super) fn mix(a: f32, b: f32, t: f32) -> f32 {
+    a + (b - a) * t
+}
+
+/// 0 below `low`, 1 above `high`, smooth between; falling if `high < low`.
+#[inline]
+pub(super) fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
+    let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// A number in 0 to 1 out of 8 random bits, starting at `shift`.
+#[inline]
+pub(super) fn unit(bits: u32, shift: u32) -> f32 {
+    ((bits >> shift) & 0xff) as f32 * (1.0 / 255.0)
+}
+
+/// Finaliser of MurmurHash3 (Appleby 2011).
+#[inline]
+fn scramble(mut h: u32) -> u32 {
+    h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
+    h = (h ^ (h >> 13)).wrapping_mul(0xc2b2_ae35);
+    h ^ (h >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noise_repeats_and_has_mean_zero() {
+        let noise = Noise::new(Seed(1), "test");
+        let mut sum = 0.0;
+        for i in 0..1000 {
+            let (u, v) = (i as f32 / 1000.0, (i * 37 % 1000) as f32 / 1000.0);
+            sum += noise.gradient(u, v, [7, 5]);
+            for count in [[1, 1], [2, 1], [7, 5]] {
+                let near = noise.fbm(u, v, count, 3);
+                assert!(near.abs() < 1.6);
+                for (du, dv) in [(1.0, 0.0), (0.0, -1.0), (-2.0, 3.0)] {
+                    assert!((near - noise.fbm(u + du, v + dv, count, 3)).abs() < 1e-3);
+                    let (a, b) = (
+                        noise.cell(u, v, count, 0.8),
+                        noise.cell(u + du, v + dv, count, 0.8),
+                    );
+                    assert!((a.edge - b.edge).abs() < 1e-3 && a.edge > -1e-4);
+                }
+            }
+        }
+        assert!((sum / 1000.0).abs() < 0.1);
+    }
+}

@@ -1,0 +1,1 @@
+//! What holds for every built-in texture.
