@@ -10,7 +10,7 @@
 //!    looks up the trunk is lighter. Light from the side is left out: it would be wrong on
 //!    the other side of the trunk.
 
-use super::noise::{Count, Noise, mix, smoothstep, split, unit};
+use super::noise::{Count, Noise, fraction, mix, smoothstep, split, unit};
 use super::raster::{Rgb, blend, rgb, to_bytes};
 use crate::Texture;
 use rayon::prelude::*;
@@ -47,6 +47,10 @@ pub struct BarkStyle {
     pub furrows: [u32; 2],
     /// Width of the furrows, as height of that noise, 0 to 1. Default 0.3.
     pub furrow_width: f32,
+    /// Depth of the furrows, 0 to 1. Default 1.
+    pub furrow_depth: f32,
+    /// How ragged edges are, 0 to 1. Default 0.4.
+    pub ragged: f32,
     /// How far points are shifted, in tiles, 0 to 0.5. Default 0.03.
     pub warp: f32,
     /// Strength of the flakes, thin layers with stepped edges, 0 to 1. Default 0.
@@ -111,6 +115,8 @@ impl BarkStyle {
         plate_contrast: 0.15,
         furrows: [8, 2],
         furrow_width: 0.3,
+        furrow_depth: 1.0,
+        ragged: 0.4,
         warp: 0.03,
         flakes: 0.0,
         grain: [24, 12],
@@ -197,6 +203,8 @@ pub(super) fn draw(style: &BarkStyle, name: &str, size: u32) -> Texture {
 const CAVITY: f32 = 0.75;
 /// Radius of the surroundings a cavity is measured against, in tiles.
 const CAVITY_RADIUS: f32 = 0.012;
+/// Shift of the most ragged edges, in tiles.
+const RAGGED: f32 = 0.025;
 /// Light gained per unit of slope (height per tile), and its bounds.
 const SLOPE: (f32, f32) = (0.004, 0.16);
 
@@ -236,46 +244,52 @@ fn blurred_heights(samples: &[Sample], n: usize) -> Vec<f32> {
 impl Layers<'_> {
     fn sample(&self, u: f32, v: f32) -> Sample {
         let style = self.style;
-        let bend = |du: f32| self.warp.fbm(u + du, v, [3, 3], 3);
-        let (wu, wv) = (
-            u + style.warp * bend(0.0),
-            v + 2.0 * style.warp * bend(0.37),
-        );
+        let (wu, wv) = self.shifted(u, v);
         let grain = if on(style.grain) {
             self.grain.fbm(wu, wv, style.grain, 3)
         } else {
             0.0
         };
+        let slow = self.tint.fbm(u, v, [3, 2], 3);
 
-        let (mut height, mut shade, mut hue) = (1.0, 1.0, 0.0);
+        let (mut height, mut shade, mut hue) = (1.0_f32, 1.0, 0.0);
         if on(style.plates) {
             let cell = self.plates.cell(wu, wv, style.plates, 0.85);
-            height *= smoothstep(0.0, style.crack, cell.edge + 0.25 * style.crack * grain);
+            // Cracks open and close along their way.
+            let width = style.crack * (1.0 + 0.5 * slow) * (1.0 + 0.5 * grain);
+            let inside = smoothstep(0.0, width.max(1e-3), cell.edge);
+            height *= inside * (0.75 + 0.5 * cell.edge.min(0.5));
             shade += style.plate_contrast * (2.0 * unit(cell.id, 0) - 1.0);
             hue = unit(cell.id, 8) - 0.5;
         }
         if on(style.furrows) {
-            let width = style.furrow_width.max(1e-3);
-            let line = self.furrows.fbm(wu, wv, style.furrows, 2);
-            height *= smoothstep(0.0, width, line.abs() + 0.3 * width * grain);
+            let width = style.furrow_width.max(1e-3) * (1.0 + 0.5 * slow);
+            let line = self.furrows.fbm(wu, wv, style.furrows, 2).abs();
+            let inside = smoothstep(0.0, width, line + 0.35 * width * grain);
+            height *= 1.0 - style.furrow_depth * (1.0 - inside);
         }
         if style.flakes > 0.0 {
-            let layer = 5.0 * self.furrows.fbm(wu + 0.5, wv, [6, 5], 4);
-            let step = layer - floor(layer);
-            let edge = smoothstep(0.0, 0.12, step) * (1.0 - 0.35 * step);
+            let layer = 4.0 * self.furrows.fbm(wu + 0.5, wv, [7, 5], 3) + 16.0;
+            let step = fraction(layer);
+            // The edge of a flake is a dark line; behind it the next one starts to rise.
+            let edge = smoothstep(0.0, 0.1, step) * (1.0 - 0.4 * step);
             height *= 1.0 - style.flakes * (1.0 - edge);
+            let own = unit(self.furrows.hash(layer as u32, 7), 0) - 0.5;
+            shade += 0.3 * style.flakes * own;
+            hue += style.flakes * own;
         }
-        height *= 1.0 + style.grain_height * (grain - 0.3);
+        height *= 1.0 + style.grain_height * (grain - 0.2);
 
-        let slow = self.tint.fbm(u, v, [3, 2], 4);
         let tint = style.tinting * smoothstep(-0.5, 0.6, slow + hue);
         let ridge = blend(rgb(style.ridge), rgb(style.tint), tint);
-        let depth = smoothstep(0.0, 0.9, height);
+        let depth = smoothstep(0.0, 0.75, height);
         let mut color = blend(rgb(style.furrow), ridge, depth).map(|c| c * shade);
         if style.rings > 0 {
-            let ring = self.tint.fbm(u, v + 0.02 * slow, [2, style.rings], 2);
-            let mark = style.ring_contrast * ring;
-            color = color.map(|c| c * (1.0 + 0.5 * mark));
+            let phase = fraction(v * style.rings as f32 + 0.6 * slow);
+            let scar = (phase - 0.5) - 1.5 * smoothstep(0.12, 0.0, (phase - 0.1).abs());
+            let patchy = 0.6 + self.tint.gradient(u, v, [4, style.rings]);
+            let mark = style.ring_contrast * scar * patchy.max(0.0);
+            color = color.map(|c| c * (1.0 + 0.4 * mark));
             height += 0.3 * mark;
         }
         for (number, patches) in (0..).zip(style.patches.iter()) {
@@ -294,6 +308,21 @@ impl Layers<'_> {
             height -= 0.3 * mark;
         }
         Sample { height, color }
+    }
+
+    /// Step 1: slow bends, and small ones that make edges ragged.
+    fn shifted(&self, u: f32, v: f32) -> (f32, f32) {
+        let style = self.style;
+        let (mut wu, mut wv) = (u, v);
+        if style.warp > 0.0 {
+            wu += style.warp * self.warp.gradient(u, v, [4, 3]);
+            wv += 2.0 * style.warp * self.warp.gradient(u + 0.37, v, [4, 4]);
+        }
+        if style.ragged > 0.0 {
+            wu += RAGGED * style.ragged * self.warp.fbm(u, v + 0.31, [15, 9], 2);
+            wv += RAGGED * style.ragged * self.warp.fbm(u, v + 0.77, [11, 13], 2);
+        }
+        (wu, wv)
     }
 
     fn patch(
@@ -350,9 +379,4 @@ impl Layers<'_> {
 
 fn on(count: Count) -> bool {
     count[0] > 0 && count[1] > 0
-}
-
-fn floor(x: f32) -> f32 {
-    let cut = x as i32 as f32;
-    if x < cut { cut - 1.0 } else { cut }
 }

@@ -44,6 +44,8 @@ impl BarkStyle {
         range("crack", self.crack, 0.0, 1.0)?;
         range("plate_contrast", self.plate_contrast, 0.0, 1.0)?;
         range("furrow_width", self.furrow_width, 0.0, 1.0)?;
+        range("furrow_depth", self.furrow_depth, 0.0, 1.0)?;
+        range("ragged", self.ragged, 0.0, 1.0)?;
         range("warp", self.warp, 0.0, 0.5)?;
         range("flakes", self.flakes, 0.0, 1.0)?;
         range("grain_height", self.grain_height, 0.0, 1.0)?;

@@ -280,7 +280,12 @@ const SHORT_NEEDLE: LeafShape = LeafShape {
     ..NEEDLE
 };
 
-const SPRAY: Spray = Spray::DEFAULT;
+const SPRAY: Spray = Spray {
+    bare: 0.12,
+    size: [0.46, 0.52, 0.44],
+    shoots: 2,
+    ..Spray::DEFAULT
+};
 
 pub(super) const TABLE: &[(&str, LeafShape)] = &[
     ("oak", OAK),
@@ -303,7 +308,7 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
                 jitter: 0.15,
                 twig: 0.016,
                 twig_color: [110, 120, 66],
-                ..SPRAY
+                ..Spray::DEFAULT
             }),
             ..ASH
         },
@@ -314,7 +319,7 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
             seed: Seed(11),
             spray: Some(Spray {
                 leaves: 9,
-                shoots: 2,
+                size: [0.5, 0.56, 0.5],
                 ..SPRAY
             }),
             ..OAK
@@ -327,7 +332,7 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
             spray: Some(Spray {
                 leaves: 7,
                 opposite: true,
-                shoots: 2,
+                size: [0.58, 0.62, 0.52],
                 ..SPRAY
             }),
             ..MAPLE
@@ -339,7 +344,6 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
             seed: Seed(13),
             spray: Some(Spray {
                 leaves: 11,
-                shoots: 2,
                 ..SPRAY
             }),
             ..BIRCH
@@ -351,7 +355,6 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
             seed: Seed(14),
             spray: Some(Spray {
                 leaves: 10,
-                shoots: 2,
                 ..SPRAY
             }),
             ..BEECH
@@ -377,11 +380,7 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
         "poplar-cluster",
         LeafShape {
             seed: Seed(16),
-            spray: Some(Spray {
-                leaves: 9,
-                shoots: 2,
-                ..SPRAY
-            }),
+            spray: Some(Spray { leaves: 9, ..SPRAY }),
             ..POPLAR
         },
     ),
@@ -389,11 +388,7 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
         "linden-cluster",
         LeafShape {
             seed: Seed(17),
-            spray: Some(Spray {
-                leaves: 8,
-                shoots: 2,
-                ..SPRAY
-            }),
+            spray: Some(Spray { leaves: 8, ..SPRAY }),
             ..LINDEN
         },
     ),
@@ -402,15 +397,15 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
         LeafShape {
             seed: Seed(21),
             spray: Some(Spray {
-                leaves: 110,
-                bare: 0.25,
-                angle: [1.0, 0.25],
-                size: [0.5, 0.55, 0.5],
+                leaves: 130,
+                bare: 0.2,
+                angle: [1.2, 0.25],
+                size: [0.46, 0.52, 0.46],
                 jitter: 0.7,
                 bend: 0.06,
                 twig: 0.024,
                 twig_color: [122, 92, 62],
-                ..SPRAY
+                ..Spray::DEFAULT
             }),
             ..NEEDLE
         },
@@ -423,14 +418,14 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
                 leaves: 110,
                 bare: 0.05,
                 angle: [1.1, 0.35],
-                size: [0.11, 0.12, 0.1],
+                size: [0.13, 0.14, 0.11],
                 jitter: 0.5,
                 bend: 0.08,
                 twig: 0.02,
                 twig_color: [120, 88, 58],
                 shoots: 6,
                 shoot_angle: 0.9,
-                shoot_size: 0.55,
+                shoot_size: 0.62,
                 ..SPRAY
             }),
             ..SHORT_NEEDLE
@@ -444,13 +439,13 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
                 leaves: 71,
                 opposite: true,
                 bare: 0.15,
-                angle: [1.2, 0.35],
-                size: [0.3, 0.42, 0.2],
+                angle: [1.4, 0.45],
+                size: [0.36, 0.5, 0.24],
                 jitter: 0.2,
                 bend: 0.05,
                 twig: 0.022,
                 twig_color: [134, 134, 76],
-                ..SPRAY
+                ..Spray::DEFAULT
             }),
             ..BLADE
         },

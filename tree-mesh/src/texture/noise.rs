@@ -34,16 +34,18 @@ impl Noise {
         let (y0, fy) = split(v, count[1]);
         let (x1, y1) = (next(x0, count[0]), next(y0, count[1]));
         let (sx, sy) = (fade(fx), fade(fy));
-        let corner = |x: u32, y: u32, dx: f32, dy: f32| {
-            let h = self.hash(x, y);
-            let a = (h & 0xffff) as f32 * (2.0 / 65535.0) - 1.0;
-            let b = (h >> 16) as f32 * (2.0 / 65535.0) - 1.0;
+        // Perlin's permutation: looked up faster than hashed, and this is the hot loop.
+        let [s0, s1, ..] = self.0.to_le_bytes();
+        let (px0, px1) = (permute(x0 as u8 ^ s0), permute(x1 as u8 ^ s0));
+        let (y0, y1) = (y0 as u8 ^ s1, y1 as u8 ^ s1);
+        let corner = |px: u8, y: u8, dx: f32, dy: f32| {
+            let [a, b] = GRADIENTS[usize::from(permute(px ^ y))];
             a * dx + b * dy
         };
-        let top = mix(corner(x0, y0, fx, fy), corner(x1, y0, fx - 1.0, fy), sx);
+        let top = mix(corner(px0, y0, fx, fy), corner(px1, y0, fx - 1.0, fy), sx);
         let low = mix(
-            corner(x0, y1, fx, fy - 1.0),
-            corner(x1, y1, fx - 1.0, fy - 1.0),
+            corner(px0, y1, fx, fy - 1.0),
+            corner(px1, y1, fx - 1.0, fy - 1.0),
             sx,
         );
         1.6 * mix(top, low, sy)
@@ -71,10 +73,7 @@ impl Noise {
         let (mut best, mut nearest, mut id) = (f32::MAX, [0.0; 2], 0);
         for (k, point) in points.iter_mut().enumerate() {
             let (i, j) = ((k % 3) as u32, (k / 3) as u32);
-            let h = self.hash(
-                (x0 + count[0] - 1 + i) % count[0],
-                (y0 + count[1] - 1 + j) % count[1],
-            );
+            let h = self.hash(around(x0 + i, count[0]), around(y0 + j, count[1]));
             let a = (h & 0xffff) as f32 * (1.0 / 65536.0) - 0.5;
             let b = (h >> 16) as f32 * (1.0 / 65536.0) - 0.5;
             *point = [
@@ -104,22 +103,39 @@ impl Noise {
 
     #[inline]
     pub(super) fn hash(self, x: u32, y: u32) -> u32 {
-        scramble(self.0 ^ x.wrapping_mul(0x85eb_ca6b) ^ scramble(y.wrapping_mul(0xc2b2_ae35)))
+        scramble(self.0 ^ x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77).rotate_left(13))
     }
 }
 
 /// The lattice cell of a coordinate, wrapped, and the place in it (0 to 1).
 #[inline]
 pub(super) fn split(u: f32, count: u32) -> (u32, f32) {
-    let x = u * count as f32;
-    let cut = x as i32;
-    let floor = cut - i32::from(x < cut as f32);
-    (floor.rem_euclid(count as i32) as u32, x - floor as f32)
+    // Wrapping first spares the integer division.
+    let x = fraction(u) * count as f32;
+    let cell = (x as u32).min(count.saturating_sub(1));
+    (cell, x - cell as f32)
+}
+
+/// What is above the next lower whole number.
+#[inline]
+pub(super) fn fraction(x: f32) -> f32 {
+    let cut = x as i32 as f32;
+    x - if x < cut { cut - 1.0 } else { cut }
 }
 
 #[inline]
 fn next(x: u32, count: u32) -> u32 {
     if x + 1 == count { 0 } else { x + 1 }
+}
+
+/// `x - 1`, wrapped, for `x` up to one beyond the count.
+#[inline]
+fn around(x: u32, count: u32) -> u32 {
+    match x {
+        0 => count - 1,
+        x if x > count => x - 1 - count,
+        x => x - 1,
+    }
 }
 
 #[inline]
@@ -146,9 +162,46 @@ pub(super) fn unit(bits: u32, shift: u32) -> f32 {
     ((bits >> shift) & 0xff) as f32 * (1.0 / 255.0)
 }
 
+/// The numbers 0 to 255 shuffled (Fisher, Yates).
+static PERMUTATION: [u8; 256] = {
+    let mut all = [0_u8; 256];
+    let mut i = 0;
+    while i < 256 {
+        all[i] = i as u8;
+        i += 1;
+    }
+    while i > 1 {
+        let j = scramble(i as u32) as usize % i;
+        i -= 1;
+        let kept = all[i];
+        all[i] = all[j];
+        all[j] = kept;
+    }
+    all
+};
+
+/// Gradients uniform in the square from -1 to 1.
+static GRADIENTS: [[f32; 2]; 256] = {
+    let mut all = [[0.0; 2]; 256];
+    let mut i = 0;
+    while i < 256 {
+        let h = scramble(i as u32 + 1000);
+        let a = (h & 0xffff) as f32 * (2.0 / 65535.0) - 1.0;
+        let b = (h >> 16) as f32 * (2.0 / 65535.0) - 1.0;
+        all[i] = [a, b];
+        i += 1;
+    }
+    all
+};
+
+#[inline]
+fn permute(x: u8) -> u8 {
+    PERMUTATION[usize::from(x)]
+}
+
 /// Finaliser of MurmurHash3 (Appleby 2011).
 #[inline]
-fn scramble(mut h: u32) -> u32 {
+const fn scramble(mut h: u32) -> u32 {
     h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
     h = (h ^ (h >> 13)).wrapping_mul(0xc2b2_ae35);
     h ^ (h >> 16)
