@@ -168,11 +168,12 @@ pub(super) fn draw(style: &BarkStyle, name: &str, size: u32) -> Texture {
         marks: noise("lenticels"),
     };
     let n = size as usize;
+    let slow = layers.slow_grid();
     let mut samples = vec![Sample::default(); n * n];
     samples.par_chunks_mut(n).enumerate().for_each(|(y, row)| {
         for (x, sample) in row.iter_mut().enumerate() {
             let at = |i: usize| (i as f32 + 0.5) / size as f32;
-            *sample = layers.sample(at(x), at(y));
+            *sample = layers.sample(at(x), at(y), slow_at(&slow, at(x), at(y)));
         }
     });
     let mean = blurred_heights(&samples, n);
@@ -208,6 +209,28 @@ const RAGGED: f32 = 0.025;
 /// Light gained per unit of slope (height per tile), and its bounds.
 const SLOPE: (f32, f32) = (0.004, 0.16);
 
+/// Shift across and along, in tiles, and a noise of few waves in about -1 to 1.
+type Slow = [f32; 3];
+
+/// Edge of the grid that slow noises are computed on; they have at most 30 waves.
+const GRID: usize = 128;
+
+/// The slow noises between the points of their grid (bilinear).
+fn slow_at(grid: &[Slow], u: f32, v: f32) -> Slow {
+    let (x, fx) = split(u, GRID as u32);
+    let (y, fy) = split(v, GRID as u32);
+    let row = |y: u32| y as usize % GRID * GRID;
+    let (x0, x1) = (x as usize, (x as usize + 1) % GRID);
+    let (top, low) = (row(y), row(y + 1));
+    let (a, b, c, d) = (
+        grid[top + x0],
+        grid[top + x1],
+        grid[low + x0],
+        grid[low + x1],
+    );
+    [0, 1, 2].map(|k| mix(mix(a[k], b[k], fx), mix(c[k], d[k], fx), fy))
+}
+
 /// Positive where the surface looks up: there the height falls towards the top of the image.
 fn slope_light(slope: f32) -> f32 {
     (SLOPE.0 * slope).clamp(-SLOPE.1, SLOPE.1)
@@ -242,15 +265,14 @@ fn blurred_heights(samples: &[Sample], n: usize) -> Vec<f32> {
 }
 
 impl Layers<'_> {
-    fn sample(&self, u: f32, v: f32) -> Sample {
+    fn sample(&self, u: f32, v: f32, [du, dv, slow]: Slow) -> Sample {
         let style = self.style;
-        let (wu, wv) = self.shifted(u, v);
+        let (wu, wv) = (u + du, v + dv);
         let grain = if on(style.grain) {
             self.grain.fbm(wu, wv, style.grain, 3)
         } else {
             0.0
         };
-        let slow = self.tint.fbm(u, v, [3, 2], 3);
 
         let (mut height, mut shade, mut hue) = (1.0_f32, 1.0, 0.0);
         if on(style.plates) {
@@ -285,8 +307,9 @@ impl Layers<'_> {
         let depth = smoothstep(0.0, 0.75, height);
         let mut color = blend(rgb(style.furrow), ridge, depth).map(|c| c * shade);
         if style.rings > 0 {
-            let phase = fraction(v * style.rings as f32 + 0.6 * slow);
-            let scar = (phase - 0.5) - 1.5 * smoothstep(0.12, 0.0, (phase - 0.1).abs());
+            let phase = fraction(v * style.rings as f32 + 0.6 * slow + 0.5);
+            let scar = (phase - 0.5) * smoothstep(1.0, 0.9, phase)
+                - 1.5 * smoothstep(0.12, 0.0, (phase - 0.1).abs());
             let patchy = 0.6 + self.tint.gradient(u, v, [4, style.rings]);
             let mark = style.ring_contrast * scar * patchy.max(0.0);
             color = color.map(|c| c * (1.0 + 0.4 * mark));
@@ -310,19 +333,22 @@ impl Layers<'_> {
         Sample { height, color }
     }
 
-    /// Step 1: slow bends, and small ones that make edges ragged.
-    fn shifted(&self, u: f32, v: f32) -> (f32, f32) {
+    /// Step 1, on a grid: slow bends, small ones that make edges ragged, and a slow noise.
+    fn slow_grid(&self) -> Vec<Slow> {
         let style = self.style;
-        let (mut wu, mut wv) = (u, v);
-        if style.warp > 0.0 {
-            wu += style.warp * self.warp.gradient(u, v, [4, 3]);
-            wv += 2.0 * style.warp * self.warp.gradient(u + 0.37, v, [4, 4]);
-        }
-        if style.ragged > 0.0 {
-            wu += RAGGED * style.ragged * self.warp.fbm(u, v + 0.31, [15, 9], 2);
-            wv += RAGGED * style.ragged * self.warp.fbm(u, v + 0.77, [11, 13], 2);
-        }
-        (wu, wv)
+        let at = |i: usize| i as f32 / GRID as f32;
+        let (warp, ragged) = (style.warp, RAGGED * style.ragged);
+        let cell = |i: usize| {
+            let (u, v) = (at(i % GRID), at(i / GRID));
+            let bend = |u| self.warp.gradient(u, v, [4, 4]);
+            let tear = |v| self.warp.fbm(u, v, [15, 11], 2);
+            [
+                warp * bend(u) + ragged * tear(v + 0.31),
+                2.0 * warp * bend(u + 0.37) + ragged * tear(v + 0.77),
+                self.tint.fbm(u, v, [3, 2], 3),
+            ]
+        };
+        (0..GRID * GRID).into_par_iter().map(cell).collect()
     }
 
     fn patch(

@@ -328,7 +328,8 @@ impl Blade<'_> {
         // Old tissue is yellower, in patches.
         let base = rgb(style.base);
         let warm = style.mottle * 0.22 * smoothstep(-0.1, 0.8, mottle);
-        let base = [mix(base[0], base[1], warm), base[1], base[2] * (1.0 - warm)];
+        let red = base[0].max(mix(base[0], base[1], warm));
+        let base = [red, base[1], base[2] * (1.0 - warm)];
         blend(base, rgb(style.vein), vein).map(|c| c * light)
     }
 }

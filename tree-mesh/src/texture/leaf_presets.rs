@@ -254,8 +254,8 @@ const BLADE: LeafShape = LeafShape {
 const NEEDLE: LeafShape = LeafShape {
     outline: Cow::Borrowed(&[
         [0.0, 0.0, 1.0],
-        [0.011, 0.1, 0.0],
-        [0.012, 0.7, 0.0],
+        [0.015, 0.1, 0.0],
+        [0.017, 0.7, 0.0],
         [0.0, 1.0, 1.0],
     ]),
     petiole: 0.0,
@@ -380,7 +380,11 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
         "poplar-cluster",
         LeafShape {
             seed: Seed(16),
-            spray: Some(Spray { leaves: 9, ..SPRAY }),
+            spray: Some(Spray {
+                leaves: 10,
+                size: [0.6, 0.64, 0.54],
+                ..SPRAY
+            }),
             ..POPLAR
         },
     ),

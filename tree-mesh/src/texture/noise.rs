@@ -55,10 +55,14 @@ impl Noise {
     #[inline]
     pub(super) fn fbm(self, u: f32, v: f32, count: Count, octaves: u32) -> f32 {
         let (mut sum, mut height, mut count) = (0.0, 0.62, count);
+        let (mut u, mut v) = (u, v);
         for octave in 0..octaves {
             sum += height * Self(self.0 ^ octave.wrapping_mul(0x9e37_79b9)).gradient(u, v, count);
             height *= 0.5;
             count = count.map(|n| n.saturating_mul(2));
+            // Shifted, so that the zeros of the octaves do not coincide.
+            u += 0.37;
+            v += 0.71;
         }
         sum
     }
