@@ -39,7 +39,7 @@ pub struct BarkStyle {
     pub tinting: f32,
     /// Plates across and along, 0 to 256. Default none.
     pub plates: [u32; 2],
-    /// Width of the cracks between plates, in plates, 0 to 1. Default 0.2.
+    /// Width of the cracks between plates, in widths of a plate, 0 to 1. Default 0.2.
     pub crack: f32,
     /// How much brightness differs from plate to plate, 0 to 1. Default 0.15.
     pub plate_contrast: f32,
@@ -305,6 +305,7 @@ impl Layers<'_> {
         let tint = style.tinting * smoothstep(-0.5, 0.6, slow + hue);
         let ridge = blend(rgb(style.ridge), rgb(style.tint), tint);
         let depth = smoothstep(0.0, 0.75, height);
+        shade *= 1.0 + 0.22 * style.grain_height * grain;
         let mut color = blend(rgb(style.furrow), ridge, depth).map(|c| c * shade);
         if style.rings > 0 {
             let phase = fraction(v * style.rings as f32 + 0.6 * slow + 0.5);
@@ -362,7 +363,7 @@ impl Layers<'_> {
     ) {
         // Shifted, so that patches of different rows do not coincide.
         let shift = 0.317 * number as f32;
-        let noise = self.spots.fbm(wu + shift, wv + shift, patches.count, 4);
+        let noise = self.spots.fbm(wu + shift, wv + shift, patches.count, 3);
         let threshold = 1.1 * (0.5 - patches.share);
         let soft = 0.5 * patches.softness.max(0.01);
         let mask = patches.opacity * smoothstep(threshold - soft, threshold + soft, noise);

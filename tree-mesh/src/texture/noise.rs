@@ -15,7 +15,7 @@ pub(super) struct Noise(u32);
 pub(super) struct Cell {
     /// Random bits of the cell.
     pub(super) id: u32,
-    /// Distance to the cell's border, in cells: 0 on the border, about 0.5 in the middle.
+    /// Distance to the cell's border, in widths of a cell: 0 on the border, about 0.5 in the middle.
     pub(super) edge: f32,
 }
 
@@ -89,10 +89,12 @@ impl Noise {
                 (best, nearest, id) = (distance, *point, h);
             }
         }
+        let squat = count[1] as f32 / count[0] as f32;
         let mut edge = 1.0_f32;
         for point in points {
             let [dx, dy] = [point[0] - nearest[0], point[1] - nearest[1]];
-            let length = dx * dx + dy * dy;
+            // The border's normal, measured on the square instead of in cells.
+            let length = dx * dx + squat * squat * dy * dy;
             if length > 1e-6 {
                 let mx = 0.5 * (point[0] + nearest[0]);
                 let my = 0.5 * (point[1] + nearest[1]);
@@ -203,7 +205,7 @@ fn permute(x: u8) -> u8 {
     PERMUTATION[usize::from(x)]
 }
 
-/// Finaliser of MurmurHash3 (Appleby 2011).
+/// Finaliser of `MurmurHash3` (Appleby 2011).
 #[inline]
 const fn scramble(mut h: u32) -> u32 {
     h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);

@@ -277,6 +277,7 @@ fn fit(parts: &mut Vec<Layered>, polygon: &[Vec2], shape: &LeafShape, size: u32)
 }
 
 /// Where a leaf stands, the way it points (its length is the leaf's) and how near it is.
+#[derive(Clone, Copy)]
 struct Stalk {
     from: Vec2,
     toward: Vec2,
@@ -333,6 +334,7 @@ fn leaf(
     ));
 }
 
+#[derive(Clone, Copy)]
 struct Twig {
     from: Vec2,
     to: Vec2,
