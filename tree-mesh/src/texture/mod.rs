@@ -23,6 +23,7 @@ mod leaf;
 mod leaf_presets;
 mod noise;
 mod outline;
+mod picture;
 mod raster;
 mod spray;
 #[cfg(test)]
@@ -114,7 +115,7 @@ pub fn leaf(name: &str) -> Result<LeafTexture> {
     } else {
         LEAF_SIZE
     };
-    Ok(spray::picture(shape, name, size_px))
+    Ok(picture::draw_leaf(shape, name, size_px))
 }
 
 /// Draws a built-in leaf on a picture `size_px` pixels wide and high, 16 to 4096.
@@ -128,7 +129,7 @@ pub fn leaf(name: &str) -> Result<LeafTexture> {
 pub fn leaf_sized(name: &str, size_px: u32) -> Result<LeafTexture> {
     check::size(size_px)?;
     let (name, shape) = find("leaf kind", leaf_presets::TABLE, name)?;
-    Ok(spray::picture(shape, name, size_px))
+    Ok(picture::draw_leaf(shape, name, size_px))
 }
 
 /// Draws a leaf of your own, `size_px` pixels wide and high, 16 to 4096; its name is `leaf`.
@@ -141,7 +142,7 @@ pub fn leaf_sized(name: &str, size_px: u32) -> Result<LeafTexture> {
 pub fn leaf_with(shape: &LeafShape, size_px: u32) -> Result<LeafTexture> {
     check::size(size_px)?;
     shape.validate()?;
-    Ok(spray::picture(shape, "leaf", size_px))
+    Ok(picture::draw_leaf(shape, "leaf", size_px))
 }
 
 /// The row of a built-in leaf, to be changed and given to [`leaf_with`].

@@ -118,15 +118,19 @@ impl Noise {
 pub(super) fn split(u: f32, count: u32) -> (u32, f32) {
     // Wrapping first spares the integer division.
     let x = fraction(u) * count as f32;
-    let cell = (x as u32).min(count.saturating_sub(1));
-    (cell, x - cell as f32)
+    let cell = x - 0.5 + ROUND;
+    let index = (cell.to_bits() & 0x3f_ffff).min(count.saturating_sub(1));
+    (index, x - index as i32 as f32)
 }
 
-/// What is above the next lower whole number.
+/// Adding this leaves no bits for fractions, so that it rounds, and the low bits are the number:
+/// cheaper than a saturating cast. For numbers below 2²².
+const ROUND: f32 = 12_582_912.0;
+
+/// What is above the next lower whole number, 0 to 1 (at whole numbers either end).
 #[inline]
 pub(super) fn fraction(x: f32) -> f32 {
-    let cut = x as i32 as f32;
-    x - if x < cut { cut - 1.0 } else { cut }
+    x - ((x - 0.5 + ROUND) - ROUND)
 }
 
 #[inline]
