@@ -3,6 +3,7 @@
 
 mod error;
 mod mesh;
+pub mod texture;
 
 pub use error::MeshError;
 pub use mesh::{Alpha, Material, Mesh, Surface, Texture};
