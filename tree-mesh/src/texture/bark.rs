@@ -178,26 +178,18 @@ pub(super) fn draw(style: &BarkStyle, name: &str, size: u32) -> Texture {
     });
     let mean = blurred_heights(&samples, n);
     let mut pixels = vec![255; 4 * n * n];
-    pixels
-        .par_chunks_mut(4 * n)
-        .enumerate()
-        .for_each(|(y, row)| {
-            let (above, below) = ((y + n - 1) % n * n, (y + 1) % n * n);
-            for (x, pixel) in row.chunks_exact_mut(4).enumerate() {
-                let sample = samples[y * n + x];
-                let cavity = (sample.height - mean[y * n + x]) * CAVITY;
-                let slope = (samples[below + x].height - samples[above + x].height) * size as f32;
-                let light = style.relief * (cavity.clamp(-0.6, 0.35) + slope_light(slope));
-                let bytes = to_bytes(sample.color.map(|c| c * (1.0 + light).max(0.2)));
-                pixel[..3].copy_from_slice(&bytes);
-            }
-        });
-    Texture {
-        name: name.to_owned(),
-        width: size,
-        height: size,
-        pixels,
-    }
+    pixels.par_chunks_mut(4 * n).enumerate().for_each(|(y, row)| {
+        let (above, below) = ((y + n - 1) % n * n, (y + 1) % n * n);
+        for (x, pixel) in row.chunks_exact_mut(4).enumerate() {
+            let sample = samples[y * n + x];
+            let cavity = (sample.height - mean[y * n + x]) * CAVITY;
+            let slope = (samples[below + x].height - samples[above + x].height) * size as f32;
+            let light = style.relief * (cavity.clamp(-0.6, 0.35) + slope_light(slope));
+            let bytes = to_bytes(sample.color.map(|c| c * (1.0 + light).max(0.2)));
+            pixel[..3].copy_from_slice(&bytes);
+        }
+    });
+    Texture { name: name.to_owned(), width: size, height: size, pixels }
 }
 
 /// How dark a cavity of full depth is.
@@ -222,12 +214,7 @@ fn slow_at(grid: &[Slow], u: f32, v: f32) -> Slow {
     let row = |y: u32| y as usize % GRID * GRID;
     let (x0, x1) = (x as usize, (x as usize + 1) % GRID);
     let (top, low) = (row(y), row(y + 1));
-    let (a, b, c, d) = (
-        grid[top + x0],
-        grid[top + x1],
-        grid[low + x0],
-        grid[low + x1],
-    );
+    let (a, b, c, d) = (grid[top + x0], grid[top + x1], grid[low + x0], grid[low + x1]);
     [0, 1, 2].map(|k| mix(mix(a[k], b[k], fx), mix(c[k], d[k], fx), fy))
 }
 
@@ -241,17 +228,14 @@ fn blurred_heights(samples: &[Sample], n: usize) -> Vec<f32> {
     let radius = ((n as f32 * CAVITY_RADIUS) as usize).clamp(1, n / 2 - 1);
     let weight = 1.0 / (2 * radius + 1) as f32;
     let mut across = vec![0.0_f32; n * n];
-    across
-        .par_chunks_mut(n)
-        .zip(samples.par_chunks(n))
-        .for_each(|(out, row)| {
-            let at = |i: usize| row[i % n].height;
-            let mut sum: f32 = (0..=2 * radius).map(|i| at(n - radius + i)).sum();
-            for (x, out) in out.iter_mut().enumerate() {
-                *out = sum * weight;
-                sum += at(x + radius + 1) - at(x + n - radius);
-            }
-        });
+    across.par_chunks_mut(n).zip(samples.par_chunks(n)).for_each(|(out, row)| {
+        let at = |i: usize| row[i % n].height;
+        let mut sum: f32 = (0..=2 * radius).map(|i| at(n - radius + i)).sum();
+        for (x, out) in out.iter_mut().enumerate() {
+            *out = sum * weight;
+            sum += at(x + radius + 1) - at(x + n - radius);
+        }
+    });
     let mut both = vec![0.0_f32; n * n];
     both.par_chunks_mut(n).enumerate().for_each(|(y, out)| {
         for i in 0..=2 * radius {
@@ -268,11 +252,7 @@ impl Layers<'_> {
     fn sample(&self, u: f32, v: f32, [du, dv, slow]: Slow) -> Sample {
         let style = self.style;
         let (wu, wv) = (u + du, v + dv);
-        let grain = if on(style.grain) {
-            self.grain.fbm(wu, wv, style.grain, 3)
-        } else {
-            0.0
-        };
+        let grain = if on(style.grain) { self.grain.fbm(wu, wv, style.grain, 3) } else { 0.0 };
 
         let (mut height, mut shade, mut hue) = (1.0_f32, 1.0, 0.0);
         if on(style.plates) {
@@ -317,14 +297,7 @@ impl Layers<'_> {
             height += 0.3 * mark;
         }
         for (number, patches) in (0..).zip(style.patches.iter()) {
-            self.patch(
-                patches,
-                number,
-                [u, v, wu, wv],
-                grain,
-                &mut height,
-                &mut color,
-            );
+            self.patch(patches, number, [u, v, wu, wv], grain, &mut height, &mut color);
         }
         if let Some(lenticels) = &style.lenticels {
             let mark = self.lenticel(lenticels, u, v);

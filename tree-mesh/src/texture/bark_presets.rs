@@ -5,14 +5,7 @@ use std::borrow::Cow;
 use tree_core::Seed;
 
 const fn lichen(color: [u8; 3], share: f32) -> Patches {
-    Patches {
-        color,
-        count: [5, 5],
-        share,
-        softness: 0.3,
-        opacity: 0.6,
-        roughness: 0.2,
-    }
+    Patches { color, count: [5, 5], share, softness: 0.3, opacity: 0.6, roughness: 0.2 }
 }
 
 const BASE: BarkStyle = BarkStyle::DEFAULT;

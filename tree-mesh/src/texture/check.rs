@@ -52,19 +52,12 @@ impl BarkStyle {
         range("ring_contrast", self.ring_contrast, 0.0, 1.0)?;
         range("relief", self.relief, 0.0, 3.0)?;
         count("rings", self.rings, 0, 256)?;
-        for (field, value) in [
-            ("plates", self.plates),
-            ("furrows", self.furrows),
-            ("grain", self.grain),
-        ] {
+        for (field, value) in
+            [("plates", self.plates), ("furrows", self.furrows), ("grain", self.grain)]
+        {
             count(field, value[0].max(value[1]), 0, 256)?;
         }
-        count(
-            "patches",
-            u32::try_from(self.patches.len()).unwrap_or(u32::MAX),
-            0,
-            16,
-        )?;
+        count("patches", u32::try_from(self.patches.len()).unwrap_or(u32::MAX), 0, 16)?;
         for patches in self.patches.iter() {
             range("patches.share", patches.share, 0.0, 1.0)?;
             range("patches.softness", patches.softness, 0.01, 1.0)?;
@@ -103,12 +96,7 @@ impl LeafShape {
         range("teeth.depth", self.teeth.depth, 0.0, 0.2)?;
         range("teeth.sharpness", self.teeth.sharpness, 0.0, 1.0)?;
         range("petiole", self.petiole, 0.0, 0.8)?;
-        count(
-            "veins.rays",
-            u32::try_from(self.veins.rays.len()).unwrap_or(u32::MAX),
-            0,
-            8,
-        )?;
+        count("veins.rays", u32::try_from(self.veins.rays.len()).unwrap_or(u32::MAX), 0, 8)?;
         for &angle in self.veins.rays.iter() {
             range("veins.rays", angle, 0.0, PI)?;
         }

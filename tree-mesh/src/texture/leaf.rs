@@ -52,12 +52,7 @@ pub struct Teeth {
 
 impl Teeth {
     /// An entire margin.
-    pub const NONE: Self = Self {
-        count: 0,
-        depth: 0.0,
-        sharpness: 0.0,
-        double: false,
-    };
+    pub const NONE: Self = Self { count: 0, depth: 0.0, sharpness: 0.0, double: false };
 }
 
 /// Main veins run straight from the petiole, secondary veins leave each main vein in pairs.
@@ -108,11 +103,7 @@ impl LeafStyle {
     /// ```
     #[must_use]
     pub fn autumn(self, progress: f32) -> Self {
-        let t = if progress.is_finite() {
-            progress.clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
+        let t = if progress.is_finite() { progress.clamp(0.0, 1.0) } else { 0.0 };
         let turn = |from: [u8; 3], share: f32| {
             super::raster::to_bytes(blend(rgb(from), rgb(self.autumn), t * share))
         };
@@ -145,12 +136,7 @@ impl LeafShape {
         ]),
         teeth: Teeth::NONE,
         petiole: 0.15,
-        veins: Veins {
-            rays: Cow::Borrowed(&[]),
-            pairs: 8.0,
-            slope: 0.8,
-            contrast: 0.5,
-        },
+        veins: Veins { rays: Cow::Borrowed(&[]), pairs: 8.0, slope: 0.8, contrast: 0.5 },
         style: LeafStyle::DEFAULT,
         spray: None,
         seed: Seed(0),
@@ -184,10 +170,7 @@ impl Frame {
     fn find(&self, q: Vec2) -> Vec2 {
         let d = (q - self.origin) / self.axis.length_squared().max(1e-12);
         let y = d.dot(self.axis);
-        Vec2::new(
-            d.dot(-self.axis.perp()) / self.squash - self.bend * y * y,
-            y,
-        )
+        Vec2::new(d.dot(-self.axis.perp()) / self.squash - self.bend * y * y, y)
     }
 }
 
@@ -221,12 +204,7 @@ impl View {
 /// The paint of one part.
 pub(super) enum Brush<'a> {
     Blade(Blade<'a>),
-    Stem {
-        view: View,
-        frame: Frame,
-        color: Rgb,
-        width: f32,
-    },
+    Stem { view: View, frame: Frame, color: Rgb, width: f32 },
     Shadow(f32),
 }
 
@@ -246,10 +224,7 @@ pub(super) struct Blade<'a> {
 
 /// Directions of the main veins, the midrib first.
 pub(super) fn rays(veins: &Veins) -> Vec<Vec2> {
-    let turned = veins
-        .rays
-        .iter()
-        .map(|&a| Vec2::new(libm::sinf(a), libm::cosf(a)));
+    let turned = veins.rays.iter().map(|&a| Vec2::new(libm::sinf(a), libm::cosf(a)));
     std::iter::once(Vec2::Y).chain(turned).collect()
 }
 
@@ -260,12 +235,7 @@ impl Paint for Brush<'_> {
     fn color(&self, at: Vec2) -> Rgb {
         match self {
             Brush::Blade(blade) => blade.color(at),
-            Brush::Stem {
-                view,
-                frame,
-                color,
-                width,
-            } => {
+            Brush::Stem { view, frame, color, width } => {
                 let x = (frame.find(view.plant(at)).x / width.max(1e-6)).clamp(-0.5, 0.5);
                 // A round rod lit from the upper left.
                 color.map(|c| c * (1.08 - 0.35 * x - 0.9 * x * x))

@@ -6,20 +6,11 @@ use std::borrow::Cow;
 use tree_core::Seed;
 
 const fn teeth(count: u32, depth: f32, sharpness: f32) -> Teeth {
-    Teeth {
-        count,
-        depth,
-        sharpness,
-        double: false,
-    }
+    Teeth { count, depth, sharpness, double: false }
 }
 
 const fn style(base: [u8; 3], autumn: [u8; 3]) -> LeafStyle {
-    LeafStyle {
-        base,
-        autumn,
-        ..LeafStyle::DEFAULT
-    }
+    LeafStyle { base, autumn, ..LeafStyle::DEFAULT }
 }
 
 /// Secondary veins on the midrib alone.
@@ -47,12 +38,7 @@ const OAK: LeafShape = LeafShape {
         [0.0, 1.0, 0.0],
     ]),
     petiole: 0.07,
-    veins: Veins {
-        pairs: 5.0,
-        slope: 0.72,
-        contrast: 0.55,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 5.0, slope: 0.72, contrast: 0.55, ..PINNATE },
     style: style([84, 110, 46], [150, 96, 44]),
     ..LeafShape::DEFAULT
 };
@@ -81,12 +67,7 @@ const MAPLE: LeafShape = LeafShape {
         [0.0, 1.0, 1.0],
     ]),
     petiole: 0.3,
-    veins: Veins {
-        rays: Cow::Borrowed(&[0.9, 1.72]),
-        pairs: 8.0,
-        slope: 0.9,
-        contrast: 0.55,
-    },
+    veins: Veins { rays: Cow::Borrowed(&[0.9, 1.72]), pairs: 8.0, slope: 0.9, contrast: 0.55 },
     style: LeafStyle {
         base: [92, 122, 48],
         stalk: [150, 96, 66],
@@ -108,19 +89,9 @@ const BIRCH: LeafShape = LeafShape {
         [0.03, 0.92, 0.0],
         [0.0, 1.0, 1.0],
     ]),
-    teeth: Teeth {
-        count: 11,
-        depth: 0.036,
-        sharpness: 1.0,
-        double: true,
-    },
+    teeth: Teeth { count: 11, depth: 0.036, sharpness: 1.0, double: true },
     petiole: 0.25,
-    veins: Veins {
-        pairs: 8.0,
-        slope: 0.95,
-        contrast: 0.5,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 8.0, slope: 0.95, contrast: 0.5, ..PINNATE },
     style: style([98, 126, 52], [214, 176, 56]),
     ..LeafShape::DEFAULT
 };
@@ -128,12 +99,7 @@ const BIRCH: LeafShape = LeafShape {
 const BEECH: LeafShape = LeafShape {
     teeth: teeth(9, 0.016, 0.0),
     petiole: 0.1,
-    veins: Veins {
-        pairs: 9.0,
-        slope: 0.85,
-        contrast: 0.6,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 9.0, slope: 0.85, contrast: 0.6, ..PINNATE },
     style: style([82, 112, 44], [186, 112, 46]),
     ..LeafShape::DEFAULT
 };
@@ -150,12 +116,7 @@ const WILLOW: LeafShape = LeafShape {
     ]),
     teeth: teeth(26, 0.006, 1.0),
     petiole: 0.07,
-    veins: Veins {
-        pairs: 14.0,
-        slope: 1.6,
-        contrast: 0.5,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 14.0, slope: 1.6, contrast: 0.5, ..PINNATE },
     style: style([104, 126, 62], [204, 182, 76]),
     ..LeafShape::DEFAULT
 };
@@ -174,12 +135,7 @@ const POPLAR: LeafShape = LeafShape {
     ]),
     teeth: teeth(17, 0.02, 0.35),
     petiole: 0.38,
-    veins: Veins {
-        pairs: 6.0,
-        slope: 0.8,
-        contrast: 0.55,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 6.0, slope: 0.8, contrast: 0.55, ..PINNATE },
     style: style([90, 122, 54], [222, 178, 54]),
     ..LeafShape::DEFAULT
 };
@@ -199,12 +155,7 @@ const LINDEN: LeafShape = LeafShape {
     ]),
     teeth: teeth(22, 0.024, 0.9),
     petiole: 0.28,
-    veins: Veins {
-        rays: Cow::Borrowed(&[0.75]),
-        pairs: 7.0,
-        slope: 0.8,
-        contrast: 0.5,
-    },
+    veins: Veins { rays: Cow::Borrowed(&[0.75]), pairs: 7.0, slope: 0.8, contrast: 0.5 },
     style: style([86, 118, 50], [208, 176, 62]),
     ..LeafShape::DEFAULT
 };
@@ -221,12 +172,7 @@ const ASH: LeafShape = LeafShape {
     ]),
     teeth: teeth(14, 0.012, 0.9),
     petiole: 0.03,
-    veins: Veins {
-        pairs: 10.0,
-        slope: 0.9,
-        contrast: 0.5,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 10.0, slope: 0.9, contrast: 0.5, ..PINNATE },
     style: style([80, 114, 48], [196, 178, 70]),
     ..LeafShape::DEFAULT
 };
@@ -241,12 +187,7 @@ const BLADE: LeafShape = LeafShape {
         [0.0, 1.0, 1.0],
     ]),
     petiole: 0.0,
-    veins: Veins {
-        pairs: 0.0,
-        slope: 0.0,
-        contrast: 0.5,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 0.0, slope: 0.0, contrast: 0.5, ..PINNATE },
     style: style([86, 118, 52], [172, 150, 84]),
     ..LeafShape::DEFAULT
 };
@@ -259,12 +200,7 @@ const NEEDLE: LeafShape = LeafShape {
         [0.0, 1.0, 1.0],
     ]),
     petiole: 0.0,
-    veins: Veins {
-        pairs: 0.0,
-        slope: 0.0,
-        contrast: 0.25,
-        ..PINNATE
-    },
+    veins: Veins { pairs: 0.0, slope: 0.0, contrast: 0.25, ..PINNATE },
     style: style([78, 108, 62], [150, 140, 70]),
     ..LeafShape::DEFAULT
 };
@@ -280,12 +216,7 @@ const SHORT_NEEDLE: LeafShape = LeafShape {
     ..NEEDLE
 };
 
-const SPRAY: Spray = Spray {
-    bare: 0.12,
-    size: [0.46, 0.52, 0.44],
-    shoots: 2,
-    ..Spray::DEFAULT
-};
+const SPRAY: Spray = Spray { bare: 0.12, size: [0.46, 0.52, 0.44], shoots: 2, ..Spray::DEFAULT };
 
 pub(super) const TABLE: &[(&str, LeafShape)] = &[
     ("oak", OAK),
@@ -317,11 +248,7 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
         "oak-cluster",
         LeafShape {
             seed: Seed(11),
-            spray: Some(Spray {
-                leaves: 9,
-                size: [0.5, 0.56, 0.5],
-                ..SPRAY
-            }),
+            spray: Some(Spray { leaves: 9, size: [0.5, 0.56, 0.5], ..SPRAY }),
             ..OAK
         },
     ),
@@ -329,36 +256,17 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
         "maple-cluster",
         LeafShape {
             seed: Seed(12),
-            spray: Some(Spray {
-                leaves: 7,
-                opposite: true,
-                size: [0.58, 0.62, 0.52],
-                ..SPRAY
-            }),
+            spray: Some(Spray { leaves: 7, opposite: true, size: [0.58, 0.62, 0.52], ..SPRAY }),
             ..MAPLE
         },
     ),
     (
         "birch-cluster",
-        LeafShape {
-            seed: Seed(13),
-            spray: Some(Spray {
-                leaves: 11,
-                ..SPRAY
-            }),
-            ..BIRCH
-        },
+        LeafShape { seed: Seed(13), spray: Some(Spray { leaves: 11, ..SPRAY }), ..BIRCH },
     ),
     (
         "beech-cluster",
-        LeafShape {
-            seed: Seed(14),
-            spray: Some(Spray {
-                leaves: 10,
-                ..SPRAY
-            }),
-            ..BEECH
-        },
+        LeafShape { seed: Seed(14), spray: Some(Spray { leaves: 10, ..SPRAY }), ..BEECH },
     ),
     (
         "willow-cluster",
@@ -380,21 +288,13 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
         "poplar-cluster",
         LeafShape {
             seed: Seed(16),
-            spray: Some(Spray {
-                leaves: 10,
-                size: [0.6, 0.64, 0.54],
-                ..SPRAY
-            }),
+            spray: Some(Spray { leaves: 10, size: [0.6, 0.64, 0.54], ..SPRAY }),
             ..POPLAR
         },
     ),
     (
         "linden-cluster",
-        LeafShape {
-            seed: Seed(17),
-            spray: Some(Spray { leaves: 8, ..SPRAY }),
-            ..LINDEN
-        },
+        LeafShape { seed: Seed(17), spray: Some(Spray { leaves: 8, ..SPRAY }), ..LINDEN },
     ),
     (
         "pine-needles",

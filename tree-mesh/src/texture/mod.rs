@@ -110,11 +110,7 @@ pub fn bark_names() -> &'static [&'static str] {
 /// [`MeshError::Unknown`] when there is no such leaf.
 pub fn leaf(name: &str) -> Result<LeafTexture> {
     let (name, shape) = find("leaf kind", leaf_presets::TABLE, name)?;
-    let size_px = if shape.spray.is_some() {
-        SPRAY_SIZE
-    } else {
-        LEAF_SIZE
-    };
+    let size_px = if shape.spray.is_some() { SPRAY_SIZE } else { LEAF_SIZE };
     Ok(picture::draw_leaf(shape, name, size_px))
 }
 
@@ -170,11 +166,7 @@ fn find<'a, T>(
         None => Err(MeshError::Unknown {
             what,
             name: name.to_owned(),
-            known: table
-                .iter()
-                .map(|(name, _)| *name)
-                .collect::<Vec<_>>()
-                .join(", "),
+            known: table.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", "),
         }),
     }
 }

@@ -43,11 +43,7 @@ impl Noise {
             a * dx + b * dy
         };
         let top = mix(corner(px0, y0, fx, fy), corner(px1, y0, fx - 1.0, fy), sx);
-        let low = mix(
-            corner(px0, y1, fx, fy - 1.0),
-            corner(px1, y1, fx - 1.0, fy - 1.0),
-            sx,
-        );
+        let low = mix(corner(px0, y1, fx, fy - 1.0), corner(px1, y1, fx - 1.0, fy - 1.0), sx);
         1.6 * mix(top, low, sy)
     }
 
@@ -80,10 +76,7 @@ impl Noise {
             let h = self.hash(around(x0 + i, count[0]), around(y0 + j, count[1]));
             let a = (h & 0xffff) as f32 * (1.0 / 65536.0) - 0.5;
             let b = (h >> 16) as f32 * (1.0 / 65536.0) - 0.5;
-            *point = [
-                i as f32 - 0.5 + jitter * a - fx,
-                j as f32 - 0.5 + jitter * b - fy,
-            ];
+            *point = [i as f32 - 0.5 + jitter * a - fx, j as f32 - 0.5 + jitter * b - fy];
             let distance = point[0] * point[0] + point[1] * point[1];
             if distance < best {
                 (best, nearest, id) = (distance, *point, h);
@@ -101,10 +94,7 @@ impl Noise {
                 edge = edge.min((mx * dx + my * dy) / length.sqrt());
             }
         }
-        Cell {
-            id: scramble(id),
-            edge,
-        }
+        Cell { id: scramble(id), edge }
     }
 
     #[inline]
@@ -233,10 +223,8 @@ mod tests {
                 assert!(near.abs() < 1.6);
                 for (du, dv) in [(1.0, 0.0), (0.0, -1.0), (-2.0, 3.0)] {
                     assert!((near - noise.fbm(u + du, v + dv, count, 3)).abs() < 1e-3);
-                    let (a, b) = (
-                        noise.cell(u, v, count, 0.8),
-                        noise.cell(u + du, v + dv, count, 0.8),
-                    );
+                    let (a, b) =
+                        (noise.cell(u, v, count, 0.8), noise.cell(u + du, v + dv, count, 0.8));
                     assert!((a.edge - b.edge).abs() < 1e-3 && a.edge > -1e-4);
                 }
             }

@@ -82,9 +82,7 @@ fn serrate(curve: &[Vec2], teeth: &Teeth) -> Vec<Vec2> {
         walked += piece;
     }
     out.extend(curve.last());
-    out.into_iter()
-        .map(|p| Vec2::new(p.x.max(0.0), p.y))
-        .collect()
+    out.into_iter().map(|p| Vec2::new(p.x.max(0.0), p.y)).collect()
 }
 
 /// Height of the teeth, 0 to 1: a round wave when blunt, a saw that leans to the apex when sharp.
@@ -92,19 +90,10 @@ fn tooth(s: f32, teeth: &Teeth) -> f32 {
     let one = |s: f32| {
         let t = s - s as u32 as f32;
         let wave = 4.0 * t * (1.0 - t);
-        let saw = if t < SAW_TOP {
-            t / SAW_TOP
-        } else {
-            (1.0 - t) / (1.0 - SAW_TOP)
-        };
+        let saw = if t < SAW_TOP { t / SAW_TOP } else { (1.0 - t) / (1.0 - SAW_TOP) };
         wave + (saw - wave) * teeth.sharpness
     };
-    one(s)
-        + if teeth.double {
-            0.35 * one(3.0 * s)
-        } else {
-            0.0
-        }
+    one(s) + if teeth.double { 0.35 * one(3.0 * s) } else { 0.0 }
 }
 
 /// Where a sharp tooth has its point, as share of its length.

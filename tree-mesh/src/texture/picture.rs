@@ -20,25 +20,12 @@ pub(super) fn draw_leaf(shape: &LeafShape, name: &str, size: u32) -> LeafTexture
     let (view, width) = fit(&mut parts, &polygon, shape, size);
     let rays = rays(&shape.veins);
     let noise = Noise::new(shape.seed, "mottle");
-    let shadows = shape
-        .spray
-        .as_ref()
-        .is_some_and(|spray| spray.leaves <= SHADOWS);
+    let shadows = shape.spray.as_ref().is_some_and(|spray| spray.leaves <= SHADOWS);
     let mut items = Vec::with_capacity(3 * parts.len());
     for (_, part) in &parts {
         match *part {
-            Part::Stem {
-                from,
-                to,
-                widths,
-                color,
-            } => {
-                let frame = Frame {
-                    origin: from,
-                    axis: to - from,
-                    squash: 1.0,
-                    bend: 0.0,
-                };
+            Part::Stem { from, to, widths, color } => {
+                let frame = Frame { origin: from, axis: to - from, squash: 1.0, bend: 0.0 };
                 let right = -(to - from).normalize_or_zero().perp();
                 let corners = [
                     from - right * (0.5 * widths[0]),
@@ -49,19 +36,10 @@ pub(super) fn draw_leaf(shape: &LeafShape, name: &str, size: u32) -> LeafTexture
                 let width = 0.5 * (widths[0] + widths[1]) / frame.axis.length().max(1e-6);
                 items.push(Item {
                     outline: corners.map(|p| view.pixel(p)).to_vec(),
-                    paint: Brush::Stem {
-                        view,
-                        frame,
-                        color,
-                        width,
-                    },
+                    paint: Brush::Stem { view, frame, color, width },
                 });
             }
-            Part::Blade {
-                frame,
-                shade,
-                offset,
-            } => {
+            Part::Blade { frame, shade, offset } => {
                 let place = |grow: f32, drop: f32| -> Vec<Vec2> {
                     let middle = Vec2::new(0.0, 0.5);
                     let down = Vec2::new(0.0, -drop * frame.axis.length());
@@ -73,39 +51,17 @@ pub(super) fn draw_leaf(shape: &LeafShape, name: &str, size: u32) -> LeafTexture
                 if shadows {
                     for (grow, drop) in SHADOW_RINGS {
                         let paint = Brush::Shadow(SHADOW);
-                        items.push(Item {
-                            outline: place(grow, drop),
-                            paint,
-                        });
+                        items.push(Item { outline: place(grow, drop), paint });
                     }
                 }
-                let blade = Blade {
-                    shape,
-                    rays: &rays,
-                    noise,
-                    view,
-                    frame,
-                    shade,
-                    offset,
-                };
-                items.push(Item {
-                    outline: place(1.0, 0.0),
-                    paint: Brush::Blade(blade),
-                });
+                let blade = Blade { shape, rays: &rays, noise, view, frame, shade, offset };
+                items.push(Item { outline: place(1.0, 0.0), paint: Brush::Blade(blade) });
             }
         }
     }
-    let texture = Texture {
-        name: name.to_owned(),
-        width: size,
-        height: size,
-        pixels: draw(&items, size),
-    };
-    LeafTexture {
-        texture,
-        width,
-        petiole,
-    }
+    let texture =
+        Texture { name: name.to_owned(), width: size, height: size, pixels: draw(&items, size) };
+    LeafTexture { texture, width, petiole }
 }
 
 /// Sprays of more leaves than this throw no shadows: needles would only get dirty.
@@ -132,9 +88,7 @@ fn fit(parts: &mut Vec<Layered>, polygon: &[Vec2], shape: &LeafShape, size: u32)
                     (side, top, low) = (side.max(q.x.abs()), top.max(q.y), low.min(q.y));
                 }
             }
-            Part::Stem {
-                from, to, widths, ..
-            } => {
+            Part::Stem { from, to, widths, .. } => {
                 for (q, w) in [(from, widths[0]), (to, widths[1])] {
                     side = side.max(q.x.abs() + 0.5 * w);
                     top = top.max(q.y);
@@ -154,28 +108,9 @@ fn fit(parts: &mut Vec<Layered>, polygon: &[Vec2], shape: &LeafShape, size: u32)
             None => rgb(shape.style.stalk),
         };
         let (from, to) = (Vec2::new(0.0, low), Vec2::new(0.0, 1e-3));
-        parts.insert(
-            0,
-            (
-                0.0,
-                Part::Stem {
-                    from,
-                    to,
-                    widths: [base_width; 2],
-                    color,
-                },
-            ),
-        );
+        parts.insert(0, (0.0, Part::Stem { from, to, widths: [base_width; 2], color }));
     }
-    let step = Vec2::new(
-        2.0 * side / (pixels - 2.0 * margin),
-        (top - low) / (pixels - margin),
-    );
-    let view = View {
-        center: 0.5 * pixels,
-        bottom: pixels,
-        step,
-        low,
-    };
+    let step = Vec2::new(2.0 * side / (pixels - 2.0 * margin), (top - low) / (pixels - margin));
+    let view = View { center: 0.5 * pixels, bottom: pixels, step, low };
     (view, step.x / step.y)
 }

@@ -51,9 +51,7 @@ pub(super) fn draw<P: Paint>(items: &[Item<P>], size: u32) -> Vec<u8> {
         .map(|item| {
             item.outline
                 .iter()
-                .fold((f32::MAX, f32::MIN), |(low, high), p| {
-                    (low.min(p.y), high.max(p.y))
-                })
+                .fold((f32::MAX, f32::MIN), |(low, high), p| (low.min(p.y), high.max(p.y)))
         })
         .collect();
     let mut image = vec![[0.0_f32; 4]; n * n];
@@ -152,24 +150,21 @@ fn bleed(image: Vec<[f32; 4]>, n: usize) -> Vec<u8> {
         levels.push((coarse, half));
     }
     let mut bytes = vec![0; 4 * n * n];
-    bytes
-        .par_chunks_mut(4 * n)
-        .enumerate()
-        .for_each(|(y, row)| {
-            for (x, out) in row.chunks_exact_mut(4).enumerate() {
-                let pixel = levels
-                    .iter()
-                    .enumerate()
-                    .map(|(k, (level, n))| level[(y >> k) * n + (x >> k)])
-                    .find(|pixel| pixel[3] > EMPTY)
-                    .unwrap_or_default();
-                let alpha = levels.first().map_or(0.0, |(level, n)| level[y * n + x][3]);
-                let scale = 1.0 / pixel[3].max(EMPTY);
-                let color = to_bytes([pixel[0] * scale, pixel[1] * scale, pixel[2] * scale]);
-                out[..3].copy_from_slice(&color);
-                out[3] = byte(alpha);
-            }
-        });
+    bytes.par_chunks_mut(4 * n).enumerate().for_each(|(y, row)| {
+        for (x, out) in row.chunks_exact_mut(4).enumerate() {
+            let pixel = levels
+                .iter()
+                .enumerate()
+                .map(|(k, (level, n))| level[(y >> k) * n + (x >> k)])
+                .find(|pixel| pixel[3] > EMPTY)
+                .unwrap_or_default();
+            let alpha = levels.first().map_or(0.0, |(level, n)| level[y * n + x][3]);
+            let scale = 1.0 / pixel[3].max(EMPTY);
+            let color = to_bytes([pixel[0] * scale, pixel[1] * scale, pixel[2] * scale]);
+            out[..3].copy_from_slice(&color);
+            out[3] = byte(alpha);
+        }
+    });
     bytes
 }
 

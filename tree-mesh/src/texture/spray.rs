@@ -64,17 +64,8 @@ impl Default for Spray {
 
 /// Something to draw, in the plant's units.
 pub(super) enum Part {
-    Blade {
-        frame: Frame,
-        shade: f32,
-        offset: f32,
-    },
-    Stem {
-        from: Vec2,
-        to: Vec2,
-        widths: [f32; 2],
-        color: Rgb,
-    },
+    Blade { frame: Frame, shade: f32, offset: f32 },
+    Stem { from: Vec2, to: Vec2, widths: [f32; 2], color: Rgb },
 }
 
 /// A part and how near it is: 0 behind to 1 in front.
@@ -85,22 +76,13 @@ pub(super) fn parts(shape: &LeafShape) -> (Vec<Layered>, f32) {
     let mut parts = Vec::new();
     let petiole = match &shape.spray {
         None => {
-            let stalk = Stalk {
-                from: Vec2::ZERO,
-                toward: Vec2::Y,
-                depth: 0.5,
-            };
+            let stalk = Stalk { from: Vec2::ZERO, toward: Vec2::Y, depth: 0.5 };
             leaf(&mut parts, shape, stalk, [1.0, 0.0], 0.0, 1.0);
             shape.petiole
         }
         Some(spray) => {
             let mut rng = shape.seed.stream("spray").rng();
-            let twig = Twig {
-                from: Vec2::ZERO,
-                to: Vec2::Y,
-                scale: 1.0,
-                depth: 0.5,
-            };
+            let twig = Twig { from: Vec2::ZERO, to: Vec2::Y, scale: 1.0, depth: 0.5 };
             shoot(&mut parts, shape, spray, twig, &mut rng);
             spray.bare
         }
@@ -123,11 +105,7 @@ const PETIOLE: [f32; 2] = [0.026, 0.016];
 fn leaf(
     parts: &mut Vec<Layered>,
     shape: &LeafShape,
-    Stalk {
-        from,
-        toward,
-        depth,
-    }: Stalk,
+    Stalk { from, toward, depth }: Stalk,
     [squash, bend]: [f32; 2],
     offset: f32,
     shade: f32,
@@ -140,30 +118,10 @@ fn leaf(
         // Into the blade a little, so that no gap shows.
         let to = base + axis * 0.03;
         let widths = PETIOLE.map(|w| w * length);
-        parts.push((
-            depth,
-            Part::Stem {
-                from,
-                to,
-                widths,
-                color,
-            },
-        ));
+        parts.push((depth, Part::Stem { from, to, widths, color }));
     }
-    let frame = Frame {
-        origin: base,
-        axis,
-        squash,
-        bend,
-    };
-    parts.push((
-        depth,
-        Part::Blade {
-            frame,
-            shade,
-            offset,
-        },
-    ));
+    let frame = Frame { origin: base, axis, squash, bend };
+    parts.push((depth, Part::Blade { frame, shade, offset }));
 }
 
 #[derive(Clone, Copy)]
@@ -191,30 +149,15 @@ fn shoot(parts: &mut Vec<Layered>, shape: &LeafShape, spray: &Spray, twig: Twig,
     };
     let thick = |t: f32| spray.twig * twig.scale * (1.0 - 0.7 * t);
     for piece in 0..PIECES {
-        let (t0, t1) = (
-            piece as f32 / PIECES as f32,
-            (piece + 1) as f32 / PIECES as f32,
-        );
+        let (t0, t1) = (piece as f32 / PIECES as f32, (piece + 1) as f32 / PIECES as f32);
         let widths = [thick(t0), thick(t1)];
         let color = rgb(spray.twig_color).map(|c| c * mix(0.85, 1.0, twig.depth));
         let (from, to) = (point(t0), point(t1).lerp(point(t1 + 0.03), 0.3));
-        parts.push((
-            twig.depth,
-            Part::Stem {
-                from,
-                to,
-                widths,
-                color,
-            },
-        ));
+        parts.push((twig.depth, Part::Stem { from, to, widths, color }));
     }
     if main {
         for number in 0..spray.shoots {
-            let t = mix(
-                spray.bare * 0.7,
-                0.75,
-                (number as f32 + 0.3) / spray.shoots as f32,
-            );
+            let t = mix(spray.bare * 0.7, 0.75, (number as f32 + 0.3) / spray.shoots as f32);
             let side = if number % 2 == 0 { 1.0 } else { -1.0 };
             let angle =
                 side * spray.shoot_angle * (1.0 + 0.25 * spray.jitter * uniform(rng, -1.0, 1.0));
@@ -231,35 +174,16 @@ fn shoot(parts: &mut Vec<Layered>, shape: &LeafShape, spray: &Spray, twig: Twig,
         }
     }
 
-    let count = if main {
-        spray.leaves
-    } else {
-        ((spray.leaves as f32 * twig.scale) as u32).max(3)
-    };
-    let places = if spray.opposite {
-        (count / 2).max(1)
-    } else {
-        count.saturating_sub(1).max(1)
-    };
+    let count =
+        if main { spray.leaves } else { ((spray.leaves as f32 * twig.scale) as u32).max(3) };
+    let places = if spray.opposite { (count / 2).max(1) } else { count.saturating_sub(1).max(1) };
     // Leaves keep most of their size on side shoots, as in nature.
-    let leaf_scale = if main {
-        1.0
-    } else {
-        libm::powf(twig.scale, 0.35)
-    };
+    let leaf_scale = if main { 1.0 } else { libm::powf(twig.scale, 0.35) };
     for number in 0..count {
         let last = number + 1 == count;
         let place = if spray.opposite { number / 2 } else { number };
-        let s = if last {
-            1.0
-        } else {
-            (place as f32 + 0.4) / places as f32
-        };
-        let t = if last {
-            1.0
-        } else {
-            mix(spray.bare, 1.0, s).min(0.995)
-        };
+        let s = if last { 1.0 } else { (place as f32 + 0.4) / places as f32 };
+        let t = if last { 1.0 } else { mix(spray.bare, 1.0, s).min(0.995) };
         let side = if last {
             uniform(rng, -0.15, 0.15)
         } else if number % 2 == 0 {
@@ -276,11 +200,7 @@ fn shoot(parts: &mut Vec<Layered>, shape: &LeafShape, spray: &Spray, twig: Twig,
         let bend = -side * spray.bend * wobble(rng, 1.0);
         let shade = mix(0.74, 1.06, depth) * wobble(rng, 0.12);
         let toward = turned(along.normalize_or_zero() * size, angle);
-        let stalk = Stalk {
-            from: point(t),
-            toward,
-            depth,
-        };
+        let stalk = Stalk { from: point(t), toward, depth };
         let offset = uniform(rng, 0.0, 1.0);
         leaf(parts, shape, stalk, [squash, bend], offset, shade);
     }
@@ -295,10 +215,6 @@ impl Spray {
     /// Length of the leaf at a share of the leafy part of the twig.
     fn size_at(&self, s: f32) -> f32 {
         let [low, middle, top] = self.size;
-        if s < 0.5 {
-            mix(low, middle, 2.0 * s)
-        } else {
-            mix(middle, top, 2.0 * s - 1.0)
-        }
+        if s < 0.5 { mix(low, middle, 2.0 * s) } else { mix(middle, top, 2.0 * s - 1.0) }
     }
 }

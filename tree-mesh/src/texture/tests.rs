@@ -19,26 +19,16 @@ fn barks_tile_without_a_seam() {
         assert_eq!(texture.pixels.len(), 4 * n * n);
         assert!(texture.pixels.chunks_exact(4).all(|pixel| pixel[3] == 255));
         let columns = |x: usize| -> f32 {
-            (0..n)
-                .map(|y| difference(pixel(&texture, x, y), pixel(&texture, (x + 1) % n, y)))
-                .sum()
+            (0..n).map(|y| difference(pixel(&texture, x, y), pixel(&texture, (x + 1) % n, y))).sum()
         };
         let rows = |y: usize| -> f32 {
-            (0..n)
-                .map(|x| difference(pixel(&texture, x, y), pixel(&texture, x, (y + 1) % n)))
-                .sum()
+            (0..n).map(|x| difference(pixel(&texture, x, y), pixel(&texture, x, (y + 1) % n))).sum()
         };
-        for (way, step) in [
-            ("across", &columns as &dyn Fn(usize) -> f32),
-            ("along", &rows),
-        ] {
+        for (way, step) in [("across", &columns as &dyn Fn(usize) -> f32), ("along", &rows)] {
             let mut inner: Vec<f32> = (0..n - 1).map(step).collect();
             inner.sort_unstable_by(f32::total_cmp);
             let (most, seam) = (inner[n - 2], step(n - 1));
-            assert!(
-                seam <= most,
-                "{name} {way}: seam {seam}, inside at most {most}"
-            );
+            assert!(seam <= most, "{name} {way}: seam {seam}, inside at most {most}");
         }
     }
 }
@@ -60,29 +50,16 @@ fn barks_have_contrast_and_differ() {
         means.push((*name, mean));
     }
     let of = |name| means.iter().find(|(known, _)| *known == name).unwrap().1;
-    assert!(
-        of("birch") > of("smooth") && of("smooth") > of("oak"),
-        "{means:?}"
-    );
+    assert!(of("birch") > of("smooth") && of("smooth") > of("oak"), "{means:?}");
 }
 
 #[test]
 fn leaves_stand_on_the_bottom_and_leave_the_border_free() {
     for name in leaf_names() {
-        let LeafTexture {
-            texture,
-            width,
-            petiole,
-        } = leaf(name).unwrap();
+        let LeafTexture { texture, width, petiole } = leaf(name).unwrap();
         let n = texture.width as usize;
-        assert_eq!(
-            (texture.height as usize, texture.pixels.len()),
-            (n, 4 * n * n)
-        );
-        assert!(
-            (0.1..2.0).contains(&width) && (0.0..0.6).contains(&petiole),
-            "{name}"
-        );
+        assert_eq!((texture.height as usize, texture.pixels.len()), (n, 4 * n * n));
+        assert!((0.1..2.0).contains(&width) && (0.0..0.6).contains(&petiole), "{name}");
         let alpha = |x: usize, y: usize| pixel(&texture, x, y)[3];
         assert!(alpha(n / 2, n - 1) > 127, "{name} has no base");
         for i in 0..n {
@@ -127,10 +104,7 @@ fn leaves_cover_a_plausible_share_and_survive_mip_maps() {
         assert!((0.2..0.8).contains(&full), "{name} covers {full}");
         for level in 1..5 {
             let left = coverage(&texture, level);
-            assert!(
-                left > 0.6 * full,
-                "{name}: {left} of {full} left on level {level}"
-            );
+            assert!(left > 0.6 * full, "{name}: {left} of {full} left on level {level}");
         }
     }
 }
@@ -154,30 +128,18 @@ fn transparent_pixels_carry_the_colour_of_their_neighbours() {
             }
         }
         let mean = sum / count as f32;
-        assert!(
-            mean < 10.0 && worst < 90.0,
-            "{name}: mean {mean}, worst {worst}"
-        );
+        assert!(mean < 10.0 && worst < 90.0, "{name}: mean {mean}, worst {worst}");
     }
 }
 
 #[test]
 fn the_same_bytes_with_one_and_two_threads() {
     let all = |threads: usize| -> Vec<Vec<u8>> {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let barks = bark_names()
-                .iter()
-                .map(|name| bark_sized(name, 96).unwrap().pixels);
-            let leaves = leaf_names()
-                .iter()
-                .map(|name| leaf_sized(name, 96).unwrap());
-            barks
-                .chain(leaves.map(|leaf| leaf.texture.pixels))
-                .collect()
+            let barks = bark_names().iter().map(|name| bark_sized(name, 96).unwrap().pixels);
+            let leaves = leaf_names().iter().map(|name| leaf_sized(name, 96).unwrap());
+            barks.chain(leaves.map(|leaf| leaf.texture.pixels)).collect()
         })
     };
     let once = all(1);
@@ -189,11 +151,9 @@ fn the_same_bytes_with_one_and_two_threads() {
 fn the_bytes_of_a_texture_never_change_by_accident() {
     // "Same name, other picture" is a change users must be told of (CHANGELOG).
     let hash = |pixels: &[u8]| {
-        pixels
-            .iter()
-            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
-                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-            })
+        pixels.iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        })
     };
     let found = [
         hash(&bark_sized("oak", 64).unwrap().pixels),
@@ -227,14 +187,7 @@ fn every_size_works_or_names_its_range() {
             bark_with(&BarkStyle::default(), size_px).unwrap_err(),
             leaf_with(&LeafShape::default(), size_px).unwrap_err(),
         ] {
-            assert!(matches!(
-                error,
-                MeshError::Parameter {
-                    field: "size_px",
-                    max: 4096.0,
-                    ..
-                }
-            ));
+            assert!(matches!(error, MeshError::Parameter { field: "size_px", max: 4096.0, .. }));
         }
     }
 }
@@ -247,10 +200,7 @@ fn an_unknown_name_gets_the_known_ones() {
         ("leaf kind", leaf("").unwrap_err()),
         ("leaf kind", leaf_shape("Oak").unwrap_err()),
     ] {
-        let MeshError::Unknown {
-            what: found, known, ..
-        } = error
-        else {
+        let MeshError::Unknown { what: found, known, .. } = error else {
             panic!("{error}");
         };
         assert_eq!(found, what);
@@ -266,54 +216,26 @@ fn rows_are_valid_and_bad_ones_name_the_field() {
     for name in leaf_names() {
         leaf_shape(name).unwrap().validate().unwrap();
     }
-    let bark = BarkStyle {
-        warp: f32::NAN,
-        ..Default::default()
-    };
+    let bark = BarkStyle { warp: f32::NAN, ..Default::default() };
     assert!(matches!(
         bark_with(&bark, 64).unwrap_err(),
         MeshError::Parameter { field: "warp", .. }
     ));
-    let leaf = LeafShape {
-        petiole: 0.9,
-        ..Default::default()
-    };
+    let leaf = LeafShape { petiole: 0.9, ..Default::default() };
     assert!(matches!(
         leaf_with(&leaf, 64).unwrap_err(),
-        MeshError::Parameter {
-            field: "petiole",
-            ..
-        }
+        MeshError::Parameter { field: "petiole", .. }
     ));
 }
 
 #[test]
 fn odd_shapes_are_drawn_without_harm() {
-    let point = LeafShape {
-        outline: vec![[0.0; 3]; 2].into(),
-        ..Default::default()
-    };
+    let point = LeafShape { outline: vec![[0.0; 3]; 2].into(), ..Default::default() };
     let crossing = LeafShape {
-        outline: vec![
-            [0.0, 1.0, 0.0],
-            [2.0, -1.0, 0.0],
-            [0.0, 2.0, 0.0],
-            [1.0, 0.0, 1.0],
-        ]
-        .into(),
-        teeth: Teeth {
-            count: 100,
-            depth: 0.2,
-            sharpness: 1.0,
-            double: true,
-        },
+        outline: vec![[0.0, 1.0, 0.0], [2.0, -1.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 1.0]].into(),
+        teeth: Teeth { count: 100, depth: 0.2, sharpness: 1.0, double: true },
         petiole: 0.0,
-        spray: Some(Spray {
-            leaves: 1,
-            shoots: 32,
-            jitter: 1.0,
-            ..Default::default()
-        }),
+        spray: Some(Spray { leaves: 1, shoots: 32, jitter: 1.0, ..Default::default() }),
         ..Default::default()
     };
     for shape in [point, crossing] {
@@ -325,10 +247,7 @@ fn odd_shapes_are_drawn_without_harm() {
 #[test]
 fn autumn_turns_the_colour() {
     let summer = leaf_shape("maple").unwrap();
-    let autumn = LeafShape {
-        style: summer.style.autumn(1.0),
-        ..summer.clone()
-    };
+    let autumn = LeafShape { style: summer.style.autumn(1.0), ..summer.clone() };
     let redness = |shape: &LeafShape| {
         let texture = leaf_with(shape, 64).unwrap().texture;
         let middle = pixel(&texture, 40, 20);
