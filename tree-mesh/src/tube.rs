@@ -121,10 +121,11 @@ pub(crate) fn count(
         count.vertices += n + 1;
         count.triangles += match last {
             Some(before) => before + n,
+            None if spine.trunk => n,
             None => n - 2,
         };
         if last.is_none() && spine.trunk {
-            count.vertices += n;
+            count.vertices += n + 1;
         }
         last = Some(n);
     }
@@ -346,22 +347,26 @@ impl Skin<'_> {
         seen: bool,
         out: &mut Columns<'_>,
     ) {
-        let mut first = ring.first;
-        if seen {
-            first = out.next();
-            for k in 0..ring.n {
-                let position = out.positions[(ring.first + k) as usize];
-                let arm = position - centre;
-                let flat = Vec2::new(arm.dot(frame.normal), -arm.dot(frame.binormal()));
-                out.vertex(
-                    position,
-                    -frame.tangent,
-                    flat / self.circles.params.bark_width,
-                );
+        if !seen {
+            for k in 1..ring.n - 1 {
+                out.triangle([ring.first, ring.first + k + 1, ring.first + k]);
             }
+            return;
         }
-        for k in 1..ring.n - 1 {
-            out.triangle([first, first + k + 1, first + k]);
+        // From the middle: between buttresses the outline is not convex.
+        let middle = out.next();
+        out.vertex(centre, -frame.tangent, Vec2::ZERO);
+        for k in 0..ring.n {
+            let position = out.positions[(ring.first + k) as usize];
+            let arm = position - centre;
+            let flat = Vec2::new(arm.dot(frame.normal), -arm.dot(frame.binormal()));
+            out.vertex(
+                position,
+                -frame.tangent,
+                flat / self.circles.params.bark_width,
+            );
+            let next = (k + 1) % ring.n;
+            out.triangle([middle, middle + 1 + next, middle + 1 + k]);
         }
     }
 
