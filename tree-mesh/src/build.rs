@@ -8,13 +8,14 @@
 //!
 //! Cost: O(nodes + leaves + vertices) time; the mesh, 24 bytes an axis and 4 bytes a leaf of memory.
 
+use crate::columns::Columns;
 use crate::error::{MeshError, Result};
-use crate::leaf::{self, Card, CardColumns, Crown};
+use crate::leaf::{self, Card, Crown};
 use crate::look::Look;
 use crate::mesh::{Material, Mesh, Surface};
 use crate::params::MeshParams;
 use crate::spine::Spine;
-use crate::tube::{self, Circles, Columns, Count, Scratch};
+use crate::tube::{self, Circles, Count, Scratch};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use tree_core::{Axes, Control, Resource, Skeleton, Tree};
@@ -303,19 +304,13 @@ fn fill_leaves(
             leaves.len() * card.n_indices(),
         );
         let mut surface = new_surface(n_vertices, n_indices, kind + 1);
-        let out = CardColumns {
-            positions: &mut surface.positions,
-            normals: &mut surface.normals,
-            uvs: &mut surface.uvs,
-            indices: &mut surface.indices,
-        };
         leaf::fill(
             foliage,
             leaves,
             card,
             crown,
             params.leaf_rounding,
-            out,
+            &mut surface,
             control,
         )?;
         surfaces.push(surface);

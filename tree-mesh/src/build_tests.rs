@@ -313,7 +313,7 @@ fn soft_normals_lean_outwards_on_the_cards_own_side() {
 
 #[test]
 fn limits_are_asked_before_the_memory() {
-    // Two triangles a leaf; 3 vertices could not even be named if they were counted late.
+    // The cap itself is allowed; one less is refused with the exact number.
     let tree = leafy(vec![leaf(Vec3::ZERO, Quat::IDENTITY, 1.0, 0); 10], 1);
     let look = Look::plain(tree.species());
     let with = |triangles| {

@@ -9,6 +9,7 @@
 //! Cost: O(leaves), in parallel over fixed parts; 4 vertices and 2 triangles a leaf (6 and 4 bent).
 
 use crate::error::Result;
+use crate::mesh::Surface;
 use crate::params::MeshParams;
 use glam::{Mat3, Vec2, Vec3};
 use rayon::prelude::*;
@@ -101,15 +102,7 @@ impl Crown {
     }
 }
 
-/// The columns of one surface, all of their final length.
-pub(crate) struct CardColumns<'a> {
-    pub(crate) positions: &'a mut [Vec3],
-    pub(crate) normals: &'a mut [Vec3],
-    pub(crate) uvs: &'a mut [Vec2],
-    pub(crate) indices: &'a mut [u32],
-}
-
-/// Writes the cards of `leaves` (rows of the foliage).
+/// Writes the cards of `leaves` (rows of the foliage) into a surface of the right size.
 ///
 /// # Errors
 /// [`Cancelled`](tree_core::Cancelled).
@@ -119,7 +112,7 @@ pub(crate) fn fill(
     card: Card,
     crown: Crown,
     rounding: f32,
-    out: CardColumns<'_>,
+    out: &mut Surface,
     control: &Control,
 ) -> Result<()> {
     let (nv, ni) = (card.n_vertices(), card.n_indices());

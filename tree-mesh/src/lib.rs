@@ -20,6 +20,7 @@
 //! Right-handed, +Y up, metres; triangles counter-clockwise seen from outside; texture v downwards.
 
 mod build;
+mod columns;
 mod error;
 mod flare;
 mod frame;

@@ -258,25 +258,12 @@ fn length_min(position: Vec3) -> f32 {
 mod tests {
     use super::*;
 
-    const PARAMS: MeshParams = MeshParams {
-        continuation: tree_core::Continuation::Thickest,
-        sides_min: 3,
-        sides_max: 24,
-        side_error: 0.001,
-        smooth: true,
-        curve_error: 0.002,
-        radius_min: 0.0005,
-        bark_width: 0.5,
-        bark_length: 0.5,
-        flare: 0.0,
-        flare_height: 3.0,
-        flare_lobes: 5,
-        flare_lobe_depth: 0.5,
-        leaf_scale: 1.0,
-        leaf_width: 1.0,
-        leaf_bend: 0.0,
-        leaf_rounding: 0.6,
-    };
+    fn plain() -> MeshParams {
+        MeshParams {
+            flare: 0.0,
+            ..Default::default()
+        }
+    }
 
     fn rings(points: &[(Vec3, f32)], params: &MeshParams) -> (Vec<Station>, u32) {
         let mut builder = Skeleton::builder(points[0].0, points[0].1);
@@ -295,9 +282,9 @@ mod tests {
     #[test]
     fn straight_axes_get_no_extra_rings_and_bent_ones_do() {
         let up = |h: f32| (Vec3::Y * h, 0.05);
-        assert_eq!(rings(&[up(0.0), up(1.0), up(3.0)], &PARAMS).0.len(), 3);
+        assert_eq!(rings(&[up(0.0), up(1.0), up(3.0)], &plain()).0.len(), 3);
         let bent = [up(0.0), up(1.0), (Vec3::new(1.0, 1.0, 0.0), 0.05)];
-        let smooth = rings(&bent, &PARAMS).0;
+        let smooth = rings(&bent, &plain()).0;
         assert!(smooth.len() > 6, "{}", smooth.len());
         let nodes = bent.map(|(position, _)| position);
         let hit = nodes
@@ -306,7 +293,7 @@ mod tests {
         assert!(hit, "the curve passes through the nodes");
         let raw = MeshParams {
             smooth: false,
-            ..PARAMS
+            ..plain()
         };
         assert_eq!(rings(&bent, &raw).0.len(), 3);
     }
@@ -318,9 +305,9 @@ mod tests {
             .collect();
         let dense = MeshParams {
             curve_error: 1e-5,
-            ..PARAMS
+            ..plain()
         };
-        let (coarse, fine) = (rings(&zigzag, &PARAMS).0, rings(&zigzag, &dense).0);
+        let (coarse, fine) = (rings(&zigzag, &plain()).0, rings(&zigzag, &dense).0);
         for point in fine {
             let nearest = coarse
                 .windows(2)
@@ -337,11 +324,11 @@ mod tests {
     #[test]
     fn nodes_without_length_are_dropped_and_counted() {
         let p = |h: f32| (Vec3::Y * h, 0.1);
-        let (found, dropped) = rings(&[p(0.0), p(0.0), p(1.0), p(1.0), p(1.004)], &PARAMS);
+        let (found, dropped) = rings(&[p(0.0), p(0.0), p(1.0), p(1.0), p(1.004)], &plain());
         assert_eq!((found.len(), dropped), (2, 3));
         assert_eq!(found[1].position.y, 1.004, "the tip stays");
-        assert_eq!(rings(&[p(2.0), p(2.0)], &PARAMS), (vec![], 1));
-        assert_eq!(rings(&[p(2.0)], &PARAMS), (vec![], 0));
+        assert_eq!(rings(&[p(2.0), p(2.0)], &plain()), (vec![], 1));
+        assert_eq!(rings(&[p(2.0)], &plain()), (vec![], 0));
     }
 
     #[test]
@@ -349,7 +336,7 @@ mod tests {
         let points = [(Vec3::ZERO, 0.2), (Vec3::Y * 5.0, 0.1)];
         let flared = MeshParams {
             flare: 0.5,
-            ..PARAMS
+            ..plain()
         };
         assert_eq!(rings(&points, &flared).0.len(), 2 + FLARE_POINTS.len());
     }
