@@ -27,7 +27,7 @@ const WHOLE_FROM: f32 = 1e9;
 /// none are named.
 ///
 /// # Errors
-/// [`MeshError::NoTriangles`], what [`Mesh::check`] finds, [`MeshError::Image`], or
+/// [`MeshError::NoTriangles`], what [`Mesh::check`] finds, `MeshError::Image` (feature `image`), or
 /// [`MeshError::Core`] with the path that could not be written; no file is left behind or changed
 /// then.
 ///
