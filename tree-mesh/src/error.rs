@@ -87,6 +87,49 @@ pub enum MeshError {
         /// The names there are.
         known: String,
     },
+    /// A coordinate, radius or leaf is so large that 32-bit numbers have no precision left.
+    #[error("{what}[{index}] is {found} m, at most {max} m can be meshed")]
+    TooLarge {
+        /// The column at fault.
+        what: &'static str,
+        /// Row in that column.
+        index: usize,
+        /// The largest magnitude in that row.
+        found: f32,
+        /// Largest allowed magnitude.
+        max: f32,
+    },
+    /// The look does not have one material per leaf kind.
+    #[error("the look has {found} leaf materials, the species has {expected} leaf kinds")]
+    LeafMaterials {
+        /// Leaf materials of the look.
+        found: usize,
+        /// Leaf kinds of the species.
+        expected: usize,
+    },
+    /// A surface would have more vertices than 32-bit indices can name.
+    #[error("surface {surface} would have {found} vertices, 32-bit indices reach {max}")]
+    TooManyVertices {
+        /// Number of the surface.
+        surface: usize,
+        /// Its number of vertices.
+        found: u64,
+        /// Largest allowed number.
+        max: u64,
+    },
+    /// There is nothing to write: no surface has a triangle.
+    #[error("the mesh has no triangles, so there is nothing to write")]
+    NoTriangles,
+    /// A normal does not have unit length, which file formats and engines rely on.
+    #[error("surface {surface}: normals[{index}] has length {found}, 1 is needed")]
+    NotUnit {
+        /// Number of the surface.
+        surface: usize,
+        /// Row in its normals.
+        index: usize,
+        /// The length found.
+        found: f32,
+    },
     /// An image could not be decoded or encoded.
     #[cfg(feature = "image")]
     #[error("image {name}: {source}")]

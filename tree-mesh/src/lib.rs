@@ -1,11 +1,42 @@
 #![forbid(unsafe_code)]
 #![doc = "From a tree to triangles an engine can upload."]
+//!
+//! [`build`] makes a [`Mesh`] of a tree: bark tubes and leaf cards, dressed in a [`Look`]. [`io`]
+//! writes meshes to files.
+//!
+//! ```
+//! use tree_core::{Control, Skeleton, Species, Tree, glam::Vec3};
+//! use tree_mesh::{Look, MeshParams, build};
+//!
+//! let mut builder = Skeleton::builder(Vec3::ZERO, 0.2);
+//! builder.add(0, Vec3::Y * 3.0, 0.1)?;
+//! let tree = Tree::bare(builder.finish(), Species::default());
+//! let look = Look::plain(tree.species());
+//! let built = build(&tree, &look, &MeshParams::default(), &Control::default())?;
+//! assert_eq!(built.report.n_tubes, 1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Right-handed, +Y up, metres; triangles counter-clockwise seen from outside; texture v downwards.
 
+mod build;
+mod columns;
 mod error;
+mod flare;
+mod frame;
+pub mod io;
+mod leaf;
+mod look;
 mod mesh;
+mod params;
+mod spine;
 pub mod texture;
+mod tube;
 
+pub use build::{Built, MeshReport, build};
 pub use error::MeshError;
+pub use look::Look;
 pub use mesh::{Alpha, Material, Mesh, Surface, Texture};
+pub use params::MeshParams;
 pub use tree_core;
 pub use tree_core::glam;

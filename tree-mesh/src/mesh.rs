@@ -60,6 +60,26 @@ impl std::fmt::Debug for Texture {
     }
 }
 
+impl Texture {
+    /// Checks that the pixels fill width and height.
+    ///
+    /// # Errors
+    /// [`MeshError::Texture`].
+    pub fn check(&self) -> Result<()> {
+        let expected = u64::from(self.width) * u64::from(self.height) * 4;
+        if self.pixels.len() as u64 == expected && expected > 0 {
+            return Ok(());
+        }
+        Err(MeshError::Texture {
+            name: self.name.clone(),
+            width: self.width,
+            height: self.height,
+            found: self.pixels.len(),
+            expected: usize::try_from(expected.max(4)).unwrap_or(usize::MAX),
+        })
+    }
+}
+
 /// Looks of a surface, in glTF's metallic-roughness terms; nothing on a tree is metal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
@@ -136,21 +156,29 @@ impl Mesh {
         for (number, surface) in self.surfaces.iter().enumerate() {
             check_surface(number, surface, self.materials.len())?;
         }
-        self.materials.iter().filter_map(|material| material.texture.as_deref()).try_for_each(
-            |texture| {
-                let expected = 4 * texture.width as usize * texture.height as usize;
-                if texture.pixels.len() == expected && expected > 0 {
-                    return Ok(());
-                }
-                Err(MeshError::Texture {
-                    name: texture.name.clone(),
-                    width: texture.width,
-                    height: texture.height,
-                    found: texture.pixels.len(),
-                    expected: expected.max(4),
-                })
-            },
-        )
+        self.materials
+            .iter()
+            .filter_map(|material| material.texture.as_deref())
+            .try_for_each(Texture::check)
+    }
+
+    /// Checks that normals have unit length, within half a percent: file formats and engines rely
+    /// on it, drawing does not.
+    ///
+    /// # Errors
+    /// [`MeshError::NotUnit`], naming surface and row.
+    pub fn check_normals(&self) -> Result<()> {
+        for (number, surface) in self.surfaces.iter().enumerate() {
+            let bad = |n: &Vec3| (n.length_squared() - 1.0).abs() > 0.01 || !n.is_finite();
+            if let Some(index) = surface.normals.iter().position(bad) {
+                return Err(MeshError::NotUnit {
+                    surface: number,
+                    index,
+                    found: surface.normals[index].length(),
+                });
+            }
+        }
+        Ok(())
     }
 }
 

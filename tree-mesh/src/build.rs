@@ -1,0 +1,284 @@
+//! From a tree to a mesh: counts first, then memory, then triangles.
+//!
+//! 1. Parameters, look and extent are checked.
+//! 2. Every axis and every leaf kind is counted exactly ([`crate::tube`], [`crate::leaf`]), and the
+//!    sum held against the limits, before any of it is allocated.
+//! 3. Columns of their final length are cut into parts that threads fill. Where a part lies and what
+//!    is in it depends on the tree alone, so the bytes are the same for any number of threads.
+//!
+//! Cost: O(nodes + leaves + vertices) time; the mesh, 24 bytes an axis and 4 bytes a leaf of memory.
+
+use crate::columns::Columns;
+use crate::error::{MeshError, Result};
+use crate::leaf::{self, Card, Crown};
+use crate::look::Look;
+use crate::mesh::{Material, Mesh, Surface};
+use crate::params::MeshParams;
+use crate::spine::Spine;
+use crate::tube::{self, Circles, Count, Scratch};
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+use tree_core::{Axes, Control, Resource, Skeleton, Tree};
+
+/// Largest coordinate, radius and leaf in metres. At this distance f32 steps are 6 cm; nothing
+/// overflows far beyond.
+const EXTENT_MAX: f32 = 1e6;
+/// Most vertices in a surface; the last index is kept for engines that restart strips with it.
+const VERTICES_MAX: u64 = u32::MAX as u64 - 1;
+/// Axes counted by one piece of work.
+const AXES_PER_COUNT: usize = 256;
+/// Triangles that one piece of work fills, about.
+const TRIANGLES_PER_FILL: u64 = 16_384;
+
+/// A mesh and what became of the tree on the way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Built {
+    /// Surface 0 is the bark, surface 1 + k the leaves of kind k; those without triangles are there
+    /// too. Materials are in the same order.
+    pub mesh: Mesh,
+    /// Counts.
+    pub report: MeshReport,
+}
+
+/// What a mesh was made of and what was left out.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct MeshReport {
+    /// Vertices of all surfaces.
+    pub n_vertices: usize,
+    /// Triangles of all surfaces.
+    pub n_triangles: usize,
+    /// Vertices and triangles of each surface.
+    pub surfaces: Vec<(usize, usize)>,
+    /// Tubes drawn.
+    pub n_tubes: usize,
+    /// Axes not drawn because all their nodes lie at one place.
+    pub skipped_axes: usize,
+    /// Nodes of drawn axes passed over because they lie within a tenth of a radius of the one before.
+    pub skipped_nodes: usize,
+    /// Leaves of size 0, not drawn.
+    pub skipped_leaves: usize,
+}
+
+/// Builds bark tubes and leaf cards.
+///
+/// # Errors
+/// [`MeshError::Parameter`], [`MeshError::LeafMaterials`], [`MeshError::TooLarge`] (coordinates beyond
+/// 1000 km), [`MeshError::Limit`] and [`MeshError::TooManyVertices`], both before the memory is asked
+/// for, or [`MeshError::Cancelled`].
+///
+/// # Complexity
+/// O(nodes + leaves + vertices); parallel over axes and leaves. A single axis is not divided.
+pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -> Result<Built> {
+    params.validate()?;
+    look.check(tree.species())?;
+    check_extent(tree)?;
+    control.report("plan", 0.0)?;
+    let skeleton = tree.skeleton();
+    let axes = skeleton.axes(params.continuation);
+    let circles = Circles::new(params);
+    let counts = count_axes(skeleton, &axes, &circles, control)?;
+    let wood = counts.iter().fold(Count::default(), |sum, count| Count {
+        vertices: sum.vertices + count.vertices,
+        triangles: sum.triangles + count.triangles,
+        dropped_nodes: sum.dropped_nodes + count.dropped_nodes,
+        dropped_axes: sum.dropped_axes + count.dropped_axes,
+    });
+    let cards: Vec<Card> =
+        look.leaves.iter().map(|material| Card::new(params, aspect(material))).collect();
+    let n_leaves = count_leaves(tree);
+
+    let mut triangles = wood.triangles;
+    check_vertices(0, wood.vertices)?;
+    for (kind, (&n, card)) in n_leaves.iter().zip(&cards).enumerate() {
+        check_vertices(kind + 1, n * card.n_vertices() as u64)?;
+        triangles += n * card.n_indices() as u64 / 3;
+    }
+    control.limits.check(Resource::Triangles, triangles)?;
+
+    control.report("bark", 0.1)?;
+    let mut surfaces = vec![fill_bark(skeleton, &axes, &counts, wood, &circles, control)?];
+    control.report("leaves", 0.5)?;
+    fill_leaves(tree, &n_leaves, &cards, params, control, &mut surfaces)?;
+    control.report("done", 1.0)?;
+
+    let drawn: u64 = n_leaves.iter().sum();
+    let mesh = Mesh {
+        surfaces,
+        materials: std::iter::once(&look.bark).chain(&look.leaves).cloned().collect(),
+    };
+    let report = MeshReport {
+        n_vertices: mesh.n_vertices(),
+        n_triangles: mesh.n_triangles(),
+        surfaces: mesh
+            .surfaces
+            .iter()
+            .map(|surface| (surface.positions.len(), surface.n_triangles()))
+            .collect(),
+        n_tubes: axes.len() - wood.dropped_axes as usize,
+        skipped_axes: wood.dropped_axes as usize,
+        skipped_nodes: wood.dropped_nodes as usize,
+        skipped_leaves: tree.foliage().len() - drawn as usize,
+    };
+    Ok(Built { mesh, report })
+}
+
+/// Width over height of a material's texture; 1 without one.
+fn aspect(material: &Material) -> f32 {
+    match material.texture.as_deref() {
+        Some(texture) if texture.width > 0 && texture.height > 0 => {
+            texture.width as f32 / texture.height as f32
+        }
+        _ => 1.0,
+    }
+}
+
+fn check_extent(tree: &Tree) -> Result<()> {
+    let (skeleton, foliage) = (tree.skeleton(), tree.foliage());
+    let check = |what, index, found: f32| {
+        if found <= EXTENT_MAX {
+            return Ok(());
+        }
+        Err(MeshError::TooLarge { what, index, found, max: EXTENT_MAX })
+    };
+    let all = |what, values: &mut dyn Iterator<Item = f32>| {
+        values.enumerate().try_for_each(|(index, found)| check(what, index, found))
+    };
+    let reach = |p: &Vec3| p.abs().max_element();
+    all("positions", &mut skeleton.positions().iter().map(reach))?;
+    all("radii", &mut skeleton.radii().iter().copied())?;
+    all("foliage positions", &mut foliage.positions().iter().map(reach))?;
+    all("foliage sizes", &mut foliage.sizes().iter().copied())
+}
+
+fn check_vertices(surface: usize, found: u64) -> Result<()> {
+    if found <= VERTICES_MAX {
+        return Ok(());
+    }
+    Err(MeshError::TooManyVertices { surface, found, max: VERTICES_MAX })
+}
+
+fn count_axes(
+    skeleton: &Skeleton,
+    axes: &Axes,
+    circles: &Circles,
+    control: &Control,
+) -> Result<Vec<Count>> {
+    let mut counts = vec![Count::default(); axes.len()];
+    counts.par_chunks_mut(AXES_PER_COUNT).enumerate().try_for_each_init(
+        Spine::default,
+        |spine, (chunk, counts)| {
+            for (i, count) in counts.iter_mut().enumerate() {
+                control.check()?;
+                if let Some(axis) = axes.get((chunk * AXES_PER_COUNT + i) as u32) {
+                    *count = tube::count(spine, circles, skeleton, axis);
+                }
+            }
+            Ok::<(), MeshError>(())
+        },
+    )?;
+    Ok(counts)
+}
+
+fn new_surface(n_vertices: usize, n_indices: usize, material: usize) -> Surface {
+    Surface {
+        positions: vec![Vec3::ZERO; n_vertices],
+        normals: vec![Vec3::ZERO; n_vertices],
+        uvs: vec![Vec2::ZERO; n_vertices],
+        indices: vec![0; n_indices],
+        material: material as u32,
+    }
+}
+
+fn fill_bark(
+    skeleton: &Skeleton,
+    axes: &Axes,
+    counts: &[Count],
+    wood: Count,
+    circles: &Circles,
+    control: &Control,
+) -> Result<Surface> {
+    let mut surface = new_surface(wood.vertices as usize, 3 * wood.triangles as usize, 0);
+    let mut rest = Columns {
+        positions: &mut surface.positions,
+        normals: &mut surface.normals,
+        uvs: &mut surface.uvs,
+        indices: &mut surface.indices,
+        ..Default::default()
+    };
+    let mut parts = Vec::new();
+    let mut axis = 0;
+    while axis < counts.len() {
+        let first = axis;
+        let (mut vertices, mut triangles) = (0, 0);
+        while axis < counts.len() && triangles < TRIANGLES_PER_FILL {
+            vertices += counts[axis].vertices;
+            triangles += counts[axis].triangles;
+            axis += 1;
+        }
+        parts.push((first..axis, rest.split(vertices as usize, 3 * triangles as usize)));
+    }
+    parts.into_par_iter().try_for_each_init(Scratch::default, |scratch, (numbers, mut part)| {
+        for number in numbers {
+            control.check()?;
+            let (Some(axis), count) = (axes.get(number as u32), counts[number]) else {
+                continue;
+            };
+            let mut out = part.split(count.vertices as usize, 3 * count.triangles as usize);
+            tube::fill(scratch, circles, skeleton, axis, &mut out, control)?;
+            debug_assert_eq!(out.n_vertices as u64, count.vertices);
+            debug_assert_eq!(out.n_indices as u64, 3 * count.triangles);
+        }
+        Ok::<(), MeshError>(())
+    })?;
+    Ok(surface)
+}
+
+/// Leaves of each kind that can be seen.
+fn count_leaves(tree: &Tree) -> Vec<u64> {
+    let mut counts = vec![0; tree.species().leaf_kinds.len()];
+    let foliage = tree.foliage();
+    for (&kind, &size) in foliage.kinds().iter().zip(foliage.sizes()) {
+        if size > 0.0
+            && let Some(count) = counts.get_mut(usize::from(kind))
+        {
+            *count += 1;
+        }
+    }
+    counts
+}
+
+fn fill_leaves(
+    tree: &Tree,
+    n_leaves: &[u64],
+    cards: &[Card],
+    params: &MeshParams,
+    control: &Control,
+    surfaces: &mut Vec<Surface>,
+) -> Result<()> {
+    let foliage = tree.foliage();
+    let crown = Crown::of(foliage);
+    let mut of_kind: Vec<Vec<u32>> =
+        n_leaves.iter().map(|&n| Vec::with_capacity(n as usize)).collect();
+    let rows = foliage.kinds().iter().zip(foliage.sizes()).enumerate();
+    for (leaf, (&kind, &size)) in rows {
+        if size > 0.0
+            && let Some(leaves) = of_kind.get_mut(usize::from(kind))
+        {
+            leaves.push(leaf as u32);
+        }
+    }
+    for (kind, (leaves, &card)) in of_kind.iter().zip(cards).enumerate() {
+        control.check()?;
+        let (n_vertices, n_indices) =
+            (leaves.len() * card.n_vertices(), leaves.len() * card.n_indices());
+        let mut surface = new_surface(n_vertices, n_indices, kind + 1);
+        leaf::fill(foliage, leaves, card, crown, params.leaf_rounding, &mut surface, control)?;
+        surfaces.push(surface);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+#[path = "build_tests.rs"]
+mod tests;

@@ -1,0 +1,151 @@
+//! How fine the mesh is, and how bark and leaves are laid on.
+
+use crate::error::{MeshError, Result};
+use tree_core::Continuation;
+
+/// How a tree becomes triangles. Lengths in metres, angles in radians.
+///
+/// ```
+/// use tree_mesh::MeshParams;
+/// let coarse = MeshParams { sides_max: 6, curve_error: 0.02, ..Default::default() };
+/// assert!(coarse.validate().is_ok());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshParams {
+    /// Which child goes on at a fork and which start tubes of their own. Default the thickest.
+    pub continuation: Continuation,
+    /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
+    pub sides_min: u32,
+    /// Most sides of a tube, 3 to 128. Default 24. The cost of trunk and boughs grows with it.
+    pub sides_max: u32,
+    /// How far a tube's sides may cut into the round branch, 0.01 mm to 1 m. Default 1 mm. Rules
+    /// the number of sides between the two bounds above.
+    pub side_error: f32,
+    /// Whether axes are rounded between nodes by a spline through the nodes. Default true.
+    pub smooth: bool,
+    /// How far rings may cut the corners of the spline, 0.01 mm to 1 m. Default 2 mm. Straight
+    /// segments get no extra rings.
+    pub curve_error: f32,
+    /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
+    pub radius_min: f32,
+    /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
+    /// that it goes round a whole number of times.
+    pub bark_width: f32,
+    /// Height of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m.
+    pub bark_length: f32,
+    /// How much wider the trunk is at the ground, as a share of its radius, 0 to 3; 0 turns the
+    /// root flare off. Default 0.35.
+    pub flare: f32,
+    /// Height of the root flare in radii of the trunk, 0.1 to 20. Default 3.
+    pub flare_height: f32,
+    /// Number of buttresses in the flare, 0 to 12. Default 5.
+    pub flare_lobes: u32,
+    /// How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
+    pub flare_lobe_depth: f32,
+    /// Factor on the length of every leaf card, 0.01 to 100. Default 1.
+    pub leaf_scale: f32,
+    /// Factor on the width of every leaf card, 0.01 to 100. Default 1: the card has the proportions
+    /// of its texture, or is square without one.
+    pub leaf_width: f32,
+    /// Bends leaf cards down at half their length, 0 to π/2. Default 0: flat, two triangles a leaf;
+    /// four otherwise.
+    pub leaf_bend: f32,
+    /// How far leaf normals turn from the card's own towards the outside of the crown, 0 to 1.
+    /// Default 0.6: soft light over the whole crown.
+    pub leaf_rounding: f32,
+}
+
+impl Default for MeshParams {
+    fn default() -> Self {
+        Self {
+            continuation: Continuation::Thickest,
+            sides_min: 3,
+            sides_max: 24,
+            side_error: 0.001,
+            smooth: true,
+            curve_error: 0.002,
+            radius_min: 0.0005,
+            bark_width: 0.5,
+            bark_length: 0.5,
+            flare: 0.35,
+            flare_height: 3.0,
+            flare_lobes: 5,
+            flare_lobe_depth: 0.5,
+            leaf_scale: 1.0,
+            leaf_width: 1.0,
+            leaf_bend: 0.0,
+            leaf_rounding: 0.6,
+        }
+    }
+}
+
+impl MeshParams {
+    /// Checks every field against its range.
+    ///
+    /// # Errors
+    /// [`MeshError::Parameter`], naming the first field at fault and its range.
+    pub fn validate(&self) -> Result<()> {
+        let sides_max = f64::from(self.sides_max);
+        for (field, found, min, max) in [
+            ("sides_max", sides_max, 3.0, 128.0),
+            ("sides_min", f64::from(self.sides_min), 3.0, sides_max),
+            ("side_error", f64::from(self.side_error), 1e-5, 1.0),
+            ("curve_error", f64::from(self.curve_error), 1e-5, 1.0),
+            ("radius_min", f64::from(self.radius_min), 1e-5, 0.1),
+            ("bark_width", f64::from(self.bark_width), 0.001, 1000.0),
+            ("bark_length", f64::from(self.bark_length), 0.001, 1000.0),
+            ("flare", f64::from(self.flare), 0.0, 3.0),
+            ("flare_height", f64::from(self.flare_height), 0.1, 20.0),
+            ("flare_lobes", f64::from(self.flare_lobes), 0.0, 12.0),
+            ("flare_lobe_depth", f64::from(self.flare_lobe_depth), 0.0, 0.9),
+            ("leaf_scale", f64::from(self.leaf_scale), 0.01, 100.0),
+            ("leaf_width", f64::from(self.leaf_width), 0.01, 100.0),
+            ("leaf_bend", f64::from(self.leaf_bend), 0.0, std::f64::consts::FRAC_PI_2),
+            ("leaf_rounding", f64::from(self.leaf_rounding), 0.0, 1.0),
+        ] {
+            // The bounds are decimals; a field given the same decimal as f32 may lie half a step
+            // outside.
+            let slack = f64::from(f32::EPSILON);
+            let allowed = min * (1.0 - slack)..=max * (1.0 + slack);
+            if !allowed.contains(&found) {
+                return Err(MeshError::Parameter { field, found, min, max });
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_and_the_ends_of_ranges_pass() {
+        MeshParams::default().validate().unwrap();
+        let ends = MeshParams {
+            sides_min: 3,
+            sides_max: 3,
+            side_error: 1e-5,
+            radius_min: 0.1,
+            leaf_bend: std::f32::consts::FRAC_PI_2,
+            flare_lobe_depth: 0.9,
+            ..Default::default()
+        };
+        ends.validate().unwrap();
+    }
+
+    #[test]
+    fn the_field_at_fault_is_named() {
+        let error = |change: fn(&mut MeshParams)| {
+            let mut params = MeshParams::default();
+            change(&mut params);
+            params.validate().unwrap_err().to_string()
+        };
+        assert!(error(|p| p.sides_min = 25).starts_with("sides_min is 25, allowed is 3 to 24"));
+        assert!(error(|p| p.sides_max = 2).starts_with("sides_max"));
+        assert!(error(|p| p.curve_error = f32::NAN).starts_with("curve_error"));
+        assert!(error(|p| p.radius_min = 0.0).starts_with("radius_min"));
+        assert!(error(|p| p.leaf_bend = 2.0).starts_with("leaf_bend"));
+        assert!(error(|p| p.leaf_rounding = -0.1).starts_with("leaf_rounding"));
+    }
+}
