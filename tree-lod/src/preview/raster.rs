@@ -1,0 +1,301 @@
+//! Triangles to samples.
+//!
+//! 1. Corners are fixed-point numbers, so the edge functions (Pineda 1988, "A parallel algorithm
+//!    for polygon rasterization") are exact integers. With the top-left rule, two triangles that
+//!    share an edge cover each sample along it exactly once.
+//! 2. Per row, each edge bounds the covered samples from one side; the bound is found by one exact
+//!    division per edge and row, and the inner loop is free of edge tests. (Leaves are a dozen
+//!    samples wide; testing every sample of the box cost more.)
+//! 3. The sample is tested against the depth buffer first and against the alpha of the texture
+//!    only then. At equal depth the triangle drawn first stays.
+//! 4. The mip level is chosen once per triangle.
+//!
+//! Depth and texture coordinates are affine on screen (divided by distance in perspective) and are
+//! evaluated from the triangle's first corner, not stepped, so the bits do not depend on which part
+//! of a triangle falls into which band.
+
+use super::project::{Corner, SUBSAMPLES};
+use super::texture::Level;
+
+/// Rows of a picture: depth per sample and, if wanted, the triangle seen there.
+#[derive(Debug)]
+pub(super) struct Band<'a> {
+    /// First row.
+    pub(super) top: i32,
+    pub(super) width: i32,
+    /// Row by row; larger is nearer.
+    pub(super) depth: &'a mut [f32],
+    /// As `depth`, or empty.
+    pub(super) ids: &'a mut [u32],
+}
+
+/// What decides about a sample besides depth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mask<'a> {
+    pub(super) level: &'a Level,
+    /// Interpolate alpha: the texture is magnified.
+    pub(super) smooth: bool,
+}
+
+/// Fixed-point coordinate of the middle of sample 0.
+const HALF: i32 = SUBSAMPLES / 2;
+/// Extents (in fixed-point steps) below which all numbers fit the 53 bits of an f64.
+const EXACT_EXTENT: i32 = 1 << 22;
+
+/// The first and last sample whose middle lies between fixed-point `low` and `high`.
+#[inline]
+pub(super) fn sample_range(low: i32, high: i32) -> (i32, i32) {
+    ((low - HALF + SUBSAMPLES - 1) >> 8, (high - HALF) >> 8)
+}
+
+/// An affine function on screen.
+#[derive(Clone, Copy)]
+struct Slope {
+    at_a: f32,
+    per_x: f32,
+    per_y: f32,
+}
+
+/// Draws a triangle into the rows of a band, `id` into its ids.
+#[inline]
+pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
+    band: &mut Band<'_>,
+    corners: [Corner; 3],
+    id: u32,
+    mask: Option<Mask<'_>>,
+) {
+    let [a, mut b, mut c] = corners;
+    let area = cross(&a, &b, &c);
+    if area == 0 {
+        return;
+    }
+    if area < 0 {
+        std::mem::swap(&mut b, &mut c);
+    }
+    let xs = [a.spot.x, b.spot.x, c.spot.x];
+    let ys = [a.spot.y, b.spot.y, c.spot.y];
+    let (x_low, x_high) = (xs[0].min(xs[1]).min(xs[2]), xs[0].max(xs[1]).max(xs[2]));
+    let (y_low, y_high) = (ys[0].min(ys[1]).min(ys[2]), ys[0].max(ys[1]).max(ys[2]));
+    let (left, right) = sample_range(x_low, x_high);
+    let (left, right) = (left.max(0), right.min(band.width - 1));
+    let (top, bottom) = sample_range(y_low, y_high);
+    let n_rows = (band.depth.len() / band.width.max(1) as usize) as i32;
+    let (top, bottom) = (top.max(band.top), bottom.min(band.top + n_rows - 1));
+    if left > right || top > bottom {
+        return;
+    }
+    let exact = x_high - x_low < EXACT_EXTENT && y_high - y_low < EXACT_EXTENT;
+    let edges = [Edge::new(&a, &b, top), Edge::new(&b, &c, top), Edge::new(&c, &a, top)];
+
+    let (x1, y1) = ((b.spot.x - a.spot.x) as f32, (b.spot.y - a.spot.y) as f32);
+    let (x2, y2) = ((c.spot.x - a.spot.x) as f32, (c.spot.y - a.spot.y) as f32);
+    let per_area = 1.0 / area.unsigned_abs() as f32;
+    let slope = |at_a: f32, at_b: f32, at_c: f32| {
+        let (d1, d2) = (at_b - at_a, at_c - at_a);
+        Slope {
+            at_a,
+            per_x: (d1 * y2 - d2 * y1) * per_area,
+            per_y: (x1 * d2 - x2 * d1) * per_area,
+        }
+    };
+    let depths = [a.spot.depth, b.spot.depth, c.spot.depth];
+    let depth = slope(depths[0], depths[1], depths[2]);
+    // A sliver's slopes are steep; rounding must not throw it in front of its own corners.
+    let farthest = depths[0].min(depths[1]).min(depths[2]);
+    let nearest = depths[0].max(depths[1]).max(depths[2]);
+    let uv = mask.map(|mask| {
+        let [qa, qb, qc] = if PERSPECTIVE { depths } else { [1.0; 3] };
+        let u = slope(a.uv.x * qa, b.uv.x * qb, c.uv.x * qc);
+        (mask, u, slope(a.uv.y * qa, b.uv.y * qb, c.uv.y * qc))
+    });
+
+    for y in top..=bottom {
+        let (mut first, mut last) = (left, right);
+        for edge in &edges {
+            edge.bound(y - top, exact, &mut first, &mut last);
+        }
+        if first > last {
+            continue;
+        }
+        let row = (y - band.top) as usize * band.width as usize;
+        let span = row + first as usize..=row + last as usize;
+        let dy = (y * SUBSAMPLES + HALF - a.spot.y) as f32;
+        let x_start = first * SUBSAMPLES + HALF - a.spot.x;
+        let depth_row = depth.at_a + dy * depth.per_y;
+        let Some(depths) = band.depth.get_mut(span.clone()) else { continue };
+        let depth_at = |i: usize| {
+            let dx = (x_start + (i as i32) * SUBSAMPLES) as f32;
+            (dx, (depth_row + dx * depth.per_x).max(farthest).min(nearest))
+        };
+        match &uv {
+            None => {
+                if IDS {
+                    let Some(ids) = band.ids.get_mut(span) else { continue };
+                    for (i, (held, held_id)) in depths.iter_mut().zip(ids).enumerate() {
+                        let (_, found) = depth_at(i);
+                        if found > *held {
+                            *held = found;
+                            *held_id = id;
+                        }
+                    }
+                } else {
+                    for (i, held) in depths.iter_mut().enumerate() {
+                        *held = held.max(depth_at(i).1);
+                    }
+                }
+            }
+            Some((mask, u, v)) => {
+                let (u_row, v_row) = (u.at_a + dy * u.per_y, v.at_a + dy * v.per_y);
+                for i in 0..depths.len() {
+                    let (dx, found) = depth_at(i);
+                    if found <= depths[i] {
+                        continue;
+                    }
+                    let far = if PERSPECTIVE { 1.0 / found } else { 1.0 };
+                    let (u, v) = ((u_row + dx * u.per_x) * far, (v_row + dx * v.per_x) * far);
+                    let covered = if mask.smooth {
+                        mask.level.covers_smoothly(u, v)
+                    } else {
+                        mask.level.covers(u, v)
+                    };
+                    if covered {
+                        depths[i] = found;
+                        if IDS {
+                            band.ids[row + first as usize + i] = id;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Twice the signed area, exactly.
+#[inline]
+pub(super) fn cross(a: &Corner, b: &Corner, c: &Corner) -> i64 {
+    let (x1, y1) = (i64::from(b.spot.x) - i64::from(a.spot.x), i64::from(b.spot.y) - i64::from(a.spot.y));
+    let (x2, y2) = (i64::from(c.spot.x) - i64::from(a.spot.x), i64::from(c.spot.y) - i64::from(a.spot.y));
+    x1 * y2 - x2 * y1
+}
+
+/// A sample x of row r is inside where `start + r·per_row + x·per_x` is not negative.
+#[derive(Clone, Copy)]
+struct Edge {
+    start: i64,
+    per_row: i64,
+    per_x: i64,
+}
+
+impl Edge {
+    /// From `a` to `b`, the inside being where the cross product is positive; row 0 is `top`.
+    #[inline]
+    fn new(a: &Corner, b: &Corner, top: i32) -> Self {
+        let dx = i64::from(b.spot.x) - i64::from(a.spot.x);
+        let dy = i64::from(b.spot.y) - i64::from(a.spot.y);
+        let (px, py) = (i64::from(HALF), i64::from(top) * i64::from(SUBSAMPLES) + i64::from(HALF));
+        let start = dx * (py - i64::from(a.spot.y)) - dy * (px - i64::from(a.spot.x));
+        // Samples on the edge itself belong to the triangle only if the edge is a top or left one.
+        let owns = dy < 0 || dy == 0 && dx > 0;
+        Self {
+            start: if owns { start } else { start - 1 },
+            per_row: dx * i64::from(SUBSAMPLES),
+            per_x: -dy * i64::from(SUBSAMPLES),
+        }
+    }
+
+    /// Narrows the samples `first..=last` to the inside of this edge in a row.
+    #[inline]
+    fn bound(&self, row: i32, exact: bool, first: &mut i32, last: &mut i32) {
+        let at_zero = self.start + i64::from(row) * self.per_row;
+        if self.per_x == 0 {
+            if at_zero < 0 {
+                *last = i32::MIN;
+            }
+            return;
+        }
+        let slope = self.per_x.abs();
+        let quotient = if exact { floor_div(at_zero, slope) } else { at_zero.div_euclid(slope) };
+        let quotient = quotient.clamp(-1 << 30, 1 << 30) as i32;
+        if self.per_x > 0 {
+            *first = (*first).max(-quotient);
+        } else {
+            *last = (*last).min(quotient);
+        }
+    }
+}
+
+/// `n / d` rounded down, for `d > 0` and both below 2⁵³: a correctly rounded quotient lies on the
+/// same side of every integer as the true one, because it misses integers by at least 1 / d.
+#[inline]
+fn floor_div(n: i64, d: i64) -> i64 {
+    let quotient = n as f64 / d as f64;
+    let whole = quotient as i64;
+    whole - i64::from((whole as f64) > quotient)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::project::Spot;
+    use super::*;
+    use glam::Vec2;
+    use proptest::prelude::*;
+
+    fn corner(x: i32, y: i32, depth: f32) -> Corner {
+        Corner { spot: Spot { x, y, depth }, uv: Vec2::ZERO }
+    }
+
+    fn cover(corners: [Corner; 3], side: i32) -> Vec<bool> {
+        let mut depth = vec![f32::NEG_INFINITY; (side * side) as usize];
+        let mut ids = vec![0; depth.len()];
+        let mut band = Band { top: 0, width: side, depth: &mut depth, ids: &mut ids };
+        draw::<true, false>(&mut band, corners, 7, None);
+        ids.iter().map(|&id| id == 7).collect()
+    }
+
+    #[test]
+    fn half_a_square_covers_half_its_samples() {
+        let s = SUBSAMPLES;
+        let (a, b, c, d) =
+            (corner(0, 0, 1.0), corner(16 * s, 0, 1.0), corner(0, 16 * s, 1.0), corner(16 * s, 16 * s, 1.0));
+        let count = |covered: Vec<bool>| covered.iter().filter(|&&on| on).count();
+        let (upper, lower) = (count(cover([a, b, c], 16)), count(cover([b, d, c], 16)));
+        // The 16 samples on the diagonal belong to one of them.
+        assert_eq!((upper + lower, upper.abs_diff(lower)), (256, 16));
+    }
+
+    proptest! {
+        #[test]
+        fn a_fan_covers_each_sample_exactly_once(
+            middle in (0..16 * 256, 0..16 * 256),
+            ring in prop::collection::vec(0..4 * 16 * 256, 3..8),
+        ) {
+            // Points on the border of the square in order, and all four corners of it.
+            let side = 16 * SUBSAMPLES;
+            let mut ring = ring;
+            ring.extend([0, side, 2 * side, 3 * side]);
+            ring.sort_unstable();
+            ring.dedup();
+            let on_border = |t: i32| match t / side {
+                0 => corner(t, 0, 1.0),
+                1 => corner(side, t - side, 1.0),
+                2 => corner(3 * side - t, side, 1.0),
+                _ => corner(0, 4 * side - t, 1.0),
+            };
+            let middle = corner(middle.0, middle.1, 1.0);
+            let mut times = vec![0; 256];
+            for i in 0..ring.len() {
+                let next = ring[(i + 1) % ring.len()];
+                let covered = cover([middle, on_border(ring[i]), on_border(next)], 16);
+                times.iter_mut().zip(covered).for_each(|(n, on)| *n += i32::from(on));
+            }
+            prop_assert!(times.iter().all(|&n| n == 1), "{times:?}");
+        }
+
+        #[test]
+        fn the_quotient_is_rounded_down(n in -(1_i64 << 52)..1 << 52, d in 1_i64..1 << 30, k in -1000_i64..1000) {
+            prop_assert_eq!(floor_div(n, d), n.div_euclid(d));
+            prop_assert_eq!(floor_div(k * d, d), k);
+            prop_assert_eq!(floor_div(k * d - 1, d), (k * d - 1).div_euclid(d));
+        }
+    }
+}
