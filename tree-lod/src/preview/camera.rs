@@ -34,7 +34,7 @@ pub struct Framing {
     /// Where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a quarter
     /// turn on +X. Finite; default 0.6.
     pub yaw: f32,
-    /// How far the camera looks down, in radians, -π/2 (from below) to π/2 (from above). Default 0.14.
+    /// How far the camera looks down, in radians, -π/2 (from below) to π/2 (from above). Default 0.09.
     pub pitch: f32,
     /// Vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens. Unused when
     /// `orthographic`.
@@ -49,7 +49,7 @@ impl Default for Framing {
     fn default() -> Self {
         Self {
             yaw: 0.6,
-            pitch: 0.14,
+            pitch: 0.09,
             fov: 0.6,
             margin: 0.06,
             orthographic: false,

@@ -4,8 +4,8 @@
 //!    for polygon rasterization") are exact integers. With the top-left rule, two triangles that
 //!    share an edge cover each sample along it exactly once.
 //! 2. Per row, each edge bounds the covered samples from one side; the bound is found by one exact
-//!    division per edge and row, and the inner loop is free of edge tests. (Leaves are a dozen
-//!    samples wide; testing every sample of the box cost more.)
+//!    division per edge and row, and the inner loop is free of edge tests. Small triangles, which
+//!    is nearly all of them, do this in 32 bits with a reciprocal and a correction.
 //! 3. The sample is tested against the depth buffer first and against the alpha of the texture
 //!    only then. At equal depth the triangle drawn first stays.
 //! 4. The mip level is chosen once per triangle.
@@ -33,14 +33,25 @@ pub(super) struct Band<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mask<'a> {
     pub(super) level: &'a Level,
-    /// Interpolate alpha: the texture is magnified.
-    pub(super) smooth: bool,
+    pub(super) filter: Filter,
+}
+
+/// How alpha is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Filter {
+    /// The nearest texel; no corner lies outside 0 to 1.
+    Within,
+    /// The nearest texel; coordinates repeat.
+    Repeat,
+    /// Interpolated: the texture is magnified.
+    Smooth,
 }
 
 /// Fixed-point coordinate of the middle of sample 0.
 const HALF: i32 = SUBSAMPLES / 2;
-/// Extents (in fixed-point steps) below which all numbers fit the 53 bits of an f64.
-const EXACT_EXTENT: i32 = 1 << 22;
+/// Extents (in fixed-point steps, 64 samples) up to which edge functions fit into 32 bits: each
+/// product below 2¹⁴ · 2¹⁴, two of them, and room for the corrections.
+const SMALL_EXTENT: i64 = 1 << 14;
 
 /// The first and last sample whose middle lies between fixed-point `low` and `high`.
 #[inline]
@@ -84,8 +95,34 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
     if left > right || top > bottom {
         return;
     }
-    let exact = x_high - x_low < EXACT_EXTENT && y_high - y_low < EXACT_EXTENT;
-    let edges = [Edge::new(&a, &b, top), Edge::new(&b, &c, top), Edge::new(&c, &a, top)];
+    let size = (i64::from(x_high) - i64::from(x_low)).max(i64::from(y_high) - i64::from(y_low));
+    let edges = [(&a, &b), (&b, &c), (&c, &a)].map(|(a, b)| Edge::new(a, b, left, top));
+    if size <= SMALL_EXTENT {
+        let edges = edges.map(SmallEdge::from);
+        let bounds = |row: i32, first: &mut i32, last: &mut i32| {
+            edges.iter().for_each(|edge| edge.bound(row, first, last));
+        };
+        fill::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom], bounds);
+    } else {
+        let bounds = |row: i32, first: &mut i32, last: &mut i32| {
+            edges.iter().for_each(|edge| edge.bound(row, first, last));
+        };
+        fill::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom], bounds);
+    }
+}
+
+/// Draws the samples of a box that `bounds` leaves in each row. It is given the row from the top of
+/// the box and narrows the first and last sample, counted from the left of the box.
+#[inline]
+fn fill<const IDS: bool, const PERSPECTIVE: bool>(
+    band: &mut Band<'_>,
+    [a, b, c]: [Corner; 3],
+    id: u32,
+    mask: Option<Mask<'_>>,
+    area: i64,
+    [left, right, top, bottom]: [i32; 4],
+    bounds: impl Fn(i32, &mut i32, &mut i32),
+) {
 
     let (x1, y1) = ((b.spot.x - a.spot.x) as f32, (b.spot.y - a.spot.y) as f32);
     let (x2, y2) = ((c.spot.x - a.spot.x) as f32, (c.spot.y - a.spot.y) as f32);
@@ -110,13 +147,12 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
     });
 
     for y in top..=bottom {
-        let (mut first, mut last) = (left, right);
-        for edge in &edges {
-            edge.bound(y - top, exact, &mut first, &mut last);
-        }
+        let (mut first, mut last) = (0, right - left);
+        bounds(y - top, &mut first, &mut last);
         if first > last {
             continue;
         }
+        let (first, last) = (left + first, left + last);
         let row = (y - band.top) as usize * band.width as usize;
         let span = row + first as usize..=row + last as usize;
         let dy = (y * SUBSAMPLES + HALF - a.spot.y) as f32;
@@ -146,20 +182,20 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
             }
             Some((mask, u, v)) => {
                 let (u_row, v_row) = (u.at_a + dy * u.per_y, v.at_a + dy * v.per_y);
-                for i in 0..depths.len() {
+                for (i, held) in depths.iter_mut().enumerate() {
                     let (dx, found) = depth_at(i);
-                    if found <= depths[i] {
+                    if found <= *held {
                         continue;
                     }
                     let far = if PERSPECTIVE { 1.0 / found } else { 1.0 };
                     let (u, v) = ((u_row + dx * u.per_x) * far, (v_row + dx * v.per_x) * far);
-                    let covered = if mask.smooth {
-                        mask.level.covers_smoothly(u, v)
-                    } else {
-                        mask.level.covers(u, v)
+                    let covered = match mask.filter {
+                        Filter::Within => mask.level.covers_within(u, v),
+                        Filter::Repeat => mask.level.covers(u, v),
+                        Filter::Smooth => mask.level.covers_smoothly(u, v),
                     };
                     if covered {
-                        depths[i] = found;
+                        *held = found;
                         if IDS {
                             band.ids[row + first as usize + i] = id;
                         }
@@ -178,7 +214,8 @@ pub(super) fn cross(a: &Corner, b: &Corner, c: &Corner) -> i64 {
     x1 * y2 - x2 * y1
 }
 
-/// A sample x of row r is inside where `start + r·per_row + x·per_x` is not negative.
+/// A sample x of row r (both counted from the corner of the triangle's box) is inside where
+/// `start + r·per_row + x·per_x` is not negative.
 #[derive(Clone, Copy)]
 struct Edge {
     start: i64,
@@ -187,13 +224,13 @@ struct Edge {
 }
 
 impl Edge {
-    /// From `a` to `b`, the inside being where the cross product is positive; row 0 is `top`.
+    /// From `a` to `b`, the inside being where the cross product is positive.
     #[inline]
-    fn new(a: &Corner, b: &Corner, top: i32) -> Self {
+    fn new(a: &Corner, b: &Corner, left: i32, top: i32) -> Self {
+        let middle = |sample: i32| i64::from(sample) * i64::from(SUBSAMPLES) + i64::from(HALF);
         let dx = i64::from(b.spot.x) - i64::from(a.spot.x);
         let dy = i64::from(b.spot.y) - i64::from(a.spot.y);
-        let (px, py) = (i64::from(HALF), i64::from(top) * i64::from(SUBSAMPLES) + i64::from(HALF));
-        let start = dx * (py - i64::from(a.spot.y)) - dy * (px - i64::from(a.spot.x));
+        let start = dx * (middle(top) - i64::from(a.spot.y)) - dy * (middle(left) - i64::from(a.spot.x));
         // Samples on the edge itself belong to the triangle only if the edge is a top or left one.
         let owns = dy < 0 || dy == 0 && dx > 0;
         Self {
@@ -205,32 +242,67 @@ impl Edge {
 
     /// Narrows the samples `first..=last` to the inside of this edge in a row.
     #[inline]
-    fn bound(&self, row: i32, exact: bool, first: &mut i32, last: &mut i32) {
-        let at_zero = self.start + i64::from(row) * self.per_row;
-        if self.per_x == 0 {
-            if at_zero < 0 {
-                *last = i32::MIN;
-            }
-            return;
-        }
-        let slope = self.per_x.abs();
-        let quotient = if exact { floor_div(at_zero, slope) } else { at_zero.div_euclid(slope) };
-        let quotient = quotient.clamp(-1 << 30, 1 << 30) as i32;
+    fn bound(&self, row: i32, first: &mut i32, last: &mut i32) {
+        let at_left = self.start + i64::from(row) * self.per_row;
+        let clamp = |quotient: i64| quotient.clamp(-1, 1 << 30) as i32;
         if self.per_x > 0 {
-            *first = (*first).max(-quotient);
-        } else {
-            *last = (*last).min(quotient);
+            *first = (*first).max(clamp(-at_left.div_euclid(self.per_x)));
+        } else if self.per_x < 0 {
+            *last = (*last).min(clamp(at_left.div_euclid(-self.per_x)));
+        } else if at_left < 0 {
+            *last = -1;
         }
     }
 }
 
-/// `n / d` rounded down, for `d > 0` and both below 2⁵³: a correctly rounded quotient lies on the
-/// same side of every integer as the true one, because it misses integers by at least 1 / d.
-#[inline]
-fn floor_div(n: i64, d: i64) -> i64 {
-    let quotient = n as f64 / d as f64;
-    let whole = quotient as i64;
-    whole - i64::from((whole as f64) > quotient)
+/// An [`Edge`] of a small triangle.
+#[derive(Clone, Copy)]
+struct SmallEdge {
+    start: i32,
+    per_row: i32,
+    /// The absolute value of `per_x`, and its reciprocal (0 for a horizontal edge).
+    slope: i32,
+    per_slope: f32,
+    rising: bool,
+}
+
+impl From<Edge> for SmallEdge {
+    #[inline]
+    fn from(edge: Edge) -> Self {
+        let slope = edge.per_x.unsigned_abs() as i32;
+        Self {
+            start: edge.start as i32,
+            per_row: edge.per_row as i32,
+            slope,
+            per_slope: if slope > 0 { 1.0 / slope as f32 } else { 0.0 },
+            rising: edge.per_x > 0,
+        }
+    }
+}
+
+impl SmallEdge {
+    #[inline]
+    fn bound(&self, row: i32, first: &mut i32, last: &mut i32) {
+        let at_left = self.start + row * self.per_row;
+        if self.rising {
+            if at_left < 0 {
+                *first = (*first).max(self.quotient(self.slope - 1 - at_left));
+            }
+        } else if at_left < 0 {
+            *last = -1;
+        } else if self.slope > 0 {
+            *last = (*last).min(self.quotient(at_left));
+        }
+    }
+
+    /// `n / slope` rounded down, for `n` from 0 to 2³⁰ and a slope of at least [`SUBSAMPLES`]: the
+    /// product is off by less than one half, which the remainder corrects.
+    #[inline]
+    fn quotient(&self, n: i32) -> i32 {
+        let near = (n as f32 * self.per_slope) as i32;
+        let rest = n - near * self.slope;
+        near - i32::from(rest < 0) + i32::from(rest >= self.slope)
+    }
 }
 
 #[cfg(test)]
@@ -292,10 +364,31 @@ mod tests {
         }
 
         #[test]
-        fn the_quotient_is_rounded_down(n in -(1_i64 << 52)..1 << 52, d in 1_i64..1 << 30, k in -1000_i64..1000) {
-            prop_assert_eq!(floor_div(n, d), n.div_euclid(d));
-            prop_assert_eq!(floor_div(k * d, d), k);
-            prop_assert_eq!(floor_div(k * d - 1, d), (k * d - 1).div_euclid(d));
+        fn the_quotient_is_rounded_down(n in 0..1 << 30, steps in 1..1 << 14, k in 0..64) {
+            let slope = steps * SUBSAMPLES;
+            let edge = SmallEdge::from(Edge { start: 0, per_row: 0, per_x: i64::from(slope) });
+            prop_assert_eq!(edge.quotient(n), n / slope);
+            prop_assert_eq!(edge.quotient(k * slope), k);
+            prop_assert_eq!(edge.quotient(k * slope + slope - 1), k);
+        }
+
+        #[test]
+        fn small_and_large_triangles_are_drawn_alike(
+            at in prop::array::uniform3((-500..16 * 256 + 500, -500..16 * 256 + 500)),
+        ) {
+            let [a, b, c] = at.map(|(x, y)| corner(x, y, 1.0));
+            let (left, top) = (0, 0);
+            for (from, to) in [(&a, &b), (&b, &c), (&c, &a)] {
+                let edge = Edge::new(from, to, left, top);
+                let small = SmallEdge::from(edge);
+                for row in 0..16 {
+                    let (mut large, mut little) = ((0, 15), (0, 15));
+                    edge.bound(row, &mut large.0, &mut large.1);
+                    small.bound(row, &mut little.0, &mut little.1);
+                    let empty = |(first, last): (i32, i32)| first > last;
+                    prop_assert!(large == little || empty(large) && empty(little));
+                }
+            }
         }
     }
 }

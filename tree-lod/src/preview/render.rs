@@ -169,8 +169,12 @@ fn light<'a>(scene: &'a Scene<'_>, style: &'a Style, control: &Control) -> Resul
         + sky.iter().map(|sky| sky.light * sky.direction.y).sum::<Vec3>();
     let ground = style.ground.map_or(NO_GROUND, |_| Vec3::from_array(style.ground_color));
     let noise = Seed(0).stream("ground");
-    Ok(Shader { scene, style, sun, sun_map, sky, bounce: ground * on_ground, noise })
+    let sky_texel = sky.iter().filter_map(|sky| sky.map.as_ref()).map(|map| map.texel).fold(0.0, f32::max);
+    Ok(Shader { scene, style, sun, sun_map, sky, sky_texel, bounce: ground * on_ground, noise })
 }
+
+/// Turns the samples of a row of pixels, which has this number, into bytes.
+type Finish<'a> = dyn Fn(&[u32], u32, &mut [u8]) + Sync + 'a;
 
 /// Draws all bands: clears samples by `clear`, finds the nearest triangles, and turns each row of
 /// pixels (`bytes` per pixel) over to `finish` with its rows of samples.
@@ -183,7 +187,7 @@ fn draw(
     pixels: &mut [u8],
     bytes: usize,
     clear: &(dyn Fn(i32, i32) -> (f32, u32) + Sync),
-    finish: &(dyn Fn(&[u32], u32, &mut [u8]) + Sync),
+    finish: &Finish<'_>,
 ) -> Result<()> {
     let mut spots = Vec::new();
     project_all(scene, projector, &mut spots);

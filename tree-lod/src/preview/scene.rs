@@ -143,10 +143,14 @@ pub(super) fn texel_area(uvs: [Vec2; 3], pyramid: &Pyramid) -> f32 {
     a.perp_dot(b).abs() * level.width as f32 * level.height as f32
 }
 
+/// Brought into 0 to 1; NaN becomes 0.
+fn unit(v: f32) -> f32 {
+    if v > 0.0 { v.min(1.0) } else { 0.0 }
+}
+
 impl Skin {
     /// `wanted` collects textures with their cutoffs; equal ones are shared.
     fn new<'a>(material: &'a Material, colors: bool, wanted: &mut Vec<(&'a Material, u16)>) -> Self {
-        let unit = |v: f32| v.max(0.0).min(1.0);
         let alpha = unit(material.base_color[3]);
         let cutoff = match material.alpha {
             Alpha::Opaque => 0,
@@ -178,7 +182,7 @@ impl Skin {
                 wanted.len() - 1
             })
         });
-        let [r, g, b, _] = material.base_color.map(|v| v.max(0.0).min(4.0));
+        let [r, g, b, _] = material.base_color.map(|v| if v > 0.0 { v.min(4.0) } else { 0.0 });
         Self {
             cover,
             pyramid,

@@ -37,6 +37,8 @@ pub(super) struct Shader<'a> {
     pub(super) sun: Vec3,
     pub(super) sun_map: Option<DepthMap>,
     pub(super) sky: Vec<SkyLight>,
+    /// Largest texel of the sky's maps, in metres.
+    pub(super) sky_texel: f32,
     /// What the ground throws back where the sun shines.
     pub(super) bounce: Vec3,
     pub(super) noise: Seed,
@@ -75,8 +77,8 @@ impl Shader<'_> {
         let from_a = origin - a;
         let (mut u, mut v) = (1.0 / 3.0, 1.0 / 3.0);
         if facing != 0.0 {
-            u = (from_a.dot(p) / facing).max(0.0).min(1.0);
-            v = (direction.dot(from_a.cross(ab)) / facing).max(0.0).min(1.0 - u);
+            u = (from_a.dot(p) / facing).clamp(0.0, 1.0);
+            v = (direction.dot(from_a.cross(ab)) / facing).clamp(0.0, 1.0 - u);
         }
         let position = a + ab * u + ac * v;
         let [na, nb, nc] = rows.map(|row| surface.normals[row]);
@@ -140,6 +142,8 @@ impl Shader<'_> {
 
     fn ambient(&self, position: Vec3, normal: Vec3, two_sided: bool) -> Ambient {
         let mut ambient = Ambient { front: Vec3::ZERO, back: Vec3::ZERO, open: 0.0 };
+        let bias = SKY_BIAS_TEXELS * self.sky_texel;
+        let (before, after) = (position + normal * bias, position - normal * bias);
         for sky in &self.sky {
             let cosine = normal.dot(sky.direction);
             if cosine <= 0.0 && !two_sided {
@@ -147,9 +151,9 @@ impl Shader<'_> {
             }
             let seen = match &sky.map {
                 Some(map) => {
-                    let outward = if cosine < 0.0 { -normal } else { normal };
-                    let shifted = position + (outward + sky.direction) * (SKY_BIAS_TEXELS * map.texel);
-                    SCATTERED + (1.0 - SCATTERED) * map.light_at(shifted, SKY_SOFT_TEXELS * map.texel)
+                    let shifted = if cosine < 0.0 { after } else { before };
+                    let hidden = map.light_at(shifted, bias, SKY_SOFT_TEXELS * self.sky_texel);
+                    SCATTERED + (1.0 - SCATTERED) * hidden
                 }
                 None => 1.0,
             };
@@ -184,7 +188,7 @@ impl Shader<'_> {
         let mut light = self.style.sun_light() * (shining * self.sun.y);
         for sky in &self.sky {
             let seen = match &sky.map {
-                Some(map) => map.light_at(position, 0.5 * map.texel),
+                Some(map) => map.light_at(position, 0.0, 0.5 * map.texel),
                 None => 1.0,
             };
             light += sky.light * (seen * sky.direction.y);

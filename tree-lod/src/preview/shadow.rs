@@ -101,29 +101,29 @@ impl DepthMap {
         Vec3::new(self.across.dot(p), self.down.dot(p), self.toward.dot(p)) + self.origin
     }
 
-    /// Share of light that reaches `p`, 0 to 1, over 2×2 texels. Whatever is hidden by less than
-    /// `soft` metres is hidden in part only: leaves let light pass, and it softens the texels.
+    /// Share of light that reaches `p`, moved `bias` metres towards the light: 0 to 1, over 2×2
+    /// texels. What is hidden by less than `soft` metres is hidden in part only: leaves let light
+    /// pass, and it softens the texels.
     #[inline]
-    pub(super) fn light_at(&self, p: Vec3, soft: f32) -> f32 {
+    pub(super) fn light_at(&self, p: Vec3, bias: f32, soft: f32) -> f32 {
         let q = self.place(p);
         let (x, y) = (q.x - 0.5, q.y - 0.5);
         if !(x >= 0.0 && y >= 0.0 && x < (self.width - 1) as f32 && y < (self.height - 1) as f32) {
             return 1.0;
         }
-        let (column, row) = (x as usize, y as usize);
+        let (column, row) = (x as i32, y as i32);
         let (fx, fy) = (x - column as f32, y - row as f32);
-        let at = row * self.width + column;
+        let at = row as usize * self.width + column as usize;
         let (Some(&[a, b]), Some(&[c, d])) = (
             self.depth.get(at..).and_then(<[f32]>::first_chunk),
             self.depth.get(at + self.width..).and_then(<[f32]>::first_chunk),
         ) else {
             return 1.0;
         };
-        let per_soft = 1.0 / soft;
-        let lit = |held: f32| (1.0 - (held - q.z) * per_soft).max(0.0).min(1.0);
-        let upper = lit(a) * (1.0 - fx) + lit(b) * fx;
-        let lower = lit(c) * (1.0 - fx) + lit(d) * fx;
-        upper * (1.0 - fy) + lower * fy
+        let (near, per_soft) = (q.z + bias + soft, 1.0 / soft);
+        let [a, b, c, d] = [a, b, c, d].map(|held| ((near - held) * per_soft).clamp(0.0, 1.0));
+        let (upper, lower) = (a + (b - a) * fx, c + (d - c) * fx);
+        upper + (lower - upper) * fy
     }
 
     /// As [`light_at`](Self::light_at), over a smooth window of 4×4 texels: for the sun.
@@ -143,7 +143,7 @@ impl DepthMap {
             let Some(&[a, b, c, d]) = self.depth.get(at..).and_then(<[f32]>::first_chunk) else {
                 return 1.0;
             };
-            let lit = |held: f32| (1.0 - (held - q.z) * per_soft).max(0.0).min(1.0);
+            let lit = |held: f32| (1.0 - (held - q.z) * per_soft).clamp(0.0, 1.0);
             sum += weight * (lit(a) * (1.0 - fx) + lit(b) + lit(c) + lit(d) * fx);
         }
         sum * (1.0 / 9.0)

@@ -124,6 +124,16 @@ impl Level {
         u16::from(self.alpha[texel]) >= self.cutoff
     }
 
+    /// As [`covers`](Self::covers), for coordinates that should lie within 0 to 1: what rounding
+    /// throws out is brought back to the border.
+    #[inline]
+    pub(super) fn covers_within(&self, u: f32, v: f32) -> bool {
+        let x = ((u * self.width as f32) as i32).clamp(0, self.width as i32 - 1);
+        let y = ((v * self.height as f32) as i32).clamp(0, self.height as i32 - 1);
+        let texel = y as usize * self.width as usize + x as usize;
+        u16::from(self.alpha[texel]) >= self.cutoff
+    }
+
     /// As [`covers`](Self::covers), with alpha interpolated between texels: for close-ups.
     #[inline]
     pub(super) fn covers_smoothly(&self, u: f32, v: f32) -> bool {

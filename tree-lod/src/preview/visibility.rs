@@ -7,7 +7,7 @@
 
 use super::camera::Projector;
 use super::project::{Corner, MOST_CORNERS, Spot, clip};
-use super::raster::{Band, Mask, cross, draw, sample_range};
+use super::raster::{Band, Filter, Mask, cross, draw, sample_range};
 use super::scene::{Cover, Scene, texel_area};
 use glam::Vec2;
 use rayon::prelude::*;
@@ -174,7 +174,14 @@ impl Stage<'_> {
             pyramid.map(|pyramid| {
                 // `area` is in steps².
                 let texels = texel_area(uvs, pyramid) * 65536.0 / area.max(1.0);
-                Mask { level: pyramid.level(texels), smooth: texels < MAGNIFIED }
+                let filter = if texels < MAGNIFIED {
+                    Filter::Smooth
+                } else if uvs.iter().all(|uv| uv.min_element() >= 0.0 && uv.max_element() <= 1.0) {
+                    Filter::Within
+                } else {
+                    Filter::Repeat
+                };
+                Mask { level: pyramid.level(texels), filter }
             })
         };
         let mut draw = |corners: [Corner; 3]| {
