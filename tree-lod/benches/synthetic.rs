@@ -1,4 +1,4 @@
-//! A tree of given size, made of random leaves in an ellipsoid and tubes: as heavy as a real one.
+//! A tree of given size, made of random leaves around tubes in an ellipsoid: as heavy as a real one.
 
 use std::f32::consts::TAU;
 use std::sync::Arc;
@@ -7,19 +7,24 @@ use tree_lod::tree_core::{Rng, Seed, seed};
 use tree_lod::tree_mesh::{Alpha, Material, Mesh, Surface, Texture};
 
 /// Crown of about 10 m across; `n_triangles` in all, 30 % bark and 70 % leaf cards.
-pub fn tree(n_triangles: usize) -> Mesh {
+pub(crate) fn tree(n_triangles: usize) -> Mesh {
     let mut rng = Seed(1).rng();
     let mut bark = Surface { material: 0, ..Surface::default() };
     let n_tubes = (n_triangles * 3 / 10 / TRIANGLES_PER_TUBE).max(1);
     tube(&mut bark, Vec3::ZERO, Vec3::new(0.0, 6.0, 0.0), 0.25);
+    let mut twigs = Vec::new();
     for _ in 1..n_tubes {
         let tip = in_crown(&mut rng);
         let from = Vec3::new(0.0, 2.5, 0.0).lerp(tip, seed::uniform(&mut rng, 0.5, 0.95));
         tube(&mut bark, from, tip, 0.012);
+        twigs.push(tip);
     }
+    // Leaves stand around the tips, twig by twig, as a modeler would write them.
     let mut leaves = Surface { material: 1, ..Surface::default() };
-    for _ in 0..(n_triangles - bark.n_triangles()) / 2 {
-        let at = in_crown(&mut rng);
+    let n_leaves = (n_triangles - bark.n_triangles()) / 2;
+    for i in 0..n_leaves {
+        let tip = twigs.get(i * twigs.len() / n_leaves).copied().unwrap_or(Vec3::Y * 6.0);
+        let at = tip + seed::in_unit_ball(&mut rng) * 0.6;
         let spin = Quat::from_axis_angle(seed::unit_vector(&mut rng), seed::uniform(&mut rng, 0.0, TAU));
         quad(&mut leaves, at, spin, 0.1);
     }

@@ -19,6 +19,8 @@ use tree_mesh::Mesh;
 
 /// Samples that one thread draws at a time: depth and triangle of each fit its cache.
 const SAMPLES_PER_BAND: usize = 1 << 16;
+/// Width in pixels of the blocks in which a band is shaded.
+const BLOCK: usize = 16;
 /// Directions of sky light where no depth maps are wanted.
 const OPEN_SKY: u32 = 16;
 /// Colour of what the ground throws back, relative to light on it, where there is no ground.
@@ -67,25 +69,38 @@ pub fn render(mesh: &Mesh, view: &View, style: &Style, control: &Control) -> Res
         }
         None => (f32::NEG_INFINITY, NOTHING),
     };
-    let finish = |ids: &[u32], row: u32, line: &mut [u8]| {
+    let shade = |seen: &[(u32, u32, u32, u32)], x: u32, y: u32| {
+        let mut light = Vec3::ZERO;
+        for &(id, count, dx, dy) in seen {
+            let n = count as f32;
+            let ray = projector.ray(
+                (x * view.samples) as f32 + dx as f32 / n + 0.5,
+                (y * view.samples) as f32 + dy as f32 / n + 0.5,
+            );
+            let color = match (id, ground) {
+                (GROUND, Some((height, _))) => shader.ground(height, ray, pixel_angle),
+                (NOTHING | GROUND, _) => style.backdrop(ray.1.normalize(), shader.sun),
+                _ => shader.triangle(id, ray, &projector, 1.0 / (samples * samples)),
+            };
+            light += color * n;
+        }
+        tone.bytes(light / (samples * samples))
+    };
+    let finish = |ids: &[u32], top: u32, out: &mut [u8]| {
         let mut seen = Vec::new();
-        for (x, pixel) in line.chunks_exact_mut(4).enumerate() {
-            gather(ids, x, view, &mut seen);
-            let mut light = Vec3::ZERO;
-            for &(id, count, dx, dy) in &seen {
-                let n = count as f32;
-                let ray = projector.ray(
-                    (x as u32 * view.samples) as f32 + dx as f32 / n + 0.5,
-                    (row * view.samples) as f32 + dy as f32 / n + 0.5,
-                );
-                let color = match (id, ground) {
-                    (GROUND, Some((height, _))) => shader.ground(height, ray, pixel_angle),
-                    (NOTHING | GROUND, _) => style.backdrop(ray.1.normalize(), shader.sun),
-                    _ => shader.triangle(id, ray, &projector, 1.0 / (samples * samples)),
-                };
-                light += color * n;
+        let width = view.width as usize;
+        let n_rows = out.len() / (4 * width);
+        let stride = view.samples as usize * view.samples as usize * width;
+        // Block by block: neighbours look up the same triangles and the same part of each map.
+        for left in (0..width).step_by(BLOCK) {
+            for row in 0..n_rows {
+                let ids = &ids[row * stride..][..stride];
+                for x in left..width.min(left + BLOCK) {
+                    gather(ids, x, view, &mut seen);
+                    let bytes = shade(&seen, x as u32, top + row as u32);
+                    out[4 * (row * width + x)..][..4].copy_from_slice(&bytes);
+                }
             }
-            pixel.copy_from_slice(&tone.bytes(light / (samples * samples)));
         }
     };
     draw(&scene, view, &projector, control, &mut pixels, 4, &clear, &finish)?;
@@ -108,11 +123,11 @@ pub fn mask(mesh: &Mesh, view: &View, control: &Control) -> Result<Mask> {
     let mut coverage = vec![0; view.width as usize * view.height as usize];
     let clear = |_, _| (f32::NEG_INFINITY, NOTHING);
     let per_pixel = view.samples * view.samples;
-    let finish = |ids: &[u32], _: u32, line: &mut [u8]| {
-        let s = view.samples as usize;
-        let stride = s * view.width as usize;
-        for (x, pixel) in line.iter_mut().enumerate() {
-            let rows = (0..s).map(|row| &ids[row * stride + x * s..][..s]);
+    let finish = |ids: &[u32], _: u32, out: &mut [u8]| {
+        let (s, width) = (view.samples as usize, view.width as usize);
+        for (i, pixel) in out.iter_mut().enumerate() {
+            let at = i / width * s * s * width + i % width * s;
+            let rows = (0..s).map(|row| &ids[at + row * s * width..][..s]);
             let covered = rows.flatten().filter(|&&id| id != NOTHING).count() as u32;
             *pixel = ((covered * 255 + per_pixel / 2) / per_pixel) as u8;
         }
@@ -173,11 +188,11 @@ fn light<'a>(scene: &'a Scene<'_>, style: &'a Style, control: &Control) -> Resul
     Ok(Shader { scene, style, sun, sun_map, sky, sky_texel, bounce: ground * on_ground, noise })
 }
 
-/// Turns the samples of a row of pixels, which has this number, into bytes.
+/// Turns the samples of rows of pixels into bytes; given the number of the first row.
 type Finish<'a> = dyn Fn(&[u32], u32, &mut [u8]) + Sync + 'a;
 
-/// Draws all bands: clears samples by `clear`, finds the nearest triangles, and turns each row of
-/// pixels (`bytes` per pixel) over to `finish` with its rows of samples.
+/// Draws all bands: clears samples by `clear`, finds the nearest triangles, and turns the band's
+/// pixels (`bytes` each) over to `finish` with its samples.
 #[allow(clippy::too_many_arguments)]
 fn draw(
     scene: &Scene<'_>,
@@ -211,9 +226,7 @@ fn draw(
         }
         let mut band = Band { top, width: width as i32, depth, ids };
         stage.draw_band::<true>(&bins, number, &mut band);
-        for (i, out) in out.chunks_mut(line).enumerate() {
-            finish(&ids[i * samples * width..][..samples * width], (number * rows + i) as u32, out);
-        }
+        finish(ids, (number * rows) as u32, out);
         // Reported under the lock, so that progress never falls.
         let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
         *done += 1;

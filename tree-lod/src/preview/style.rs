@@ -126,7 +126,7 @@ impl Style {
             Backdrop::Sky => {
                 let low = (1.0 - up) * (1.0 - up);
                 let sky = Vec3::new(0.46, 0.62, 0.95).lerp(Vec3::new(0.98, 0.98, 0.96), low);
-                sky * (0.95 * self.sky)
+                sky * (1.15 * self.sky)
             }
             Backdrop::Studio => Vec3::splat((0.75 + 0.45 * up) * self.sky),
         }
@@ -138,12 +138,12 @@ impl Style {
         match self.backdrop {
             Backdrop::Sky => {
                 let above = up.max(0.0);
-                let low = 1.0 / (1.0 + 6.0 * above);
-                let sky = Vec3::new(0.085, 0.235, 0.640).lerp(Vec3::new(0.60, 0.75, 0.90), low);
+                let low = 1.0 / (1.0 + 8.0 * above);
+                let sky = Vec3::new(0.060, 0.190, 0.600).lerp(Vec3::new(0.50, 0.67, 0.86), low);
                 // Haze around the sun.
                 let aside = 1.0 - direction.dot(sun);
                 let glow = 0.04 / (0.04 + aside);
-                let warm = Vec3::new(1.0, 0.93, 0.80) * (0.20 * glow);
+                let warm = Vec3::new(1.0, 0.93, 0.80) * (0.16 * glow);
                 // Below the horizon, without ground: fades into pale haze.
                 (sky + warm) * (1.0 + 0.15 * up.min(0.0))
             }

@@ -133,7 +133,7 @@ impl Stage<'_> {
         for triangles in bins.of_band(number) {
             for &triangle in triangles {
                 surface = self.scene.surface_of(triangle, surface);
-                self.draw_one::<IDS>(band, surface, triangle);
+                self.draw_one::<IDS>(band, surface, triangle, self.spots_of(surface, triangle));
             }
         }
     }
@@ -146,16 +146,15 @@ impl Stage<'_> {
             }
             for triangle in self.scene.first_triangle[surface]..self.scene.first_triangle[surface + 1] {
                 let spots = self.spots_of(surface, triangle);
-                if self.rows_of(spots.into_iter()).is_some() || spots.iter().any(Spot::is_outside) {
-                    self.draw_one::<false>(band, surface, triangle);
+                if spots.iter().any(Spot::is_outside) || self.rows_of(spots.into_iter()).is_some() {
+                    self.draw_one::<false>(band, surface, triangle, spots);
                 }
             }
         }
     }
 
     #[inline]
-    fn draw_one<const IDS: bool>(&self, band: &mut Band<'_>, surface: usize, triangle: u32) {
-        let spots = self.spots_of(surface, triangle);
+    fn draw_one<const IDS: bool>(&self, band: &mut Band<'_>, surface: usize, triangle: u32, spots: [Spot; 3]) {
         let skin = self.scene.skin(surface);
         let pyramid = match skin.cover {
             Cover::All => None,
