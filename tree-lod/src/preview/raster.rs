@@ -47,11 +47,25 @@ pub(super) enum Filter {
     Smooth,
 }
 
+impl Mask<'_> {
+    #[inline]
+    fn covers(&self, u: f32, v: f32) -> bool {
+        match self.filter {
+            Filter::Within => self.level.covers_within(u, v),
+            Filter::Repeat => self.level.covers(u, v),
+            Filter::Smooth => self.level.covers_smoothly(u, v),
+        }
+    }
+}
+
 /// Fixed-point coordinate of the middle of sample 0.
 const HALF: i32 = SUBSAMPLES / 2;
 /// Extents (in fixed-point steps, 64 samples) up to which edge functions fit into 32 bits: each
 /// product below 2¹⁴ · 2¹⁴, two of them, and room for the corrections.
 const SMALL_EXTENT: i64 = 1 << 14;
+
+/// Extents (6 samples) up to which testing every sample of the box is faster than finding spans.
+const TINY_EXTENT: i64 = 6 << 8;
 
 /// The first and last sample whose middle lies between fixed-point `low` and `high`.
 #[inline]
@@ -96,6 +110,9 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
         return;
     }
     let size = (i64::from(x_high) - i64::from(x_low)).max(i64::from(y_high) - i64::from(y_low));
+    if size <= TINY_EXTENT {
+        return tiny::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom]);
+    }
     let edges = [(&a, &b), (&b, &c), (&c, &a)].map(|(a, b)| Edge::new(a, b, left, top));
     if size <= SMALL_EXTENT {
         let edges = edges.map(SmallEdge::from);
@@ -108,6 +125,61 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
             edges.iter().for_each(|edge| edge.bound(row, first, last));
         };
         fill::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom], bounds);
+    }
+}
+
+/// Draws a triangle of a few samples: edge functions stepped over its box, everything else from
+/// barycentric coordinates, which are two of the edge functions.
+#[inline]
+fn tiny<const IDS: bool, const PERSPECTIVE: bool>(
+    band: &mut Band<'_>,
+    [a, b, c]: [Corner; 3],
+    id: u32,
+    mask: Option<Mask<'_>>,
+    area: i64,
+    [left, right, top, bottom]: [i32; 4],
+) {
+    let area = area.unsigned_abs() as i32;
+    let (x1, y1) = (b.spot.x - a.spot.x, b.spot.y - a.spot.y);
+    let (x2, y2) = (c.spot.x - a.spot.x, c.spot.y - a.spot.y);
+    let (px, py) = (left * SUBSAMPLES + HALF - a.spot.x, top * SUBSAMPLES + HALF - a.spot.y);
+    // Opposite to c and to b; the third is what is missing to the area.
+    let (mut row_c, mut row_b) = (x1 * py - y1 * px, y2 * px - x2 * py);
+    let open = |dx: i32, dy: i32| i32::from(!(dy < 0 || dy == 0 && dx > 0));
+    let (open_c, open_b, open_a) = (open(x1, y1), open(-x2, -y2), open(x2 - x1, y2 - y1));
+    let per_area = 1.0 / area as f32;
+    let qs = if PERSPECTIVE { [a, b, c].map(|corner| corner.spot.depth) } else { [1.0; 3] };
+    let width = band.width as usize;
+    for y in top..=bottom {
+        let (mut at_c, mut at_b) = (row_c, row_b);
+        let row = (y - band.top) as usize * width;
+        for x in left..=right {
+            let inside = (at_c - open_c) | (at_b - open_b) | (area - at_c - at_b - open_a);
+            if inside >= 0 {
+                let (wb, wc) = (at_b as f32 * per_area, at_c as f32 * per_area);
+                let mix = |a: f32, b: f32, c: f32| a + (b - a) * wb + (c - a) * wc;
+                let found = mix(a.spot.depth, b.spot.depth, c.spot.depth);
+                let sample = row + x as usize;
+                if found > band.depth[sample] {
+                    let covered = mask.is_none_or(|mask| {
+                        let u = mix(a.uv.x * qs[0], b.uv.x * qs[1], c.uv.x * qs[2]);
+                        let v = mix(a.uv.y * qs[0], b.uv.y * qs[1], c.uv.y * qs[2]);
+                        let far = if PERSPECTIVE { 1.0 / found } else { 1.0 };
+                        mask.covers(u * far, v * far)
+                    });
+                    if covered {
+                        band.depth[sample] = found;
+                        if IDS {
+                            band.ids[sample] = id;
+                        }
+                    }
+                }
+            }
+            at_c -= y1 * SUBSAMPLES;
+            at_b += y2 * SUBSAMPLES;
+        }
+        row_c += x1 * SUBSAMPLES;
+        row_b -= x2 * SUBSAMPLES;
     }
 }
 
@@ -190,12 +262,7 @@ fn fill<const IDS: bool, const PERSPECTIVE: bool>(
                     }
                     let far = if PERSPECTIVE { 1.0 / found } else { 1.0 };
                     let (u, v) = ((u_row + dx * u.per_x) * far, (v_row + dx * v.per_x) * far);
-                    let covered = match mask.filter {
-                        Filter::Within => mask.level.covers_within(u, v),
-                        Filter::Repeat => mask.level.covers(u, v),
-                        Filter::Smooth => mask.level.covers_smoothly(u, v),
-                    };
-                    if covered {
+                    if mask.covers(u, v) {
                         *held = found;
                         if IDS {
                             band.ids[row + first as usize + i] = id;

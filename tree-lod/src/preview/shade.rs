@@ -27,6 +27,8 @@ const SKY_BIAS_TEXELS: f32 = 1.0;
 const SKY_SOFT_TEXELS: f32 = 5.0;
 /// Sky light that arrives even in the densest crown, by scattering between leaves.
 const SCATTERED: f32 = 0.10;
+/// Distance at which haze over the ground has a quarter of its strength, in sizes of the mesh.
+const HAZE_REACH: f32 = 9.0;
 /// Light reflected by a surface of no roughness seen head-on (glass, wax, water: 4 %).
 const REFLECTANCE: f32 = 0.04;
 
@@ -194,7 +196,7 @@ impl Shader<'_> {
             light += sky.light * (seen * sky.direction.y);
         }
         // Distance takes the colour of the horizon.
-        let reach = 5.0 * self.scene.size.max(1.0);
+        let reach = HAZE_REACH * self.scene.size.max(1.0);
         let flat = Vec3::new(position.x - origin.x, 0.0, position.z - origin.z).length_squared();
         let haze = flat / (flat + reach * reach);
         let far = self.style.backdrop(Vec3::new(direction.x, 0.0, direction.z).normalize_or(Vec3::X), self.sun);

@@ -22,7 +22,7 @@ pub struct Style {
     /// square. Default 2048.
     pub sun_map_px: u32,
     /// From how many directions sky light is taken, 0 (unhindered everywhere) to 64. More gives
-    /// smoother shade at a cost of one pass over all triangles each. Default 16.
+    /// smoother shade at a cost of one pass over all triangles each. Default 12.
     pub sky_directions: u32,
     /// Sharpness of the sky's shade: texels squared per direction, 16 to 2048. Default 256.
     pub sky_map_px: u32,
@@ -56,7 +56,7 @@ impl Default for Style {
             sky: 1.0,
             exposure: 1.0,
             sun_map_px: 2048,
-            sky_directions: 16,
+            sky_directions: 12,
             sky_map_px: 256,
             backdrop: Backdrop::Sky,
             ground: Some(0.0),
@@ -138,8 +138,8 @@ impl Style {
         match self.backdrop {
             Backdrop::Sky => {
                 let above = up.max(0.0);
-                let low = 1.0 / (1.0 + 8.0 * above);
-                let sky = Vec3::new(0.060, 0.190, 0.600).lerp(Vec3::new(0.50, 0.67, 0.86), low);
+                let low = 1.0 / (1.0 + 9.0 * above);
+                let sky = Vec3::new(0.060, 0.190, 0.600).lerp(Vec3::new(0.45, 0.63, 0.84), low);
                 // Haze around the sun.
                 let aside = 1.0 - direction.dot(sun);
                 let glow = 0.04 / (0.04 + aside);
