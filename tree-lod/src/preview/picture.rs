@@ -1,6 +1,6 @@
 //! Pictures and masks, and the way from light to bytes.
 
-use super::texture::srgb_byte;
+use super::texture::{srgb, srgb_byte};
 use crate::error::Result;
 use glam::Vec3;
 
@@ -105,7 +105,8 @@ impl Mask {
 
 /// From linear light to bytes.
 pub(super) struct Tone {
-    table: Vec<u8>,
+    /// sRGB in 1 / 256 of a byte.
+    table: Vec<u16>,
     exposure: f32,
 }
 
@@ -117,15 +118,19 @@ impl Tone {
         // Entry i stands for the light x with x / (1 + x) = i / STEPS.
         let table = (0..STEPS).map(|i| {
             let t = (i as f32 + 0.5) / STEPS as f32;
-            srgb_byte(filmic(t / (1.0 - t)).clamp(0.0, 1.0))
+            (255.0 * 256.0 * srgb(filmic(t / (1.0 - t)).clamp(0.0, 1.0))) as u16
         });
         Self { table: table.collect(), exposure }
     }
 
-    pub(super) fn bytes(&self, light: Vec3) -> [u8; 4] {
+    /// The bytes of a pixel; its place decides how fractions of a byte are rounded, so that a sky
+    /// has no visible steps.
+    pub(super) fn bytes(&self, light: Vec3, x: u32, y: u32) -> [u8; 4] {
+        // A lattice without visible pattern, 0 to 255 (Roberts 2018: powers of the plastic number).
+        let dither = (x.wrapping_mul(3_242_174_889).wrapping_add(y.wrapping_mul(2_447_445_414)) >> 24) as u16;
         let [r, g, b] = (light.max(Vec3::ZERO) * self.exposure).to_array().map(|x| {
             let i = (x / (1.0 + x) * STEPS as f32) as usize;
-            self.table[i.min(STEPS - 1)]
+            ((self.table[i.min(STEPS - 1)] + dither) >> 8) as u8
         });
         [r, g, b, 255]
     }

@@ -84,7 +84,7 @@ pub fn render(mesh: &Mesh, view: &View, style: &Style, control: &Control) -> Res
             };
             light += color * n;
         }
-        tone.bytes(light / (samples * samples))
+        tone.bytes(light / (samples * samples), x, y)
     };
     let finish = |ids: &[u32], top: u32, out: &mut [u8]| {
         let mut seen = Vec::new();

@@ -29,8 +29,9 @@ const SKY_SOFT_TEXELS: f32 = 5.0;
 const SCATTERED: f32 = 0.10;
 /// Distance at which haze over the ground has a quarter of its strength, in sizes of the mesh.
 const HAZE_REACH: f32 = 9.0;
-/// Light reflected by a surface of no roughness seen head-on (glass, wax, water: 4 %).
-const REFLECTANCE: f32 = 0.04;
+/// Light reflected by a surface of no roughness seen head-on (glass and wax: 4 %;
+/// less here, because the broken surface of leaves and bark scatters most of it).
+const REFLECTANCE: f32 = 0.022;
 
 /// Light and scene, ready to shade.
 pub(super) struct Shader<'a> {

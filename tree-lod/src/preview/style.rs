@@ -12,7 +12,7 @@ pub struct Style {
     pub sun_yaw: f32,
     /// Height of the sun over the horizon in radians, 0.05 to π/2. Default 0.85.
     pub sun_pitch: f32,
-    /// Strength of the sun, 0 (none) to 100. Default 2.6.
+    /// Strength of the sun, 0 (none) to 100. Default 2.3.
     pub sun: f32,
     /// Strength of the sky, 0 (none) to 100. Default 1.
     pub sky: f32,
@@ -52,7 +52,7 @@ impl Default for Style {
         Self {
             sun_yaw: -0.35,
             sun_pitch: 0.85,
-            sun: 2.6,
+            sun: 2.3,
             sky: 1.0,
             exposure: 1.0,
             sun_map_px: 2048,
@@ -71,8 +71,9 @@ impl Style {
     pub fn studio() -> Self {
         Self {
             backdrop: Backdrop::Studio,
-            sun: 1.7,
-            ground_color: [0.62, 0.62, 0.63],
+            sun: 1.4,
+            sky: 0.7,
+            ground_color: [0.48, 0.48, 0.49],
             ..Self::default()
         }
     }

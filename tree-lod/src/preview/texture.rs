@@ -226,12 +226,16 @@ impl Srgb {
 
 /// The sRGB byte of a linear value, 0 to 1.
 pub(super) fn srgb_byte(linear: f32) -> u8 {
-    let c = if linear <= 0.003_130_8 {
+    (srgb(linear) * 255.0 + 0.5) as u8
+}
+
+/// The sRGB value, 0 to 1, of a linear one (IEC 61966-2-1).
+pub(super) fn srgb(linear: f32) -> f32 {
+    if linear <= 0.003_130_8 {
         12.92 * linear
     } else {
         1.055 * libm::powf(linear, 1.0 / 2.4) - 0.055
-    };
-    (c * 255.0 + 0.5) as u8
+    }
 }
 
 #[cfg(test)]
