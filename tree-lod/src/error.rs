@@ -1,0 +1,65 @@
+//! What can go wrong in this crate.
+
+use tree_core::{Cancelled, CoreError, LimitError};
+use tree_mesh::MeshError;
+
+/// Shorthand for results of this crate.
+pub type Result<T, E = LodError> = std::result::Result<T, E>;
+
+/// Every error of tree-lod. Each says what was wrong, where, and what would be right.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum LodError {
+    /// A parameter lies outside its range, or is not finite.
+    #[error("{field} is {found}, allowed is {min} to {max}")]
+    Parameter {
+        /// The field of the parameter struct.
+        field: &'static str,
+        /// The value that came in.
+        found: f64,
+        /// Smallest allowed value.
+        min: f64,
+        /// Largest allowed value.
+        max: f64,
+    },
+    /// A camera that does not look anywhere.
+    #[error("{field}: {problem}")]
+    Camera {
+        /// The field at fault.
+        field: &'static str,
+        /// What is wrong with it and what would be right.
+        problem: &'static str,
+    },
+    /// An image could not be encoded.
+    #[cfg(feature = "image")]
+    #[error("image: {0}")]
+    Image(#[from] image::ImageError),
+    /// The mesh cannot be used.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// Something from the layer below.
+    #[error(transparent)]
+    Core(#[from] CoreError),
+    /// More was asked for than the limits allow.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
+    /// The caller cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+/// Checks that `found` is finite and within `min..=max`.
+///
+/// # Errors
+/// [`LodError::Parameter`], naming `field`.
+pub(crate) fn check_range(field: &'static str, found: f64, min: f64, max: f64) -> Result<()> {
+    if (min..=max).contains(&found) {
+        return Ok(());
+    }
+    Err(LodError::Parameter {
+        field,
+        found,
+        min,
+        max,
+    })
+}

@@ -1,0 +1,162 @@
+//! Vertices on the picture, and clipping of the triangles that do not fit on it.
+//!
+//! 1. Every vertex is projected once per view, to fixed-point coordinates ([`SUBSAMPLES`] steps per
+//!    sample), in parallel.
+//! 2. A triangle with a vertex behind the near plane or outside the guard band is clipped as a
+//!    polygon in view space (Sutherland, Hodgman 1974). New corners are computed from the inner end
+//!    of an edge to the outer one, whichever way the triangle runs, so that neighbours still meet.
+
+use super::camera::Projector;
+use super::scene::Scene;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+/// Fixed-point steps per sample.
+pub(super) const SUBSAMPLES: i32 = 256;
+/// How far outside the picture fixed-point coordinates reach, in samples. With 8 fractional bits,
+/// edge functions stay below 2⁶², far from overflow.
+const GUARD: f32 = 2_097_152.0;
+/// Marks a vertex that is behind the near plane or beyond the guard band.
+const OUTSIDE: i32 = i32::MIN;
+/// Vertices per parallel piece.
+const PIECE: usize = 16_384;
+
+/// A vertex on the picture.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Spot {
+    /// In 1 / [`SUBSAMPLES`] of a sample, from the top left corner.
+    pub(super) x: i32,
+    pub(super) y: i32,
+    /// See [`Projector`].
+    pub(super) depth: f32,
+}
+
+impl Spot {
+    #[inline]
+    pub(super) fn is_outside(&self) -> bool {
+        self.x == OUTSIDE
+    }
+}
+
+/// A corner of a clipped polygon.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Corner {
+    pub(super) spot: Spot,
+    pub(super) uv: Vec2,
+}
+
+/// Projects all vertices, reusing `spots`.
+pub(super) fn project_all(scene: &Scene<'_>, projector: &Projector, spots: &mut Vec<Spot>) {
+    spots.clear();
+    spots.resize(scene.n_vertices(), Spot::default());
+    let mut rest = spots.as_mut_slice();
+    let mut pieces = Vec::new();
+    for surface in &scene.mesh.surfaces {
+        let (mine, others) = rest.split_at_mut(surface.positions.len());
+        rest = others;
+        pieces.extend(mine.chunks_mut(PIECE).zip(surface.positions.chunks(PIECE)));
+    }
+    pieces.into_par_iter().for_each(|(spots, positions)| {
+        for (spot, &p) in spots.iter_mut().zip(positions) {
+            *spot = projector.spot(projector.view(p));
+        }
+    });
+}
+
+impl Projector {
+    /// A point in view coordinates on the picture.
+    #[inline]
+    pub(super) fn spot(&self, v: Vec3) -> Spot {
+        let (scale, depth) =
+            if self.perspective { (self.scale / v.z, 1.0 / v.z) } else { (self.scale, -v.z) };
+        let x = self.center.x + v.x * scale;
+        let y = self.center.y - v.y * scale;
+        // Written so that NaN (0 / 0 at the eye) counts as outside.
+        let inside = v.z >= self.near && x.abs() <= GUARD && y.abs() <= GUARD;
+        Spot { x: if inside { fixed(x) } else { OUTSIDE }, y: fixed(y), depth }
+    }
+}
+
+/// Rounds to fixed point.
+#[inline]
+fn fixed(samples: f32) -> i32 {
+    let steps = samples * SUBSAMPLES as f32;
+    (steps + 0.5_f32.copysign(steps)) as i32
+}
+
+/// Corners of a triangle after five cuts: three and one more for each.
+pub(super) const MOST_CORNERS: usize = 8;
+
+#[derive(Clone, Copy, Default)]
+struct Loose {
+    view: Vec3,
+    uv: Vec2,
+}
+
+/// What is left of a triangle in front of the near plane and inside the guard band; a convex
+/// polygon, as corners and their number (0 if nothing is left).
+pub(super) fn clip(
+    positions: [Vec3; 3],
+    uvs: [Vec2; 3],
+    projector: &Projector,
+) -> ([Corner; MOST_CORNERS], usize) {
+    let mut polygon = [Loose::default(); MOST_CORNERS];
+    for i in 0..3 {
+        polygon[i] = Loose { view: projector.view(positions[i]), uv: uvs[i] };
+    }
+    let mut count = 3;
+    // Slightly inside, so that rounding does not push a new corner out again.
+    let reach = 0.5 * GUARD / projector.scale;
+    let side = |v: Vec3| if projector.perspective { reach * v.z } else { reach };
+    let near = projector.near * 1.000_01;
+    let distances: [&dyn Fn(Vec3) -> f32; 5] = [
+        &|v| v.z - near,
+        &|v| side(v) - v.x,
+        &|v| side(v) + v.x,
+        &|v| side(v) - v.y,
+        &|v| side(v) + v.y,
+    ];
+    for distance in distances {
+        (polygon, count) = cut(&polygon, count, distance);
+    }
+    let mut corners = [Corner::default(); MOST_CORNERS];
+    for (corner, loose) in corners.iter_mut().zip(&polygon[..count]) {
+        let spot = projector.spot(loose.view);
+        if spot.is_outside() {
+            return (corners, 0);
+        }
+        *corner = Corner { spot, uv: loose.uv };
+    }
+    (corners, count)
+}
+
+/// Keeps the part where `distance` is not negative.
+fn cut(
+    polygon: &[Loose; MOST_CORNERS],
+    count: usize,
+    distance: &dyn Fn(Vec3) -> f32,
+) -> ([Loose; MOST_CORNERS], usize) {
+    let (mut kept, mut n) = ([Loose::default(); MOST_CORNERS], 0);
+    let mut push = |loose: Loose| {
+        if n < MOST_CORNERS {
+            kept[n] = loose;
+            n += 1;
+        }
+    };
+    for i in 0..count {
+        let (a, b) = (polygon[i], polygon[(i + 1) % count]);
+        let (da, db) = (distance(a.view), distance(b.view));
+        if da >= 0.0 {
+            push(a);
+        }
+        if (da >= 0.0) != (db >= 0.0) {
+            let (inner, outer, di, do_) = if da >= 0.0 { (a, b, da, db) } else { (b, a, db, da) };
+            let t = di / (di - do_);
+            push(Loose {
+                view: inner.view + (outer.view - inner.view) * t,
+                uv: inner.uv + (outer.uv - inner.uv) * t,
+            });
+        }
+    }
+    (kept, n)
+}

@@ -1,0 +1,293 @@
+//! Textures at all sizes: so that far leaves neither flicker nor vanish.
+//!
+//! 1. Each level is half the size of the one before; colours are averaged in linear light,
+//!    weighted by alpha, so that what lies beside a leaf does not bleed into it.
+//! 2. Averaged alpha would thin leaves out (a twig of one pixel becomes 25 % and is cut off).
+//!    Castaño (2010, "Computing alpha mipmaps") scales alpha until the covered share is that of
+//!    the original; scaling by s is the same as dividing the cutoff by s, so each level gets a
+//!    cutoff of its own here, read off its histogram.
+//! 3. Levels end at [`SMALLEST`], where a shape is still a shape.
+
+use glam::Vec3;
+use tree_mesh::Texture;
+
+/// Levels are not made smaller than this many pixels. Larger keeps shapes but lets far leaves
+/// flicker, smaller turns them into full squares.
+const SMALLEST: u32 = 8;
+
+/// The levels of one texture under one cutoff, largest first.
+#[derive(Debug)]
+pub(super) struct Pyramid {
+    pub(super) levels: Vec<Level>,
+}
+
+/// An image of a [`Pyramid`].
+#[derive(Debug)]
+pub(super) struct Level {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    /// sRGB and alpha; empty in a pyramid without colours.
+    texels: Vec<[u8; 4]>,
+    /// Alpha alone, for the rasteriser.
+    alpha: Vec<u8>,
+    /// Smallest alpha that is drawn.
+    cutoff: u16,
+}
+
+impl Pyramid {
+    /// `cutoff` is the smallest alpha (0 to 255) that is drawn at full size. Without `colors` only
+    /// alpha can be asked for.
+    pub(super) fn new(texture: &Texture, cutoff: u16, colors: bool, srgb: &Srgb) -> Self {
+        let (texels, _) = texture.pixels.as_chunks::<4>();
+        let mut level = Level {
+            width: texture.width,
+            height: texture.height,
+            texels: texels.to_vec(),
+            alpha: texels.iter().map(|texel| texel[3]).collect(),
+            cutoff,
+        };
+        let covered = level.alpha.iter().filter(|&&a| u16::from(a) >= cutoff).count();
+        let covered = covered as f64 / level.alpha.len().max(1) as f64;
+        let mut levels = Vec::new();
+        while level.width.min(level.height) >= 2 * SMALLEST {
+            let mut next = level.halved(srgb);
+            next.cutoff = cutoff_for(&next.alpha, covered);
+            levels.push(std::mem::replace(&mut level, next));
+        }
+        levels.push(level);
+        if !colors {
+            levels.iter_mut().for_each(|level| level.texels = Vec::new());
+        }
+        Self { levels }
+    }
+
+    /// The level for so many texels of the largest level per sample of the picture (an area).
+    #[inline]
+    pub(super) fn level(&self, texels_per_sample: f32) -> &Level {
+        // The exponent of a float is its log₂, rounded down; half of it, rounded, is the level.
+        let exponent = (texels_per_sample.max(1.0).to_bits() >> 23) as usize - 127;
+        let level = exponent.div_ceil(2).min(self.levels.len() - 1);
+        &self.levels[level]
+    }
+}
+
+/// The alpha that leaves a share of `covered` at or above it.
+fn cutoff_for(alpha: &[u8], covered: f64) -> u16 {
+    let mut histogram = [0_usize; 256];
+    for &a in alpha {
+        histogram[usize::from(a)] += 1;
+    }
+    let wanted = covered * alpha.len() as f64;
+    let (mut above, mut best) = (0_usize, (f64::INFINITY, 255));
+    for a in (1..256).rev() {
+        above += histogram[a];
+        let miss = (above as f64 - wanted).abs();
+        if miss < best.0 {
+            best = (miss, a as u16);
+        }
+    }
+    best.1
+}
+
+impl Level {
+    fn halved(&self, srgb: &Srgb) -> Self {
+        let (width, height) = (self.width / 2, self.height / 2);
+        let mut texels = Vec::with_capacity(width as usize * height as usize);
+        for y in 0..height as usize {
+            let rows = [2 * y, 2 * y + 1].map(|row| row * self.width as usize);
+            for x in 0..width as usize {
+                let (mut color, mut plain, mut alpha) = (Vec3::ZERO, Vec3::ZERO, 0);
+                for row in rows {
+                    for column in [2 * x, 2 * x + 1] {
+                        let texel = self.texels[row + column];
+                        let linear = srgb.decode(texel);
+                        color += linear * f32::from(texel[3]);
+                        plain += linear;
+                        alpha += u16::from(texel[3]);
+                    }
+                }
+                let mean = if alpha > 0 { color / f32::from(alpha) } else { plain * 0.25 };
+                let [r, g, b] = mean.to_array().map(|v| srgb.encode(v));
+                texels.push([r, g, b, ((alpha + 2) / 4) as u8]);
+            }
+        }
+        let alpha = texels.iter().map(|texel| texel[3]).collect();
+        Self { width, height, texels, alpha, cutoff: self.cutoff }
+    }
+
+    /// Whether the texel at these coordinates is drawn.
+    #[inline]
+    pub(super) fn covers(&self, u: f32, v: f32) -> bool {
+        let x = (wrap(u) * self.width as f32) as u32;
+        let y = (wrap(v) * self.height as f32) as u32;
+        let texel = y.min(self.height - 1) as usize * self.width as usize + x.min(self.width - 1) as usize;
+        u16::from(self.alpha[texel]) >= self.cutoff
+    }
+
+    /// As [`covers`](Self::covers), for coordinates that should lie within 0 to 1: what rounding
+    /// throws out is brought back to the border.
+    #[inline]
+    pub(super) fn covers_within(&self, u: f32, v: f32) -> bool {
+        let texel = nearest(v, self.height) * self.width as usize + nearest(u, self.width);
+        u16::from(self.alpha[texel]) >= self.cutoff
+    }
+
+    /// As [`covers`](Self::covers), with alpha interpolated between texels: for close-ups.
+    #[inline]
+    pub(super) fn covers_smoothly(&self, u: f32, v: f32) -> bool {
+        let (texels, weights) = self.around(u, v);
+        let alpha: f32 = (0..4).map(|i| weights[i] * f32::from(self.alpha[texels[i]])).sum();
+        alpha >= f32::from(self.cutoff)
+    }
+
+    /// Linear colour between the four texels around, weighted by their alpha if `masked`.
+    #[inline]
+    pub(super) fn color(&self, u: f32, v: f32, masked: bool, srgb: &Srgb) -> Vec3 {
+        let (texels, weights) = self.around(u, v);
+        let (mut sum, mut total) = (Vec3::ZERO, 0.0);
+        for (&texel, weight) in texels.iter().zip(weights) {
+            let texel = self.texels[texel];
+            let weight = if masked { weight * (f32::from(texel[3]) + 0.1) } else { weight };
+            sum += srgb.decode(texel) * weight;
+            total += weight;
+        }
+        sum / total
+    }
+
+    /// Indices and weights of the four texels around.
+    #[inline]
+    fn around(&self, u: f32, v: f32) -> ([usize; 4], [f32; 4]) {
+        let place = |t: f32, size: u32| {
+            let x = wrap(t) * size as f32 + (size as f32 - 0.5);
+            let low = x as u32;
+            ((low % size) as usize, ((low + 1) % size) as usize, x - low as f32)
+        };
+        let (x0, x1, fx) = place(u, self.width);
+        let (y0, y1, fy) = place(v, self.height);
+        let (y0, y1) = (y0 * self.width as usize, y1 * self.width as usize);
+        (
+            [y0 + x0, y0 + x1, y1 + x0, y1 + x1],
+            [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy],
+        )
+    }
+}
+
+/// The texel of a row of `size` at `t`, 0 to 1, brought back to the border from outside.
+#[inline]
+fn nearest(t: f32, size: u32) -> usize {
+    // 2²³ + x has x, rounded, in its low bits: faster than a cast, which must saturate.
+    const SHIFT: f32 = 8_388_608.0;
+    let (x, last) = (t * size as f32 - 0.5, (size - 1) as f32);
+    let x = if x > 0.0 { x } else { 0.0 };
+    let x = if x < last { x } else { last };
+    ((x + SHIFT).to_bits() & 0x007f_ffff) as usize
+}
+
+/// The fractional part, 0 to 1. (`f32::floor` is a call on plain x86-64, this is not.)
+#[inline]
+fn wrap(t: f32) -> f32 {
+    let fraction = t - (t as i32) as f32;
+    // Beyond 2³¹ repeats there is no fraction left to find.
+    let fraction = if fraction < 0.0 { fraction + 1.0 } else { fraction };
+    fraction.clamp(0.0, 1.0)
+}
+
+/// Tables between sRGB bytes and linear light.
+#[derive(Debug)]
+pub(super) struct Srgb {
+    decode: [f32; 256],
+    encode: Vec<u8>,
+}
+
+/// Entries of the encoding table: ten per step of the darkest bytes.
+const ENCODE_STEPS: usize = 32_768;
+
+impl Srgb {
+    pub(super) fn new() -> Self {
+        let decode = std::array::from_fn(|byte| {
+            let c = byte as f32 / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }
+        });
+        let encode = (0..=ENCODE_STEPS).map(|i| srgb_byte(i as f32 / ENCODE_STEPS as f32)).collect();
+        Self { decode, encode }
+    }
+
+    #[inline]
+    pub(super) fn decode(&self, texel: [u8; 4]) -> Vec3 {
+        let [r, g, b, _] = texel.map(|byte| self.decode[usize::from(byte)]);
+        Vec3::new(r, g, b)
+    }
+
+    #[inline]
+    pub(super) fn encode(&self, linear: f32) -> u8 {
+        self.encode[((linear * ENCODE_STEPS as f32 + 0.5) as usize).min(ENCODE_STEPS)]
+    }
+}
+
+/// The sRGB byte of a linear value, 0 to 1.
+pub(super) fn srgb_byte(linear: f32) -> u8 {
+    (srgb(linear) * 255.0 + 0.5) as u8
+}
+
+/// The sRGB value, 0 to 1, of a linear one (IEC 61966-2-1).
+pub(super) fn srgb(linear: f32) -> f32 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * libm::powf(linear, 1.0 / 2.4) - 0.055
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn dots(side: u32) -> Texture {
+        // A single texel in nine is opaque: plain averaging would leave nothing above one half.
+        let pixels = (0..side * side).flat_map(|i| {
+            let on = (i % side).is_multiple_of(3) && (i / side).is_multiple_of(3);
+            [0, 255, 0, if on { 255 } else { 0 }]
+        });
+        Texture { name: "dots".into(), width: side, height: side, pixels: pixels.collect() }
+    }
+
+    #[test]
+    fn smaller_levels_cover_as_much_as_the_texture() {
+        let pyramid = Pyramid::new(&dots(192), 128, false, &Srgb::new());
+        assert!(pyramid.levels.len() > 3);
+        for level in &pyramid.levels {
+            let n = level.alpha.iter().filter(|&&a| u16::from(a) >= level.cutoff).count();
+            let share = n as f64 / level.alpha.len() as f64;
+            assert!((0.06..0.2).contains(&share), "{} px: {share}", level.width);
+        }
+    }
+
+    #[test]
+    fn what_lies_beside_a_leaf_does_not_bleed_into_it() {
+        let mut texture = dots(64);
+        texture.pixels.chunks_mut(4).filter(|p| p[3] == 0).for_each(|p| p[..3].fill(255));
+        let srgb = Srgb::new();
+        let pyramid = Pyramid::new(&texture, 128, true, &srgb);
+        for level in &pyramid.levels {
+            let color = level.color(1.0 / 64.0 * 0.5, 1.0 / 64.0 * 0.5, true, &srgb);
+            assert!(color.x < 0.05 && color.y > 0.95, "{} px: {color}", level.width);
+        }
+    }
+
+    #[test]
+    fn srgb_survives_the_round_trip() {
+        let srgb = Srgb::new();
+        for byte in 0..=255 {
+            assert_eq!(srgb.encode(srgb.decode([byte, 0, 0, 0]).x), byte);
+        }
+    }
+
+    #[test]
+    fn wrapping_repeats_and_survives_huge_coordinates() {
+        assert_eq!(wrap(-0.25), 0.75);
+        assert_eq!(wrap(7.5), 0.5);
+        for t in [1e30, -1e30, f32::MAX, -1e-12, 2_147_483_648.0] {
+            assert!((0.0..=1.0).contains(&wrap(t)), "{t}");
+        }
+    }
+}
