@@ -25,7 +25,8 @@ pub(crate) fn tree(n_triangles: usize) -> Mesh {
     for i in 0..n_leaves {
         let tip = twigs.get(i * twigs.len() / n_leaves).copied().unwrap_or(Vec3::Y * 6.0);
         let at = tip + seed::in_unit_ball(&mut rng) * 0.6;
-        let spin = Quat::from_axis_angle(seed::unit_vector(&mut rng), seed::uniform(&mut rng, 0.0, TAU));
+        let spin =
+            Quat::from_axis_angle(seed::unit_vector(&mut rng), seed::uniform(&mut rng, 0.0, TAU));
         quad(&mut leaves, at, spin, 0.1);
     }
     Mesh { surfaces: vec![bark, leaves], materials: materials() }
@@ -88,7 +89,11 @@ fn materials() -> Vec<Material> {
     let pixels = (0..side * side).flat_map(texel).collect();
     let leaf = Texture { name: "leaf".into(), width: side, height: side, pixels };
     vec![
-        Material { name: "bark".into(), base_color: [0.20, 0.15, 0.11, 1.0], ..Material::default() },
+        Material {
+            name: "bark".into(),
+            base_color: [0.20, 0.15, 0.11, 1.0],
+            ..Material::default()
+        },
         Material {
             name: "leaf".into(),
             texture: Some(Arc::new(leaf)),

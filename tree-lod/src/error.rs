@@ -56,10 +56,5 @@ pub(crate) fn check_range(field: &'static str, found: f64, min: f64, max: f64) -
     if (min..=max).contains(&found) {
         return Ok(());
     }
-    Err(LodError::Parameter {
-        field,
-        found,
-        min,
-        max,
-    })
+    Err(LodError::Parameter { field, found, min, max })
 }

@@ -47,13 +47,7 @@ pub struct Framing {
 
 impl Default for Framing {
     fn default() -> Self {
-        Self {
-            yaw: 0.6,
-            pitch: 0.09,
-            fov: 0.6,
-            margin: 0.06,
-            orthographic: false,
-        }
+        Self { yaw: 0.6, pitch: 0.09, fov: 0.6, margin: 0.06, orthographic: false }
     }
 }
 
@@ -156,7 +150,8 @@ impl Framing {
             }
         }
         let [right_side, left_side, top, bottom, nearest] = most;
-        let middle = center + right * (0.5 * (right_side - left_side)) + up * (0.5 * (top - bottom));
+        let middle =
+            center + right * (0.5 * (right_side - left_side)) + up * (0.5 * (top - bottom));
         let size = bounds.size().max_element().max(1e-3);
         let (width, height) = ((right_side + left_side).max(0.0), (top + bottom).max(0.0));
         let (distance, lens) = if self.orthographic {

@@ -93,8 +93,7 @@ impl Mask {
     /// The mask in black on white.
     #[must_use]
     pub fn to_picture(&self) -> Picture {
-        let bytes: Vec<u8> =
-            (0..=255_u16).map(|c| srgb_byte(1.0 - f32::from(c) / 255.0)).collect();
+        let bytes: Vec<u8> = (0..=255_u16).map(|c| srgb_byte(1.0 - f32::from(c) / 255.0)).collect();
         let pixels = self.coverage.iter().flat_map(|&c| {
             let grey = bytes[usize::from(c)];
             [grey, grey, grey, 255]
@@ -127,7 +126,8 @@ impl Tone {
     /// has no visible steps.
     pub(super) fn bytes(&self, light: Vec3, x: u32, y: u32) -> [u8; 4] {
         // A lattice without visible pattern, 0 to 255 (Roberts 2018: powers of the plastic number).
-        let dither = (x.wrapping_mul(3_242_174_889).wrapping_add(y.wrapping_mul(2_447_445_414)) >> 24) as u16;
+        let dither = (x.wrapping_mul(3_242_174_889).wrapping_add(y.wrapping_mul(2_447_445_414))
+            >> 24) as u16;
         let [r, g, b] = (light.max(Vec3::ZERO) * self.exposure).to_array().map(|x| {
             let i = (x / (1.0 + x) * STEPS as f32) as usize;
             ((self.table[i.min(STEPS - 1)] + dither) >> 8) as u8

@@ -109,13 +109,10 @@ pub(super) fn clip(
     let reach = 0.5 * GUARD / projector.scale;
     let side = |v: Vec3| if projector.perspective { reach * v.z } else { reach };
     let near = projector.near * 1.000_01;
-    let distances: [&dyn Fn(Vec3) -> f32; 5] = [
-        &|v| v.z - near,
-        &|v| side(v) - v.x,
-        &|v| side(v) + v.x,
-        &|v| side(v) - v.y,
-        &|v| side(v) + v.y,
-    ];
+    let distances: [&dyn Fn(Vec3) -> f32; 5] =
+        [&|v| v.z - near, &|v| side(v) - v.x, &|v| side(v) + v.x, &|v| side(v) - v.y, &|v| {
+            side(v) + v.y
+        }];
     for distance in distances {
         (polygon, count) = cut(&polygon, count, distance);
     }

@@ -111,7 +111,14 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
     }
     let size = (i64::from(x_high) - i64::from(x_low)).max(i64::from(y_high) - i64::from(y_low));
     if size <= TINY_EXTENT {
-        return tiny::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom]);
+        return tiny::<IDS, PERSPECTIVE>(
+            band,
+            [a, b, c],
+            id,
+            mask,
+            area,
+            [left, right, top, bottom],
+        );
     }
     let edges = [(&a, &b), (&b, &c), (&c, &a)].map(|(a, b)| Edge::new(a, b, left, top));
     if size <= SMALL_EXTENT {
@@ -119,12 +126,28 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
         let bounds = |row: i32, first: &mut i32, last: &mut i32| {
             edges.iter().for_each(|edge| edge.bound(row, first, last));
         };
-        fill::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom], bounds);
+        fill::<IDS, PERSPECTIVE>(
+            band,
+            [a, b, c],
+            id,
+            mask,
+            area,
+            [left, right, top, bottom],
+            bounds,
+        );
     } else {
         let bounds = |row: i32, first: &mut i32, last: &mut i32| {
             edges.iter().for_each(|edge| edge.bound(row, first, last));
         };
-        fill::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom], bounds);
+        fill::<IDS, PERSPECTIVE>(
+            band,
+            [a, b, c],
+            id,
+            mask,
+            area,
+            [left, right, top, bottom],
+            bounds,
+        );
     }
 }
 
@@ -195,17 +218,12 @@ fn fill<const IDS: bool, const PERSPECTIVE: bool>(
     [left, right, top, bottom]: [i32; 4],
     bounds: impl Fn(i32, &mut i32, &mut i32),
 ) {
-
     let (x1, y1) = ((b.spot.x - a.spot.x) as f32, (b.spot.y - a.spot.y) as f32);
     let (x2, y2) = ((c.spot.x - a.spot.x) as f32, (c.spot.y - a.spot.y) as f32);
     let per_area = 1.0 / area.unsigned_abs() as f32;
     let slope = |at_a: f32, at_b: f32, at_c: f32| {
         let (d1, d2) = (at_b - at_a, at_c - at_a);
-        Slope {
-            at_a,
-            per_x: (d1 * y2 - d2 * y1) * per_area,
-            per_y: (x1 * d2 - x2 * d1) * per_area,
-        }
+        Slope { at_a, per_x: (d1 * y2 - d2 * y1) * per_area, per_y: (x1 * d2 - x2 * d1) * per_area }
     };
     let depths = [a.spot.depth, b.spot.depth, c.spot.depth];
     let depth = slope(depths[0], depths[1], depths[2]);
@@ -284,8 +302,10 @@ fn between(v: f32, low: f32, high: f32) -> f32 {
 /// Twice the signed area, exactly.
 #[inline]
 pub(super) fn cross(a: &Corner, b: &Corner, c: &Corner) -> i64 {
-    let (x1, y1) = (i64::from(b.spot.x) - i64::from(a.spot.x), i64::from(b.spot.y) - i64::from(a.spot.y));
-    let (x2, y2) = (i64::from(c.spot.x) - i64::from(a.spot.x), i64::from(c.spot.y) - i64::from(a.spot.y));
+    let (x1, y1) =
+        (i64::from(b.spot.x) - i64::from(a.spot.x), i64::from(b.spot.y) - i64::from(a.spot.y));
+    let (x2, y2) =
+        (i64::from(c.spot.x) - i64::from(a.spot.x), i64::from(c.spot.y) - i64::from(a.spot.y));
     x1 * y2 - x2 * y1
 }
 
@@ -305,7 +325,8 @@ impl Edge {
         let middle = |sample: i32| i64::from(sample) * i64::from(SUBSAMPLES) + i64::from(HALF);
         let dx = i64::from(b.spot.x) - i64::from(a.spot.x);
         let dy = i64::from(b.spot.y) - i64::from(a.spot.y);
-        let start = dx * (middle(top) - i64::from(a.spot.y)) - dy * (middle(left) - i64::from(a.spot.x));
+        let start =
+            dx * (middle(top) - i64::from(a.spot.y)) - dy * (middle(left) - i64::from(a.spot.x));
         // Samples on the edge itself belong to the triangle only if the edge is a top or left one.
         let owns = dy < 0 || dy == 0 && dx > 0;
         Self {
@@ -402,8 +423,12 @@ mod tests {
     #[test]
     fn half_a_square_covers_half_its_samples() {
         let s = SUBSAMPLES;
-        let (a, b, c, d) =
-            (corner(0, 0, 1.0), corner(16 * s, 0, 1.0), corner(0, 16 * s, 1.0), corner(16 * s, 16 * s, 1.0));
+        let (a, b, c, d) = (
+            corner(0, 0, 1.0),
+            corner(16 * s, 0, 1.0),
+            corner(0, 16 * s, 1.0),
+            corner(16 * s, 16 * s, 1.0),
+        );
         let count = |covered: Vec<bool>| covered.iter().filter(|&&on| on).count();
         let (upper, lower) = (count(cover([a, b, c], 16)), count(cover([b, d, c], 16)));
         // The 16 samples on the diagonal belong to one of them.

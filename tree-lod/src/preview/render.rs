@@ -180,11 +180,12 @@ fn light<'a>(scene: &'a Scene<'_>, style: &'a Style, control: &Control) -> Resul
             SkyLight { direction, light, map: maps.next() }
         })
         .collect();
-    let on_ground = style.sun_light() * sun.y
-        + sky.iter().map(|sky| sky.light * sky.direction.y).sum::<Vec3>();
+    let on_ground =
+        style.sun_light() * sun.y + sky.iter().map(|sky| sky.light * sky.direction.y).sum::<Vec3>();
     let ground = style.ground.map_or(NO_GROUND, |_| Vec3::from_array(style.ground_color));
     let noise = Seed(0).stream("ground");
-    let sky_texel = sky.iter().filter_map(|sky| sky.map.as_ref()).map(|map| map.texel).fold(0.0, f32::max);
+    let sky_texel =
+        sky.iter().filter_map(|sky| sky.map.as_ref()).map(|map| map.texel).fold(0.0, f32::max);
     Ok(Shader { scene, style, sun, sun_map, sky, sky_texel, bounce: ground * on_ground, noise })
 }
 

@@ -150,7 +150,11 @@ fn unit(v: f32) -> f32 {
 
 impl Skin {
     /// `wanted` collects textures with their cutoffs; equal ones are shared.
-    fn new<'a>(material: &'a Material, colors: bool, wanted: &mut Vec<(&'a Material, u16)>) -> Self {
+    fn new<'a>(
+        material: &'a Material,
+        colors: bool,
+        wanted: &mut Vec<(&'a Material, u16)>,
+    ) -> Self {
         let alpha = unit(material.base_color[3]);
         let cutoff = match material.alpha {
             Alpha::Opaque => 0,

@@ -79,7 +79,8 @@ fn pixel(picture: &Picture, x: u32, y: u32) -> [i32; 3] {
 
 #[test]
 fn a_triangle_covers_as_many_pixels_as_its_area() {
-    let corners = [Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(-1.0, 1.0, 0.0)];
+    let corners =
+        [Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(-1.0, 1.0, 0.0)];
     let mesh = mesh(vec![surface(&corners, &[0, 1, 2], Vec3::Z, 0)], vec![Material::default()]);
     for samples in 1..=4 {
         let mask = mask(&mesh, &flat_view(64, samples, 4.0), &Control::default()).unwrap();
@@ -95,7 +96,10 @@ fn the_nearer_triangle_wins_in_either_order() {
     for order in [[0, 1], [1, 0]] {
         let surfaces = order.map(|near| square(if near == 1 { 0.5 } else { -0.5 }, near));
         let mesh = mesh(surfaces.to_vec(), materials.clone());
-        for camera in [flat_view(32, 2, 4.0).camera, Camera::Framed(Framing { yaw: 0.0, ..Framing::default() })] {
+        for camera in [
+            flat_view(32, 2, 4.0).camera,
+            Camera::Framed(Framing { yaw: 0.0, ..Framing::default() }),
+        ] {
             let view = View { camera, ..flat_view(32, 2, 4.0) };
             let picture = render(&mesh, &view, &bare(), &Control::default()).unwrap();
             let [r, _, b] = pixel(&picture, 16, 16);
@@ -139,8 +143,13 @@ fn holes_of_the_alpha_mask_show_what_is_behind() {
 fn far_leaves_do_not_vanish() {
     // Thin stripes: one texel in eight.
     let pixels = (0..256 * 256).flat_map(|i| [0, 255, 0, if i % 8 == 0 { 255 } else { 0 }]);
-    let texture = Texture { name: "needles".into(), width: 256, height: 256, pixels: pixels.collect() };
-    let material = Material { texture: Some(Arc::new(texture)), alpha: Alpha::Mask(0.5), ..Material::default() };
+    let texture =
+        Texture { name: "needles".into(), width: 256, height: 256, pixels: pixels.collect() };
+    let material = Material {
+        texture: Some(Arc::new(texture)),
+        alpha: Alpha::Mask(0.5),
+        ..Material::default()
+    };
     let mut card = square(0.0, 0);
     card.uvs = vec![Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
     let mesh = mesh(vec![card], vec![material]);
@@ -154,8 +163,10 @@ fn far_leaves_do_not_vanish() {
 fn the_shadow_falls_where_geometry_says() {
     // A level square, 4 m above the ground; the sun stands at 45° over +Z, so its shadow is moved by
     // 4 m towards -Z.
-    let corners = [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, z)| Vec3::new(x, 4.0, z));
-    let mesh = mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Y, 0)], vec![Material::default()]);
+    let corners =
+        [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, z)| Vec3::new(x, 4.0, z));
+    let mesh =
+        mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Y, 0)], vec![Material::default()]);
     let style = Style { sun_yaw: 0.0, sun_pitch: PI / 4.0, sky: 0.2, ..quick() };
     // From straight above, at 16 pixels per metre, z = -4 in the middle.
     let (eye, target) = (Vec3::new(0.0, 30.0, -4.0), Vec3::new(0.0, 0.0, -4.0));
@@ -178,17 +189,28 @@ fn the_shadow_falls_where_geometry_says() {
 #[test]
 fn the_shadow_touches_what_casts_it_and_lit_faces_have_no_acne() {
     // A wall on the ground, seen from its sunny side and from behind.
-    let corners = [(-1.0, 0.0), (1.0, 0.0), (1.0, 2.0), (-1.0, 2.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
-    let mesh = mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Z, 0)], vec![colored([0.5; 3])]);
-    let style = Style { sun_yaw: 0.3, sun_pitch: 0.7, sky_directions: 0, sun_map_px: 512, ..quick() };
+    let corners =
+        [(-1.0, 0.0), (1.0, 0.0), (1.0, 2.0), (-1.0, 2.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
+    let mesh =
+        mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Z, 0)], vec![colored([0.5; 3])]);
+    let style =
+        Style { sun_yaw: 0.3, sun_pitch: 0.7, sky_directions: 0, sun_map_px: 512, ..quick() };
     let seen_from = |z: f32| {
         let lens = Lens::Orthographic { height: 4.0 };
-        let camera = Camera::Placed(Pose { eye: Vec3::new(0.0, 5.0, z), target: Vec3::ZERO, up: Vec3::Y, lens });
+        let camera = Camera::Placed(Pose {
+            eye: Vec3::new(0.0, 5.0, z),
+            target: Vec3::ZERO,
+            up: Vec3::Y,
+            lens,
+        });
         let view = View { width: 128, height: 128, samples: 2, camera };
         render(&mesh, &view, &style, &Control::default()).unwrap()
     };
     let front = seen_from(10.0);
-    let shades: Vec<i32> = (20..60).flat_map(|y| (40..90).map(move |x| (x, y))).map(|(x, y)| pixel(&front, x, y)[1]).collect();
+    let shades: Vec<i32> = (20..60)
+        .flat_map(|y| (40..90).map(move |x| (x, y)))
+        .map(|(x, y)| pixel(&front, x, y)[1])
+        .collect();
     let (darkest, brightest) = (shades.iter().min().unwrap(), shades.iter().max().unwrap());
     assert!(brightest - darkest < 12, "acne: {darkest} to {brightest}");
     // Just behind the wall's foot the ground lies in shadow; far to the side it does not.
@@ -202,7 +224,8 @@ fn the_shadow_touches_what_casts_it_and_lit_faces_have_no_acne() {
 #[test]
 fn the_silhouette_of_a_sphere_is_a_disc() {
     let mesh = mesh(vec![sphere(1.0, Vec3::new(3.0, -2.0, 1.0), 48)], vec![Material::default()]);
-    let framing = Framing { yaw: 1.0, pitch: -0.4, margin: 0.0, orthographic: true, ..Framing::default() };
+    let framing =
+        Framing { yaw: 1.0, pitch: -0.4, margin: 0.0, orthographic: true, ..Framing::default() };
     let view = View { width: 200, height: 150, samples: 3, camera: Camera::Framed(framing) };
     let mask = mask(&mesh, &view, &Control::default()).unwrap();
     let expected = f64::from(PI) * 75.0 * 75.0;
@@ -214,29 +237,44 @@ fn the_silhouette_of_a_sphere_is_a_disc() {
 #[test]
 fn framing_fills_the_picture_up_to_the_margin() {
     let mesh = mesh(vec![sphere(1.0, Vec3::Y, 32)], vec![Material::default()]);
-    for (orthographic, fov, aspect) in [(true, 0.6, 1.0), (false, 0.6, 1.0), (false, 1.5, 0.4), (false, 0.1, 3.0)] {
+    for (orthographic, fov, aspect) in
+        [(true, 0.6, 1.0), (false, 0.6, 1.0), (false, 1.5, 0.4), (false, 0.1, 3.0)]
+    {
         let framing = Framing { yaw: 0.5, pitch: 0.7, fov, margin: 0.1, orthographic };
         let height = 200;
         let width = (height as f32 * aspect) as u32;
         let view = View { width, height, samples: 1, camera: Camera::Framed(framing) };
         let mask = mask(&mesh, &view, &Control::default()).unwrap();
         let on: Vec<_> = (0..width * height).filter(|&i| mask.coverage[i as usize] > 0).collect();
-        let (left, right) = (on.iter().map(|i| i % width).min().unwrap(), on.iter().map(|i| i % width).max().unwrap());
+        let (left, right) = (
+            on.iter().map(|i| i % width).min().unwrap(),
+            on.iter().map(|i| i % width).max().unwrap(),
+        );
         let (top, bottom) = (on[0] / width, on[on.len() - 1] / width);
         let tight_x = (right - left + 1) as f32 / width as f32;
         let tight_y = (bottom - top + 1) as f32 / height as f32;
         assert!((tight_x.max(tight_y) - 0.8).abs() < 0.03, "{framing:?}: {tight_x} {tight_y}");
-        assert!((left + right).abs_diff(width) < 5 && (top + bottom).abs_diff(height) < 5, "centred");
+        assert!(
+            (left + right).abs_diff(width) < 5 && (top + bottom).abs_diff(height) < 5,
+            "centred"
+        );
     }
 }
 
 #[test]
 fn a_triangle_through_the_camera_is_clipped_not_lost() {
     // The ground as two triangles, reaching far behind the eye.
-    let corners = [(-500.0, 500.0), (500.0, 500.0), (500.0, -500.0), (-500.0, -500.0)].map(|(x, z)| Vec3::new(x, 0.0, z));
-    let mesh = mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Y, 0)], vec![Material::default()]);
+    let corners = [(-500.0, 500.0), (500.0, 500.0), (500.0, -500.0), (-500.0, -500.0)]
+        .map(|(x, z)| Vec3::new(x, 0.0, z));
+    let mesh =
+        mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Y, 0)], vec![Material::default()]);
     let lens = Lens::Perspective { fov: 1.0 };
-    let camera = Camera::Placed(Pose { eye: Vec3::new(0.0, 2.0, 0.0), target: Vec3::new(1.0, 2.0, 0.3), up: Vec3::Y, lens });
+    let camera = Camera::Placed(Pose {
+        eye: Vec3::new(0.0, 2.0, 0.0),
+        target: Vec3::new(1.0, 2.0, 0.3),
+        up: Vec3::Y,
+        lens,
+    });
     let view = View { width: 64, height: 64, samples: 2, camera };
     let mask = mask(&mesh, &view, &Control::default()).unwrap();
     for (i, &c) in mask.coverage.iter().enumerate() {
@@ -266,7 +304,9 @@ fn one_thread_or_many_give_the_same_bits() {
 #[test]
 fn an_empty_mesh_shows_the_ground_alone() {
     let (view, control) = (View { width: 40, height: 30, ..View::default() }, Control::default());
-    for empty in [Mesh::default(), mesh(vec![surface(&[], &[], Vec3::Y, 0)], vec![Material::default()])] {
+    for empty in
+        [Mesh::default(), mesh(vec![surface(&[], &[], Vec3::Y, 0)], vec![Material::default()])]
+    {
         for style in [quick(), bare(), Style::studio(), Style { ground: None, ..Style::studio() }] {
             let picture = render(&empty, &view, &style, &control).unwrap();
             assert!(picture.pixels.chunks(4).all(|p| p[3] == 255));
@@ -308,7 +348,8 @@ fn roots_below_the_ground_are_hidden_unless_there_is_none() {
     let red = |ground| {
         let style = Style { ground, ..quick() };
         let camera = Camera::Framed(Framing { pitch: 0.8, ..Framing::default() });
-        let picture = render(&mesh, &View { camera, ..view.clone() }, &style, &Control::default()).unwrap();
+        let picture =
+            render(&mesh, &View { camera, ..view.clone() }, &style, &Control::default()).unwrap();
         let [r, g, _] = pixel(&picture, 32, 32);
         r > 2 * g
     };
@@ -323,7 +364,10 @@ fn pixels_are_counted_before_memory_is_taken() {
         render(&Mesh::default(), &view, &Style::default(), &Control::default()).err(),
         mask(&Mesh::default(), &view, &Control::default()).err(),
     ] {
-        assert!(matches!(result, Some(LodError::Limit(LimitError { requested: 4_294_967_296.., .. }))));
+        assert!(matches!(
+            result,
+            Some(LodError::Limit(LimitError { requested: 4_294_967_296.., .. }))
+        ));
     }
     limits.triangles = 1;
     let mesh = mesh(vec![square(0.0, 0)], vec![Material::default()]);
@@ -333,7 +377,12 @@ fn pixels_are_counted_before_memory_is_taken() {
 
 #[test]
 fn bad_parameters_are_named() {
-    let name = |view: &View, style: &Style| match render(&Mesh::default(), view, style, &Control::default()) {
+    let name = |view: &View, style: &Style| match render(
+        &Mesh::default(),
+        view,
+        style,
+        &Control::default(),
+    ) {
         Err(LodError::Parameter { field, .. } | LodError::Camera { field, .. }) => field,
         other => panic!("{other:?}"),
     };
@@ -342,11 +391,18 @@ fn bad_parameters_are_named() {
     assert_eq!(name(&View { height: 16_385, ..view() }, &style()), "view.height");
     assert_eq!(name(&View { samples: 5, ..view() }, &style()), "view.samples");
     let framed = |framing| View { camera: Camera::Framed(framing), ..view() };
-    assert_eq!(name(&framed(Framing { yaw: f32::NAN, ..Framing::default() }), &style()), "camera.yaw");
+    assert_eq!(
+        name(&framed(Framing { yaw: f32::NAN, ..Framing::default() }), &style()),
+        "camera.yaw"
+    );
     assert_eq!(name(&framed(Framing { fov: 3.0, ..Framing::default() }), &style()), "camera.fov");
-    assert_eq!(name(&framed(Framing { margin: 0.5, ..Framing::default() }), &style()), "camera.margin");
+    assert_eq!(
+        name(&framed(Framing { margin: 0.5, ..Framing::default() }), &style()),
+        "camera.margin"
+    );
     let lens = Lens::Perspective { fov: 1.0 };
-    let placed = |eye, target, up| View { camera: Camera::Placed(Pose { eye, target, up, lens }), ..view() };
+    let placed =
+        |eye, target, up| View { camera: Camera::Placed(Pose { eye, target, up, lens }), ..view() };
     assert_eq!(name(&placed(Vec3::X, Vec3::X, Vec3::Y), &style()), "camera.target");
     assert_eq!(name(&placed(Vec3::Y, Vec3::ZERO, Vec3::Y), &style()), "camera.up");
     assert_eq!(name(&placed(Vec3::NAN, Vec3::ZERO, Vec3::Y), &style()), "camera.eye");

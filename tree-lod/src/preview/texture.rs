@@ -120,7 +120,8 @@ impl Level {
     pub(super) fn covers(&self, u: f32, v: f32) -> bool {
         let x = (wrap(u) * self.width as f32) as u32;
         let y = (wrap(v) * self.height as f32) as u32;
-        let texel = y.min(self.height - 1) as usize * self.width as usize + x.min(self.width - 1) as usize;
+        let texel =
+            y.min(self.height - 1) as usize * self.width as usize + x.min(self.width - 1) as usize;
         u16::from(self.alpha[texel]) >= self.cutoff
     }
 
@@ -208,7 +209,8 @@ impl Srgb {
             let c = byte as f32 / 255.0;
             if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }
         });
-        let encode = (0..=ENCODE_STEPS).map(|i| srgb_byte(i as f32 / ENCODE_STEPS as f32)).collect();
+        let encode =
+            (0..=ENCODE_STEPS).map(|i| srgb_byte(i as f32 / ENCODE_STEPS as f32)).collect();
         Self { decode, encode }
     }
 

@@ -106,7 +106,11 @@ impl Stage<'_> {
     fn clipped(&self, surface: usize, triangle: u32) -> ([Corner; MOST_CORNERS], usize) {
         let rows = self.scene.rows(surface, triangle);
         let surface = self.scene.surface(surface);
-        clip(rows.map(|row| surface.positions[row]), rows.map(|row| surface.uvs[row]), self.projector)
+        clip(
+            rows.map(|row| surface.positions[row]),
+            rows.map(|row| surface.uvs[row]),
+            self.projector,
+        )
     }
 
     /// First and last row in which the corners' box holds a sample of the picture.
@@ -128,7 +132,12 @@ impl Stage<'_> {
     }
 
     /// Draws what touches band number `number`.
-    pub(super) fn draw_band<const IDS: bool>(&self, bins: &Bins, number: usize, band: &mut Band<'_>) {
+    pub(super) fn draw_band<const IDS: bool>(
+        &self,
+        bins: &Bins,
+        number: usize,
+        band: &mut Band<'_>,
+    ) {
         let mut surface = 0;
         for triangles in bins.of_band(number) {
             for &triangle in triangles {
@@ -144,7 +153,9 @@ impl Stage<'_> {
             if self.scene.skin(surface).cover == Cover::None {
                 continue;
             }
-            for triangle in self.scene.first_triangle[surface]..self.scene.first_triangle[surface + 1] {
+            for triangle in
+                self.scene.first_triangle[surface]..self.scene.first_triangle[surface + 1]
+            {
                 let spots = self.spots_of(surface, triangle);
                 if spots.iter().any(Spot::is_outside) || self.rows_of(spots.into_iter()).is_some() {
                     self.draw_one::<false>(band, surface, triangle, spots);
@@ -154,7 +165,13 @@ impl Stage<'_> {
     }
 
     #[inline]
-    fn draw_one<const IDS: bool>(&self, band: &mut Band<'_>, surface: usize, triangle: u32, spots: [Spot; 3]) {
+    fn draw_one<const IDS: bool>(
+        &self,
+        band: &mut Band<'_>,
+        surface: usize,
+        triangle: u32,
+        spots: [Spot; 3],
+    ) {
         let skin = self.scene.skin(surface);
         let pyramid = match skin.cover {
             Cover::All => None,
