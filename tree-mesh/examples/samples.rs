@@ -60,7 +60,7 @@ fn dress(look: &mut Look) {
         let inside = 2.0 * x.abs() < 1.0 - y * y;
         [60, if x < 0.0 { 120 } else { 140 }, 40, if inside { 255 } else { 0 }]
     });
-    for material in &mut look.leaves {
+    for material in look.leaves.iter_mut().map(|leaf| &mut leaf.material) {
         material.base_color = [1.0; 4];
         material.texture = Some(Arc::clone(&leaf));
         material.alpha = Alpha::Mask(0.5);

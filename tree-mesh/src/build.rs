@@ -84,8 +84,7 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
         dropped_nodes: sum.dropped_nodes + count.dropped_nodes,
         dropped_axes: sum.dropped_axes + count.dropped_axes,
     });
-    let cards: Vec<Card> =
-        look.leaves.iter().map(|material| Card::new(params, aspect(material))).collect();
+    let cards: Vec<Card> = look.leaves.iter().map(|leaf| Card::new(params, leaf.width)).collect();
     let n_leaves = count_leaves(tree);
 
     let mut triangles = wood.triangles;
@@ -105,7 +104,10 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     let drawn: u64 = n_leaves.iter().sum();
     let mesh = Mesh {
         surfaces,
-        materials: std::iter::once(&look.bark).chain(&look.leaves).cloned().collect(),
+        materials: std::iter::once(&look.bark)
+            .chain(look.leaves.iter().map(|leaf| &leaf.material))
+            .cloned()
+            .collect(),
     };
     let report = MeshReport {
         n_vertices: mesh.n_vertices(),
@@ -121,16 +123,6 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
         skipped_leaves: tree.foliage().len() - drawn as usize,
     };
     Ok(Built { mesh, report })
-}
-
-/// Width over height of a material's texture; 1 without one.
-fn aspect(material: &Material) -> f32 {
-    match material.texture.as_deref() {
-        Some(texture) if texture.width > 0 && texture.height > 0 => {
-            texture.width as f32 / texture.height as f32
-        }
-        _ => 1.0,
-    }
 }
 
 fn check_extent(tree: &Tree) -> Result<()> {

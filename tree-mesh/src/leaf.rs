@@ -32,11 +32,11 @@ pub(crate) struct Card {
 }
 
 impl Card {
-    /// A card in proportion to `texture` (width over height).
-    pub(crate) fn new(params: &MeshParams, texture_aspect: f32) -> Self {
+    /// A card for leaves that are `width` times as wide as long.
+    pub(crate) fn new(params: &MeshParams, width: f32) -> Self {
         let bent = params.leaf_bend > 0.0;
         Self {
-            width: texture_aspect * params.leaf_width * params.leaf_scale,
+            width: width * params.leaf_width * params.leaf_scale,
             length: params.leaf_scale,
             rows: if bent { 3 } else { 2 },
             bend: (libm::sinf(params.leaf_bend), libm::cosf(params.leaf_bend)),

@@ -35,7 +35,7 @@ mod tube;
 
 pub use build::{Built, MeshReport, build};
 pub use error::MeshError;
-pub use look::Look;
+pub use look::{LeafLook, Look};
 pub use mesh::{Alpha, Material, Mesh, Surface, Texture};
 pub use params::MeshParams;
 pub use tree_core;

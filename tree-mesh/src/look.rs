@@ -2,6 +2,8 @@
 
 use crate::error::{MeshError, Result};
 use crate::mesh::{Alpha, Material};
+use crate::texture;
+use std::sync::Arc;
 use tree_core::Species;
 
 /// Linear colour of plain bark: a grey brown.
@@ -10,29 +12,74 @@ const BARK_COLOR: [f32; 4] = [0.13, 0.09, 0.06, 1.0];
 const LEAF_COLOR: [f32; 4] = [0.09, 0.2, 0.04, 1.0];
 /// Share of light that plain leaves let through; measured broad leaves have 0.3 to 0.5.
 const LEAF_TRANSLUCENCY: f32 = 0.4;
+/// Alpha under which leaf textures are cut away; they are drawn for one half.
+const LEAF_CUTOFF: f32 = 0.5;
+const LEAF_ROUGHNESS: f32 = 0.7;
+const BARK_ROUGHNESS: f32 = 0.95;
 
 /// The materials a tree is dressed in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// Goes on all wood.
     pub bark: Material,
-    /// One for each of [`Species::leaf_kinds`], in that order. They should be double-sided.
-    pub leaves: Vec<Material>,
+    /// One for each of [`Species::leaf_kinds`], in that order.
+    pub leaves: Vec<LeafLook>,
+}
+
+/// What leaves of one kind look like.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeafLook {
+    /// Goes on the cards. Should be double-sided, with an alpha mask where the texture has one.
+    pub material: Material,
+    /// Width of a card in lengths of the leaf, above 0; 1 is square.
+    pub width: f32,
 }
 
 impl Look {
+    /// The built-in bark and leaf textures that the species names, see [`texture`].
+    ///
+    /// # Errors
+    /// [`MeshError::Unknown`] for a name that is not built in; dress such species with
+    /// [`Look::plain`] and textures of your own.
+    pub fn built_in(species: &Species) -> Result<Self> {
+        let bark = Material {
+            name: format!("{} bark", species.bark),
+            texture: Some(Arc::new(texture::bark(&species.bark)?)),
+            roughness: BARK_ROUGHNESS,
+            ..Default::default()
+        };
+        let leaf = |kind: &String| {
+            let leaf = texture::leaf(kind)?;
+            let material = Material {
+                name: format!("{kind} leaf"),
+                texture: Some(Arc::new(leaf.texture)),
+                roughness: LEAF_ROUGHNESS,
+                alpha: Alpha::Mask(LEAF_CUTOFF),
+                double_sided: true,
+                translucency: LEAF_TRANSLUCENCY,
+                ..Default::default()
+            };
+            Ok(LeafLook { material, width: leaf.width })
+        };
+        let leaves = species.leaf_kinds.iter().map(leaf).collect::<Result<Vec<_>>>()?;
+        Ok(Self { bark, leaves })
+    }
+
     /// Plain colours without textures: for previews, tests and engines that bring their own
     /// materials. Leaf cards show as whole rectangles.
     #[must_use]
     pub fn plain(species: &Species) -> Self {
-        let leaf = |kind: &String| Material {
-            name: format!("{kind} leaf"),
-            base_color: LEAF_COLOR,
-            roughness: 0.7,
-            alpha: Alpha::Opaque,
-            double_sided: true,
-            translucency: LEAF_TRANSLUCENCY,
-            texture: None,
+        let leaf = |kind: &String| LeafLook {
+            material: Material {
+                name: format!("{kind} leaf"),
+                base_color: LEAF_COLOR,
+                roughness: LEAF_ROUGHNESS,
+                alpha: Alpha::Opaque,
+                double_sided: true,
+                translucency: LEAF_TRANSLUCENCY,
+                texture: None,
+            },
+            width: 1.0,
         };
         Self {
             bark: Material {

@@ -44,8 +44,8 @@ pub struct MeshParams {
     pub flare_lobe_depth: f32,
     /// Factor on the length of every leaf card, 0.01 to 100. Default 1.
     pub leaf_scale: f32,
-    /// Factor on the width of every leaf card, 0.01 to 100. Default 1: the card has the proportions
-    /// of its texture, or is square without one.
+    /// Factor on the width of every leaf card, 0.01 to 100. Default 1: the card has the width of
+    /// its [`LeafLook`](crate::LeafLook).
     pub leaf_width: f32,
     /// Bends leaf cards down at half their length, 0 to π/2. Default 0: flat, two triangles a leaf;
     /// four otherwise.
