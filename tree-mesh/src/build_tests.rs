@@ -1,4 +1,5 @@
 use super::*;
+use glam::Vec2;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use tree_core::glam::Quat;
