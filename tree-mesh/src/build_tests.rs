@@ -220,17 +220,38 @@ fn leaves_are_grouped_by_kind_and_those_without_size_are_left_out() {
 }
 
 #[test]
-fn cards_take_the_proportions_of_their_texture() {
+fn cards_take_the_width_of_their_look() {
     let tree = leafy(vec![leaf(Vec3::ZERO, Quat::IDENTITY, 1.0, 0)], 1);
     let mut look = Look::plain(tree.species());
-    look.leaves[0].texture = Some(std::sync::Arc::new(crate::Texture {
-        name: "tall".into(),
-        width: 1,
-        height: 2,
-        pixels: vec![255; 8],
-    }));
+    look.leaves[0].width = 0.5;
     let built = build(&tree, &look, &plain(), &Control::default()).unwrap();
     assert_eq!(built.mesh.bounds().size(), Vec3::new(0.5, 1.0, 0.0));
+    look.leaves[0].width = f32::NAN;
+    let error = build(&tree, &look, &plain(), &Control::default()).unwrap_err();
+    assert!(matches!(error, MeshError::Parameter { field: "look.leaves.width", .. }));
+}
+
+#[test]
+fn built_in_looks_know_their_names_and_refuse_others() {
+    let species = Species::default();
+    let look = Look::built_in(&species).unwrap();
+    look.check(&species).unwrap();
+    assert!(look.leaves[0].material.texture.is_some());
+    let odd = Species { bark: "marble".into(), ..species };
+    let error = Look::built_in(&odd).unwrap_err();
+    assert!(error.to_string().contains("no bark named 'marble'"), "{error}");
+}
+
+#[test]
+fn a_leaning_trunk_stands_level_on_the_ground() {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.5);
+    builder.add(0, Vec3::new(2.0, 3.0, 0.0), 0.4).unwrap();
+    let tree = Tree::bare(builder.finish(), Species::default());
+    let params = MeshParams { flare: 0.35, ..plain() };
+    let bark = mesh_of(&tree, &params).mesh.surfaces[0].clone();
+    let foot = bark.positions.iter().filter(|p| p.y.abs() < 1e-5).count();
+    assert!(foot > 12, "only {foot} vertices on the ground");
+    assert!(bark.positions.iter().all(|p| p.y > -1e-5), "below the ground");
 }
 
 #[test]

@@ -4,12 +4,17 @@
 //! F(h) = flare·(1 − h/H)², L lobes and depth D. F and its slope vanish at H, so the flare joins the
 //! trunk without a kink. No source: a shape that looks right and costs one cosine a vertex.
 
+use crate::frame::Frame;
 use crate::params::MeshParams;
+use glam::Vec3;
 
 /// Vertices a lobe needs at least to be seen as one.
 const SIDES_PER_LOBE: u32 = 4;
 /// Depth of lobes, as a share of the radius, under which they need no vertices of their own.
 const LOBE_VISIBLE: f32 = 0.02;
+
+/// Height of a unit tangent under which a trunk lies rather than leans, and keeps its own foot.
+const LEVEL_MIN: f32 = 0.5;
 
 /// The flare of one trunk; [`Flare::NONE`] for every other axis.
 #[derive(Clone, Copy, Debug)]
@@ -66,6 +71,18 @@ impl Flare {
         } else {
             0
         }
+    }
+
+    /// The frame that the ring at this height stands in. A leaning trunk stands level on the ground:
+    /// its lowest ring is horizontal, and rings tilt to the trunk's own frame up to the flare's top.
+    pub(crate) fn stance(&self, along: f32, frame: &Frame) -> Frame {
+        if !self.acts(along) || frame.tangent.y < LEVEL_MIN {
+            return *frame;
+        }
+        let t = along / self.height;
+        let tilt = t * t * (3.0 - 2.0 * t);
+        let tangent = Vec3::Y.lerp(frame.tangent, tilt).normalize_or(frame.tangent);
+        Frame::new(tangent, frame.normal)
     }
 
     /// What happens to the vertex at this height and angle (0 to 2π).

@@ -8,6 +8,8 @@ use tree_core::Species;
 
 /// Linear colour of plain bark: a grey brown.
 const BARK_COLOR: [f32; 4] = [0.13, 0.09, 0.06, 1.0];
+/// Darkens bark textures: drawn to be judged on a screen, they reflect too much beside leaves.
+const BARK_TINT: [f32; 4] = [0.6, 0.6, 0.6, 1.0];
 /// Linear colour of plain leaves: a dull green.
 const LEAF_COLOR: [f32; 4] = [0.09, 0.2, 0.04, 1.0];
 /// Share of light that plain leaves let through; measured broad leaves have 0.3 to 0.5.
@@ -44,6 +46,7 @@ impl Look {
     pub fn built_in(species: &Species) -> Result<Self> {
         let bark = Material {
             name: format!("{} bark", species.bark),
+            base_color: BARK_TINT,
             texture: Some(Arc::new(texture::bark(&species.bark)?)),
             roughness: BARK_ROUGHNESS,
             ..Default::default()

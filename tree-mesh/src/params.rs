@@ -16,14 +16,14 @@ pub struct MeshParams {
     pub continuation: Continuation,
     /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
     pub sides_min: u32,
-    /// Most sides of a tube, 3 to 128. Default 24. The cost of trunk and boughs grows with it.
+    /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
     pub sides_max: u32,
-    /// How far a tube's sides may cut into the round branch, 0.01 mm to 1 m. Default 1 mm. Rules
+    /// How far a tube's sides may cut into the round branch, 0.01 mm to 1 m. Default 2 mm. Rules
     /// the number of sides between the two bounds above.
     pub side_error: f32,
     /// Whether axes are rounded between nodes by a spline through the nodes. Default true.
     pub smooth: bool,
-    /// How far rings may cut the corners of the spline, 0.01 mm to 1 m. Default 2 mm. Straight
+    /// How far rings may cut the corners of the spline, 0.01 mm to 1 m. Default 5 mm. Straight
     /// segments get no extra rings.
     pub curve_error: f32,
     /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
@@ -60,10 +60,10 @@ impl Default for MeshParams {
         Self {
             continuation: Continuation::Thickest,
             sides_min: 3,
-            sides_max: 24,
-            side_error: 0.001,
+            sides_max: 20,
+            side_error: 0.002,
             smooth: true,
-            curve_error: 0.002,
+            curve_error: 0.005,
             radius_min: 0.0005,
             bark_width: 0.5,
             bark_length: 0.5,

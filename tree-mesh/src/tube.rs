@@ -197,10 +197,11 @@ pub(crate) fn fill(
             frame = frame.advance(stations[i].position - stations[i - 1].position, tangent);
         }
         direction = ahead;
-        let ring = skin.ring(stations, i, &frame, out);
+        let stance = skin.flare.stance(stations[i].along, &frame);
+        let ring = skin.ring(stations, i, &frame, &stance, out);
         match last {
             Some(below) => zip(below, ring, out),
-            None => skin.close_base(ring, stations[0].position, &frame, spine.trunk, out),
+            None => skin.close_base(ring, stations[0].position, &stance, spine.trunk, out),
         }
         last = Some(ring);
     }
@@ -225,14 +226,22 @@ struct Skin<'a> {
 }
 
 impl Skin<'_> {
-    fn ring(&self, stations: &[Station], i: usize, frame: &Frame, out: &mut Columns<'_>) -> Ring {
+    /// One ring in the plane of `stance`; its normals belong to a branch along `frame`.
+    fn ring(
+        &self,
+        stations: &[Station],
+        i: usize,
+        frame: &Frame,
+        stance: &Frame,
+        out: &mut Columns<'_>,
+    ) -> Ring {
         let station = stations[i];
         let (below, above) =
             (stations[i.saturating_sub(1)], stations[(i + 1).min(stations.len() - 1)]);
         let rise = above.along - below.along;
         let slope = if rise > 0.0 { (above.radius - below.radius) / rise } else { 0.0 };
         let n = self.circles.n_sides(station, &self.flare);
-        let binormal = frame.binormal();
+        let (binormal, across) = (frame.binormal(), stance.binormal());
         let flared = self.flare.acts(station.along);
         let v = station.along * self.v_per_metre;
         let first = out.next();
@@ -251,7 +260,7 @@ impl Skin<'_> {
             }
             let u = self.repeats * k as f32 / n as f32;
             out.vertex(
-                station.position + outward * radius,
+                station.position + (stance.normal * corner.x + across * corner.y) * radius,
                 normal.try_normalize().unwrap_or(outward),
                 Vec2::new(u, v),
             );
