@@ -180,7 +180,7 @@ fn the_shadow_touches_what_casts_it_and_lit_faces_have_no_acne() {
     // A wall on the ground, seen from its sunny side and from behind.
     let corners = [(-1.0, 0.0), (1.0, 0.0), (1.0, 2.0), (-1.0, 2.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
     let mesh = mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Z, 0)], vec![colored([0.5; 3])]);
-    let style = Style { sun_yaw: 0.3, sun_pitch: 0.7, sky_directions: 0, sun_map_px: 512, ..quick() };
+    let style = Style { sun_yaw: 0.3, sun_pitch: 0.7, sky: 0.3, sky_directions: 0, sun_map_px: 512, ..quick() };
     let seen_from = |z: f32| {
         let lens = Lens::Orthographic { height: 4.0 };
         let camera = Camera::Placed(Pose { eye: Vec3::new(0.0, 5.0, z), target: Vec3::ZERO, up: Vec3::Y, lens });
@@ -307,7 +307,7 @@ fn roots_below_the_ground_are_hidden_unless_there_is_none() {
     let view = View { width: 64, height: 64, ..View::default() };
     let red = |ground| {
         let style = Style { ground, ..quick() };
-        let camera = Camera::Framed(Framing { pitch: 0.8, ..Framing::default() });
+        let camera = Camera::Framed(Framing { pitch: 0.8, margin: 0.4, ..Framing::default() });
         let picture = render(&mesh, &View { camera, ..view.clone() }, &style, &Control::default()).unwrap();
         let [r, g, _] = pixel(&picture, 32, 32);
         r > 2 * g
