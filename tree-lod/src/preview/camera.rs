@@ -143,20 +143,35 @@ impl Framing {
         };
         let inner = 1.0 - 2.0 * self.margin;
         let tan_y = inner * libm::tanf(0.5 * self.fov.clamp(0.01, 3.0));
-        let (tan_x, tan_y) = if self.orthographic { (0.0, 0.0) } else { (tan_y * aspect, tan_y) };
+        let (tan_x, tan_y) = if self.orthographic {
+            (0.0, 0.0)
+        } else {
+            (tan_y * aspect, tan_y)
+        };
         // Largest of ±x - tan·z, ±y - tan·z, and the nearest z.
         let mut most = [f32::NEG_INFINITY; 5];
-        let vertices = mesh.surfaces.iter().flat_map(|surface| &surface.positions).chain(&corners);
+        let vertices = mesh
+            .surfaces
+            .iter()
+            .flat_map(|surface| &surface.positions)
+            .chain(&corners);
         for &p in vertices {
             let d = p - center;
             let (x, y, z) = (right.dot(d), up.dot(d), forward.dot(d));
-            let sides = [x - tan_x * z, -x - tan_x * z, y - tan_y * z, -y - tan_y * z, -z];
+            let sides = [
+                x - tan_x * z,
+                -x - tan_x * z,
+                y - tan_y * z,
+                -y - tan_y * z,
+                -z,
+            ];
             for (most, side) in most.iter_mut().zip(sides) {
                 *most = most.max(side);
             }
         }
         let [right_side, left_side, top, bottom, nearest] = most;
-        let middle = center + right * (0.5 * (right_side - left_side)) + up * (0.5 * (top - bottom));
+        let middle =
+            center + right * (0.5 * (right_side - left_side)) + up * (0.5 * (top - bottom));
         let size = bounds.size().max_element().max(1e-3);
         let (width, height) = ((right_side + left_side).max(0.0), (top + bottom).max(0.0));
         let (distance, lens) = if self.orthographic {
@@ -169,15 +184,22 @@ impl Framing {
             (distance, Lens::Perspective { fov: self.fov })
         };
         let eye = middle - forward * distance;
-        Pose { eye, target: eye + forward * distance, up, lens }
+        Pose {
+            eye,
+            target: eye + forward * distance,
+            up,
+            lens,
+        }
     }
 }
 
 impl Pose {
     fn validate(&self) -> Result<()> {
-        for (field, v) in
-            [("camera.eye", self.eye), ("camera.target", self.target), ("camera.up", self.up)]
-        {
+        for (field, v) in [
+            ("camera.eye", self.eye),
+            ("camera.target", self.target),
+            ("camera.up", self.up),
+        ] {
             for coordinate in v.to_array() {
                 check_range(field, coordinate.into(), -FARTHEST, FARTHEST)?;
             }
@@ -229,9 +251,10 @@ impl Projector {
         let forward = toward.normalize_or(Vec3::NEG_Z);
         let right = forward.cross(pose.up).normalize_or(Vec3::X);
         let (scale, perspective) = match pose.lens {
-            Lens::Perspective { fov } => {
-                (0.5 * height as f32 / libm::tanf(0.5 * fov.clamp(0.01, PI - 0.1)), true)
-            }
+            Lens::Perspective { fov } => (
+                0.5 * height as f32 / libm::tanf(0.5 * fov.clamp(0.01, PI - 0.1)),
+                true,
+            ),
             Lens::Orthographic { height: metres } => (height as f32 / metres, false),
         };
         Self {
@@ -241,7 +264,11 @@ impl Projector {
             forward,
             scale,
             center: 0.5 * Vec2::new(width as f32, height as f32),
-            near: if perspective { NEAR_SHARE * size.min(toward.length()).max(1e-4) } else { 0.0 },
+            near: if perspective {
+                NEAR_SHARE * size.min(toward.length()).max(1e-4)
+            } else {
+                0.0
+            },
             perspective,
             width,
             height,
@@ -319,13 +346,21 @@ impl Projector {
         // Along a ray o + t·d the plane is met at t = (y - o.y) / d.y.
         let at = |x: f32, row: f32| {
             let (origin, direction) = self.ray(x, row);
-            if self.perspective { -direction.y / above } else { (origin.y - y) / direction.y }
+            if self.perspective {
+                -direction.y / above
+            } else {
+                (origin.y - y) / direction.y
+            }
         };
         if self.perspective && above <= self.near || !self.perspective && self.forward.y > -1e-4 {
             return None;
         }
         let first = at(0.0, 0.0);
         let step = (0.5 * self.width as f32, 0.5 * self.height as f32);
-        Some([first, (at(step.0, 0.0) - first) / step.0, (at(0.0, step.1) - first) / step.1])
+        Some([
+            first,
+            (at(step.0, 0.0) - first) / step.0,
+            (at(0.0, step.1) - first) / step.1,
+        ])
     }
 }

@@ -26,7 +26,9 @@ impl Picture {
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 4]> {
         let at = 4 * (y as usize * self.width as usize + x as usize);
-        (x < self.width).then(|| self.pixels.get(at..)?.first_chunk().copied()).flatten()
+        (x < self.width)
+            .then(|| self.pixels.get(at..)?.first_chunk().copied())
+            .flatten()
     }
 
     /// The picture as a PNG file in memory.
@@ -56,7 +58,8 @@ impl Picture {
         let path = path.as_ref();
         let bytes = self.to_png()?;
         tree_core::file::write_atomic(path, |out| {
-            out.write_all(&bytes).map_err(|error| tree_core::CoreError::io(path, error).into())
+            out.write_all(&bytes)
+                .map_err(|error| tree_core::CoreError::io(path, error).into())
         })
     }
 }
@@ -93,13 +96,18 @@ impl Mask {
     /// The mask in black on white.
     #[must_use]
     pub fn to_picture(&self) -> Picture {
-        let bytes: Vec<u8> =
-            (0..=255_u16).map(|c| srgb_byte(1.0 - f32::from(c) / 255.0)).collect();
+        let bytes: Vec<u8> = (0..=255_u16)
+            .map(|c| srgb_byte(1.0 - f32::from(c) / 255.0))
+            .collect();
         let pixels = self.coverage.iter().flat_map(|&c| {
             let grey = bytes[usize::from(c)];
             [grey, grey, grey, 255]
         });
-        Picture { width: self.width, height: self.height, pixels: pixels.collect() }
+        Picture {
+            width: self.width,
+            height: self.height,
+            pixels: pixels.collect(),
+        }
     }
 }
 
@@ -120,14 +128,20 @@ impl Tone {
             let t = (i as f32 + 0.5) / STEPS as f32;
             (255.0 * 256.0 * srgb(filmic(t / (1.0 - t)).clamp(0.0, 1.0))) as u16
         });
-        Self { table: table.collect(), exposure }
+        Self {
+            table: table.collect(),
+            exposure,
+        }
     }
 
     /// The bytes of a pixel; its place decides how fractions of a byte are rounded, so that a sky
     /// has no visible steps.
     pub(super) fn bytes(&self, light: Vec3, x: u32, y: u32) -> [u8; 4] {
         // A lattice without visible pattern, 0 to 255 (Roberts 2018: powers of the plastic number).
-        let dither = (x.wrapping_mul(3_242_174_889).wrapping_add(y.wrapping_mul(2_447_445_414)) >> 24) as u16;
+        let dither = (x
+            .wrapping_mul(3_242_174_889)
+            .wrapping_add(y.wrapping_mul(2_447_445_414))
+            >> 24) as u16;
         let [r, g, b] = (light.max(Vec3::ZERO) * self.exposure).to_array().map(|x| {
             let i = (x / (1.0 + x) * STEPS as f32) as usize;
             ((self.table[i.min(STEPS - 1)] + dither) >> 8) as u8

@@ -70,16 +70,27 @@ impl Projector {
         let (x, y, depth) = self.place(v);
         // Written so that NaN (0 / 0 at the eye) counts as outside.
         let inside = v.z >= self.near && x.abs() <= GUARD && y.abs() <= GUARD;
-        Spot { x: if inside { fixed(x) } else { OUTSIDE }, y: fixed(y), depth }
+        Spot {
+            x: if inside { fixed(x) } else { OUTSIDE },
+            y: fixed(y),
+            depth,
+        }
     }
 }
 
 impl Projector {
     #[inline]
     fn place(&self, v: Vec3) -> (f32, f32, f32) {
-        let (scale, depth) =
-            if self.perspective { (self.scale / v.z, 1.0 / v.z) } else { (self.scale, -v.z) };
-        (self.center.x + v.x * scale, self.center.y - v.y * scale, depth)
+        let (scale, depth) = if self.perspective {
+            (self.scale / v.z, 1.0 / v.z)
+        } else {
+            (self.scale, -v.z)
+        };
+        (
+            self.center.x + v.x * scale,
+            self.center.y - v.y * scale,
+            depth,
+        )
     }
 
     /// As [`spot`](Self::spot), for a corner that was cut off: the rounding of a cut through a long
@@ -87,7 +98,11 @@ impl Projector {
     fn spot_within(&self, v: Vec3) -> Spot {
         let (x, y, depth) = self.place(Vec3::new(v.x, v.y, v.z.max(self.near)));
         let within = |t: f32| t.clamp(-GUARD, GUARD);
-        Spot { x: fixed(within(x)), y: fixed(within(y)), depth }
+        Spot {
+            x: fixed(within(x)),
+            y: fixed(within(y)),
+            depth,
+        }
     }
 }
 
@@ -116,12 +131,21 @@ pub(super) fn clip(
 ) -> ([Corner; MOST_CORNERS], usize) {
     let mut polygon = [Loose::default(); MOST_CORNERS];
     for i in 0..3 {
-        polygon[i] = Loose { view: projector.view(positions[i]), uv: uvs[i] };
+        polygon[i] = Loose {
+            view: projector.view(positions[i]),
+            uv: uvs[i],
+        };
     }
     let mut count = 3;
     // Half the guard band, measured from the optical axis, is far beyond any picture.
     let reach = 0.5 * GUARD / projector.scale;
-    let side = |v: Vec3| if projector.perspective { reach * v.z } else { reach };
+    let side = |v: Vec3| {
+        if projector.perspective {
+            reach * v.z
+        } else {
+            reach
+        }
+    };
     let near = projector.near;
     let distances: [&dyn Fn(Vec3) -> f32; 5] = [
         &|v| v.z - near,
@@ -135,7 +159,10 @@ pub(super) fn clip(
     }
     let mut corners = [Corner::default(); MOST_CORNERS];
     for (corner, loose) in corners.iter_mut().zip(&polygon[..count]) {
-        *corner = Corner { spot: projector.spot_within(loose.view), uv: loose.uv };
+        *corner = Corner {
+            spot: projector.spot_within(loose.view),
+            uv: loose.uv,
+        };
     }
     (corners, count)
 }
@@ -160,7 +187,11 @@ fn cut(
             push(a);
         }
         if (da >= 0.0) != (db >= 0.0) {
-            let (inner, outer, di, do_) = if da >= 0.0 { (a, b, da, db) } else { (b, a, db, da) };
+            let (inner, outer, di, do_) = if da >= 0.0 {
+                (a, b, da, db)
+            } else {
+                (b, a, db, da)
+            };
             let t = di / (di - do_);
             push(Loose {
                 view: inner.view + (outer.view - inner.view) * t,

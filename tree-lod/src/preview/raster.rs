@@ -111,7 +111,14 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
     }
     let size = (i64::from(x_high) - i64::from(x_low)).max(i64::from(y_high) - i64::from(y_low));
     if size <= TINY_EXTENT {
-        return tiny::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom]);
+        return tiny::<IDS, PERSPECTIVE>(
+            band,
+            [a, b, c],
+            id,
+            mask,
+            area,
+            [left, right, top, bottom],
+        );
     }
     let edges = [(&a, &b), (&b, &c), (&c, &a)].map(|(a, b)| Edge::new(a, b, left, top));
     if size <= SMALL_EXTENT {
@@ -119,12 +126,28 @@ pub(super) fn draw<const IDS: bool, const PERSPECTIVE: bool>(
         let bounds = |row: i32, first: &mut i32, last: &mut i32| {
             edges.iter().for_each(|edge| edge.bound(row, first, last));
         };
-        fill::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom], bounds);
+        fill::<IDS, PERSPECTIVE>(
+            band,
+            [a, b, c],
+            id,
+            mask,
+            area,
+            [left, right, top, bottom],
+            bounds,
+        );
     } else {
         let bounds = |row: i32, first: &mut i32, last: &mut i32| {
             edges.iter().for_each(|edge| edge.bound(row, first, last));
         };
-        fill::<IDS, PERSPECTIVE>(band, [a, b, c], id, mask, area, [left, right, top, bottom], bounds);
+        fill::<IDS, PERSPECTIVE>(
+            band,
+            [a, b, c],
+            id,
+            mask,
+            area,
+            [left, right, top, bottom],
+            bounds,
+        );
     }
 }
 
@@ -142,13 +165,20 @@ fn tiny<const IDS: bool, const PERSPECTIVE: bool>(
     let area = area.unsigned_abs() as i32;
     let (x1, y1) = (b.spot.x - a.spot.x, b.spot.y - a.spot.y);
     let (x2, y2) = (c.spot.x - a.spot.x, c.spot.y - a.spot.y);
-    let (px, py) = (left * SUBSAMPLES + HALF - a.spot.x, top * SUBSAMPLES + HALF - a.spot.y);
+    let (px, py) = (
+        left * SUBSAMPLES + HALF - a.spot.x,
+        top * SUBSAMPLES + HALF - a.spot.y,
+    );
     // Opposite to c and to b; the third is what is missing to the area.
     let (mut row_c, mut row_b) = (x1 * py - y1 * px, y2 * px - x2 * py);
     let open = |dx: i32, dy: i32| i32::from(!(dy < 0 || dy == 0 && dx > 0));
     let (open_c, open_b, open_a) = (open(x1, y1), open(-x2, -y2), open(x2 - x1, y2 - y1));
     let per_area = 1.0 / area as f32;
-    let qs = if PERSPECTIVE { [a, b, c].map(|corner| corner.spot.depth) } else { [1.0; 3] };
+    let qs = if PERSPECTIVE {
+        [a, b, c].map(|corner| corner.spot.depth)
+    } else {
+        [1.0; 3]
+    };
     let width = band.width as usize;
     for y in top..=bottom {
         let (mut at_c, mut at_b) = (row_c, row_b);
@@ -195,7 +225,6 @@ fn fill<const IDS: bool, const PERSPECTIVE: bool>(
     [left, right, top, bottom]: [i32; 4],
     bounds: impl Fn(i32, &mut i32, &mut i32),
 ) {
-
     let (x1, y1) = ((b.spot.x - a.spot.x) as f32, (b.spot.y - a.spot.y) as f32);
     let (x2, y2) = ((c.spot.x - a.spot.x) as f32, (c.spot.y - a.spot.y) as f32);
     let per_area = 1.0 / area.unsigned_abs() as f32;
@@ -230,7 +259,9 @@ fn fill<const IDS: bool, const PERSPECTIVE: bool>(
         let dy = (y * SUBSAMPLES + HALF - a.spot.y) as f32;
         let x_start = first * SUBSAMPLES + HALF - a.spot.x;
         let depth_row = depth.at_a + dy * depth.per_y;
-        let Some(depths) = band.depth.get_mut(span.clone()) else { continue };
+        let Some(depths) = band.depth.get_mut(span.clone()) else {
+            continue;
+        };
         let depth_at = |i: usize| {
             let dx = (x_start + (i as i32) * SUBSAMPLES) as f32;
             (dx, between(depth_row + dx * depth.per_x, farthest, nearest))
@@ -238,7 +269,9 @@ fn fill<const IDS: bool, const PERSPECTIVE: bool>(
         match &uv {
             None => {
                 if IDS {
-                    let Some(ids) = band.ids.get_mut(span) else { continue };
+                    let Some(ids) = band.ids.get_mut(span) else {
+                        continue;
+                    };
                     for (i, (held, held_id)) in depths.iter_mut().zip(ids).enumerate() {
                         let (_, found) = depth_at(i);
                         if found > *held {
@@ -284,8 +317,14 @@ fn between(v: f32, low: f32, high: f32) -> f32 {
 /// Twice the signed area, exactly.
 #[inline]
 pub(super) fn cross(a: &Corner, b: &Corner, c: &Corner) -> i64 {
-    let (x1, y1) = (i64::from(b.spot.x) - i64::from(a.spot.x), i64::from(b.spot.y) - i64::from(a.spot.y));
-    let (x2, y2) = (i64::from(c.spot.x) - i64::from(a.spot.x), i64::from(c.spot.y) - i64::from(a.spot.y));
+    let (x1, y1) = (
+        i64::from(b.spot.x) - i64::from(a.spot.x),
+        i64::from(b.spot.y) - i64::from(a.spot.y),
+    );
+    let (x2, y2) = (
+        i64::from(c.spot.x) - i64::from(a.spot.x),
+        i64::from(c.spot.y) - i64::from(a.spot.y),
+    );
     x1 * y2 - x2 * y1
 }
 
@@ -305,7 +344,8 @@ impl Edge {
         let middle = |sample: i32| i64::from(sample) * i64::from(SUBSAMPLES) + i64::from(HALF);
         let dx = i64::from(b.spot.x) - i64::from(a.spot.x);
         let dy = i64::from(b.spot.y) - i64::from(a.spot.y);
-        let start = dx * (middle(top) - i64::from(a.spot.y)) - dy * (middle(left) - i64::from(a.spot.x));
+        let start =
+            dx * (middle(top) - i64::from(a.spot.y)) - dy * (middle(left) - i64::from(a.spot.x));
         // Samples on the edge itself belong to the triangle only if the edge is a top or left one.
         let owns = dy < 0 || dy == 0 && dx > 0;
         Self {
@@ -381,89 +421,5 @@ impl SmallEdge {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::project::Spot;
-    use super::*;
-    use glam::Vec2;
-    use proptest::prelude::*;
-
-    fn corner(x: i32, y: i32, depth: f32) -> Corner {
-        Corner { spot: Spot { x, y, depth }, uv: Vec2::ZERO }
-    }
-
-    fn cover(corners: [Corner; 3], side: i32) -> Vec<bool> {
-        let mut depth = vec![f32::NEG_INFINITY; (side * side) as usize];
-        let mut ids = vec![0; depth.len()];
-        let mut band = Band { top: 0, width: side, depth: &mut depth, ids: &mut ids };
-        draw::<true, false>(&mut band, corners, 7, None);
-        ids.iter().map(|&id| id == 7).collect()
-    }
-
-    #[test]
-    fn half_a_square_covers_half_its_samples() {
-        let s = SUBSAMPLES;
-        let (a, b, c, d) =
-            (corner(0, 0, 1.0), corner(16 * s, 0, 1.0), corner(0, 16 * s, 1.0), corner(16 * s, 16 * s, 1.0));
-        let count = |covered: Vec<bool>| covered.iter().filter(|&&on| on).count();
-        let (upper, lower) = (count(cover([a, b, c], 16)), count(cover([b, d, c], 16)));
-        // The 16 samples on the diagonal belong to one of them.
-        assert_eq!((upper + lower, upper.abs_diff(lower)), (256, 16));
-    }
-
-    proptest! {
-        #[test]
-        fn a_fan_covers_each_sample_exactly_once(
-            middle in (0..16 * 256, 0..16 * 256),
-            ring in prop::collection::vec(0..4 * 16 * 256, 3..8),
-        ) {
-            // Points on the border of the square in order, and all four corners of it.
-            let side = 16 * SUBSAMPLES;
-            let mut ring = ring;
-            ring.extend([0, side, 2 * side, 3 * side]);
-            ring.sort_unstable();
-            ring.dedup();
-            let on_border = |t: i32| match t / side {
-                0 => corner(t, 0, 1.0),
-                1 => corner(side, t - side, 1.0),
-                2 => corner(3 * side - t, side, 1.0),
-                _ => corner(0, 4 * side - t, 1.0),
-            };
-            let middle = corner(middle.0, middle.1, 1.0);
-            let mut times = vec![0; 256];
-            for i in 0..ring.len() {
-                let next = ring[(i + 1) % ring.len()];
-                let covered = cover([middle, on_border(ring[i]), on_border(next)], 16);
-                times.iter_mut().zip(covered).for_each(|(n, on)| *n += i32::from(on));
-            }
-            prop_assert!(times.iter().all(|&n| n == 1), "{times:?}");
-        }
-
-        #[test]
-        fn the_quotient_is_rounded_down(n in 0..1 << 30, steps in 1..1 << 14, k in 0..64) {
-            let slope = steps * SUBSAMPLES;
-            let edge = SmallEdge::from(Edge { start: 0, per_row: 0, per_x: i64::from(slope) });
-            prop_assert_eq!(edge.quotient(n), n / slope);
-            prop_assert_eq!(edge.quotient(k * slope), k);
-            prop_assert_eq!(edge.quotient(k * slope + slope - 1), k);
-        }
-
-        #[test]
-        fn small_and_large_triangles_are_drawn_alike(
-            at in prop::array::uniform3((-500..16 * 256 + 500, -500..16 * 256 + 500)),
-        ) {
-            let [a, b, c] = at.map(|(x, y)| corner(x, y, 1.0));
-            let (left, top) = (0, 0);
-            for (from, to) in [(&a, &b), (&b, &c), (&c, &a)] {
-                let edge = Edge::new(from, to, left, top);
-                let small = SmallEdge::from(edge);
-                for row in 0..16 {
-                    let (mut large, mut little) = ((0, 15), (0, 15));
-                    edge.bound(row, &mut large.0, &mut large.1);
-                    small.bound(row, &mut little.0, &mut little.1);
-                    let empty = |(first, last): (i32, i32)| first > last;
-                    prop_assert!(large == little || empty(large) && empty(little));
-                }
-            }
-        }
-    }
-}
+#[path = "raster_tests.rs"]
+mod tests;

@@ -57,7 +57,9 @@ pub fn render(mesh: &Mesh, view: &View, style: &Style, control: &Control) -> Res
     control.report("picture", 0.5)?;
     let projector = projector(&scene, view)?;
     let tone = Tone::new(style.exposure);
-    let ground = style.ground.and_then(|height| Some((height, projector.plane_depth(height)?)));
+    let ground = style
+        .ground
+        .and_then(|height| Some((height, projector.plane_depth(height)?)));
     let samples = view.samples as f32;
     let pixel_angle = samples / projector.scale;
     let mut pixels = vec![0_u8; 4 * view.width as usize * view.height as usize];
@@ -65,7 +67,11 @@ pub fn render(mesh: &Mesh, view: &View, style: &Style, control: &Control) -> Res
         Some((_, [start, right, down])) => {
             let depth = start + (x as f32 + 0.5) * right + (y as f32 + 0.5) * down;
             let seen = depth > 0.0 || !projector.perspective;
-            if seen { (depth, GROUND) } else { (f32::NEG_INFINITY, NOTHING) }
+            if seen {
+                (depth, GROUND)
+            } else {
+                (f32::NEG_INFINITY, NOTHING)
+            }
         }
         None => (f32::NEG_INFINITY, NOTHING),
     };
@@ -103,9 +109,22 @@ pub fn render(mesh: &Mesh, view: &View, style: &Style, control: &Control) -> Res
             }
         }
     };
-    draw(&scene, view, &projector, control, &mut pixels, 4, &clear, &finish)?;
+    draw(
+        &scene,
+        view,
+        &projector,
+        control,
+        &mut pixels,
+        4,
+        &clear,
+        &finish,
+    )?;
     control.report("picture", 1.0)?;
-    Ok(Picture { width: view.width, height: view.height, pixels })
+    Ok(Picture {
+        width: view.width,
+        height: view.height,
+        pixels,
+    })
 }
 
 /// The share of each pixel that `mesh` covers, by samples. There is no ground.
@@ -132,9 +151,22 @@ pub fn mask(mesh: &Mesh, view: &View, control: &Control) -> Result<Mask> {
             *pixel = ((covered * 255 + per_pixel / 2) / per_pixel) as u8;
         }
     };
-    draw(&scene, view, &projector, control, &mut coverage, 1, &clear, &finish)?;
+    draw(
+        &scene,
+        view,
+        &projector,
+        control,
+        &mut coverage,
+        1,
+        &clear,
+        &finish,
+    )?;
     control.report("picture", 1.0)?;
-    Ok(Mask { width: view.width, height: view.height, coverage })
+    Ok(Mask {
+        width: view.width,
+        height: view.height,
+        coverage,
+    })
 }
 
 /// The [`mask`] of a mesh in black on white.
@@ -149,7 +181,9 @@ pub fn silhouette(mesh: &Mesh, view: &View, control: &Control) -> Result<Picture
 }
 
 fn projector(scene: &Scene<'_>, view: &View) -> Result<Projector> {
-    let pose = view.camera.pose(scene.mesh, view.width as f32 / view.height as f32)?;
+    let pose = view
+        .camera
+        .pose(scene.mesh, view.width as f32 / view.height as f32)?;
     let (width, height) = (view.width * view.samples, view.height * view.samples);
     Ok(Projector::new(&pose, width, height, scene.size))
 }
@@ -165,7 +199,11 @@ fn light<'a>(scene: &'a Scene<'_>, style: &'a Style, control: &Control) -> Resul
     };
     control.report("light", 0.15)?;
     let mapped = casts && style.sky > 0.0 && style.sky_directions > 0;
-    let directions = hemisphere(if mapped { style.sky_directions } else { OPEN_SKY });
+    let directions = hemisphere(if mapped {
+        style.sky_directions
+    } else {
+        OPEN_SKY
+    });
     let mut maps = if mapped {
         DepthMap::many(scene, &directions, style.sky_map_px, control)?.into_iter()
     } else {
@@ -177,15 +215,37 @@ fn light<'a>(scene: &'a Scene<'_>, style: &'a Style, control: &Control) -> Resul
         .into_iter()
         .map(|direction| {
             let light = style.sky_light(direction) * share;
-            SkyLight { direction, light, map: maps.next() }
+            SkyLight {
+                direction,
+                light,
+                map: maps.next(),
+            }
         })
         .collect();
     let on_ground = style.sun_light() * sun.y
-        + sky.iter().map(|sky| sky.light * sky.direction.y).sum::<Vec3>();
-    let ground = style.ground.map_or(NO_GROUND, |_| Vec3::from_array(style.ground_color));
+        + sky
+            .iter()
+            .map(|sky| sky.light * sky.direction.y)
+            .sum::<Vec3>();
+    let ground = style
+        .ground
+        .map_or(NO_GROUND, |_| Vec3::from_array(style.ground_color));
     let noise = Seed(0).stream("ground");
-    let sky_texel = sky.iter().filter_map(|sky| sky.map.as_ref()).map(|map| map.texel).fold(0.0, f32::max);
-    Ok(Shader { scene, style, sun, sun_map, sky, sky_texel, bounce: ground * on_ground, noise })
+    let sky_texel = sky
+        .iter()
+        .filter_map(|sky| sky.map.as_ref())
+        .map(|map| map.texel)
+        .fold(0.0, f32::max);
+    Ok(Shader {
+        scene,
+        style,
+        sun,
+        sun_map,
+        sky,
+        sky_texel,
+        bounce: ground * on_ground,
+        noise,
+    })
 }
 
 /// Turns the samples of rows of pixels into bytes; given the number of the first row.
@@ -206,7 +266,11 @@ fn draw(
 ) -> Result<()> {
     let mut spots = Vec::new();
     project_all(scene, projector, &mut spots);
-    let stage = Stage { scene, projector, spots: &spots };
+    let stage = Stage {
+        scene,
+        projector,
+        spots: &spots,
+    };
     let (samples, width) = (view.samples as usize, projector.width as usize);
     let rows = (SAMPLES_PER_BAND / (width * samples)).max(1);
     let bins = Bins::new(&stage, (rows * samples) as u32);
@@ -224,7 +288,12 @@ fn draw(
             depth.push(held);
             ids.push(id);
         }
-        let mut band = Band { top, width: width as i32, depth, ids };
+        let mut band = Band {
+            top,
+            width: width as i32,
+            depth,
+            ids,
+        };
         stage.draw_band::<true>(&bins, number, &mut band);
         finish(ids, (number * rows) as u32, out);
         // Reported under the lock, so that progress never falls.

@@ -54,7 +54,12 @@ impl<'a> Scene<'a> {
         control.limits.check(Resource::Triangles, n_triangles)?;
         if n_triangles >= u64::from(LAST_IDS) {
             let (requested, cap) = (n_triangles, u64::from(LAST_IDS));
-            return Err(LimitError { resource: Resource::Triangles, requested, cap }.into());
+            return Err(LimitError {
+                resource: Resource::Triangles,
+                requested,
+                cap,
+            }
+            .into());
         }
         let (mut first_vertex, mut first_triangle) = (vec![0], vec![0]);
         let (mut vertices, mut triangles) = (0, 0);
@@ -66,7 +71,10 @@ impl<'a> Scene<'a> {
         }
         let srgb = Srgb::new();
         let mut wanted = Vec::new();
-        let skins = mesh.materials.iter().map(|material| Skin::new(material, colors, &mut wanted));
+        let skins = mesh
+            .materials
+            .iter()
+            .map(|material| Skin::new(material, colors, &mut wanted));
         let skins = skins.collect();
         let pyramids = wanted
             .into_par_iter()
@@ -104,7 +112,9 @@ impl<'a> Scene<'a> {
         if guess + 1 < self.first_triangle.len() && has(guess) {
             return guess;
         }
-        self.first_triangle.partition_point(|&first| first <= triangle) - 1
+        self.first_triangle
+            .partition_point(|&first| first <= triangle)
+            - 1
     }
 
     /// The three rows of the surface that `triangle` joins.
@@ -112,7 +122,11 @@ impl<'a> Scene<'a> {
     pub(super) fn rows(&self, surface: usize, triangle: u32) -> [usize; 3] {
         let at = 3 * (triangle - self.first_triangle[surface]) as usize;
         let indices = &self.mesh.surfaces[surface].indices;
-        [indices[at] as usize, indices[at + 1] as usize, indices[at + 2] as usize]
+        [
+            indices[at] as usize,
+            indices[at + 1] as usize,
+            indices[at + 2] as usize,
+        ]
     }
 
     #[inline]
@@ -131,7 +145,10 @@ impl<'a> Scene<'a> {
     }
 
     pub(super) fn vertices(&self) -> impl Iterator<Item = Vec3> + '_ {
-        self.mesh.surfaces.iter().flat_map(|surface| surface.positions.iter().copied())
+        self.mesh
+            .surfaces
+            .iter()
+            .flat_map(|surface| surface.positions.iter().copied())
     }
 }
 
@@ -150,7 +167,11 @@ fn unit(v: f32) -> f32 {
 
 impl Skin {
     /// `wanted` collects textures with their cutoffs; equal ones are shared.
-    fn new<'a>(material: &'a Material, colors: bool, wanted: &mut Vec<(&'a Material, u16)>) -> Self {
+    fn new<'a>(
+        material: &'a Material,
+        colors: bool,
+        wanted: &mut Vec<(&'a Material, u16)>,
+    ) -> Self {
         let alpha = unit(material.base_color[3]);
         let cutoff = match material.alpha {
             Alpha::Opaque => 0,
@@ -175,14 +196,19 @@ impl Skin {
         let pyramid = material.texture.as_ref().filter(|_| needed).map(|texture| {
             let same = |(other, other_cutoff): &(&Material, u16)| {
                 *other_cutoff == cutoff
-                    && other.texture.as_ref().is_some_and(|other| Arc::ptr_eq(other, texture))
+                    && other
+                        .texture
+                        .as_ref()
+                        .is_some_and(|other| Arc::ptr_eq(other, texture))
             };
             wanted.iter().position(same).unwrap_or_else(|| {
                 wanted.push((material, cutoff));
                 wanted.len() - 1
             })
         });
-        let [r, g, b, _] = material.base_color.map(|v| if v > 0.0 { v.min(4.0) } else { 0.0 });
+        let [r, g, b, _] = material
+            .base_color
+            .map(|v| if v > 0.0 { v.min(4.0) } else { 0.0 });
         Self {
             cover,
             pyramid,

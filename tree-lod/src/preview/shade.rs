@@ -66,7 +66,13 @@ struct Ambient {
 
 impl Shader<'_> {
     /// The colour of a triangle where the ray meets it.
-    pub(super) fn triangle(&self, triangle: u32, ray: (Vec3, Vec3), projector: &Projector, per_pixel: f32) -> Vec3 {
+    pub(super) fn triangle(
+        &self,
+        triangle: u32,
+        ray: (Vec3, Vec3),
+        projector: &Projector,
+        per_pixel: f32,
+    ) -> Vec3 {
         let (origin, direction) = ray;
         let number = self.scene.surface_of(triangle, 0);
         let rows = self.scene.rows(number, triangle);
@@ -87,7 +93,11 @@ impl Shader<'_> {
         let [na, nb, nc] = rows.map(|row| surface.normals[row]);
         let mut normal = (na + (nb - na) * u + (nc - na) * v).normalize_or(Vec3::Y);
         let view = -direction.normalize();
-        let behind = if skin.double_sided { normal.dot(view) < 0.0 } else { facing < 0.0 };
+        let behind = if skin.double_sided {
+            normal.dot(view) < 0.0
+        } else {
+            facing < 0.0
+        };
         if behind {
             normal = -normal;
         }
@@ -96,15 +106,37 @@ impl Shader<'_> {
             let uvs = rows.map(|row| surface.uvs[row]);
             let [ta, tb, tc] = uvs;
             let uv = ta + (tb - ta) * u + (tc - ta) * v;
-            let distance = if projector.perspective { direction.dot(position - origin) / direction.length_squared() } else { 1.0 };
-            let pixels = facing.abs() * (projector.scale / distance) * (projector.scale / distance) * per_pixel;
+            let distance = if projector.perspective {
+                direction.dot(position - origin) / direction.length_squared()
+            } else {
+                1.0
+            };
+            let pixels = facing.abs()
+                * (projector.scale / distance)
+                * (projector.scale / distance)
+                * per_pixel;
             let level = pyramid.level(texel_area(uvs, pyramid) / pixels);
             albedo *= level.color(uv.x, uv.y, skin.cover == Cover::Masked, &self.scene.srgb);
         }
-        self.surface(position, normal, view, albedo.min(Vec3::ONE), skin.roughness, skin.translucency)
+        self.surface(
+            position,
+            normal,
+            view,
+            albedo.min(Vec3::ONE),
+            skin.roughness,
+            skin.translucency,
+        )
     }
 
-    fn surface(&self, position: Vec3, normal: Vec3, view: Vec3, albedo: Vec3, roughness: f32, translucency: f32) -> Vec3 {
+    fn surface(
+        &self,
+        position: Vec3,
+        normal: Vec3,
+        view: Vec3,
+        albedo: Vec3,
+        roughness: f32,
+        translucency: f32,
+    ) -> Vec3 {
         let sun_cosine = normal.dot(self.sun);
         let shining = self.sun_at(position, normal, sun_cosine, translucency > 0.0);
         let ambient = self.ambient(position, normal, translucency > 0.0);
@@ -144,7 +176,11 @@ impl Shader<'_> {
     }
 
     fn ambient(&self, position: Vec3, normal: Vec3, two_sided: bool) -> Ambient {
-        let mut ambient = Ambient { front: Vec3::ZERO, back: Vec3::ZERO, open: 0.0 };
+        let mut ambient = Ambient {
+            front: Vec3::ZERO,
+            back: Vec3::ZERO,
+            open: 0.0,
+        };
         let bias = SKY_BIAS_TEXELS * self.sky_texel;
         let (before, after) = (position + normal * bias, position - normal * bias);
         for sky in &self.sky {
@@ -200,7 +236,10 @@ impl Shader<'_> {
         let reach = HAZE_REACH * self.scene.size.max(1.0);
         let flat = Vec3::new(position.x - origin.x, 0.0, position.z - origin.z).length_squared();
         let haze = flat / (flat + reach * reach);
-        let far = self.style.backdrop(Vec3::new(direction.x, 0.0, direction.z).normalize_or(Vec3::X), self.sun);
+        let far = self.style.backdrop(
+            Vec3::new(direction.x, 0.0, direction.z).normalize_or(Vec3::X),
+            self.sun,
+        );
         (albedo * light).lerp(far, haze * haze)
     }
 
@@ -208,10 +247,14 @@ impl Shader<'_> {
     fn tufts(&self, position: Vec3, footprint: f32) -> Vec3 {
         let mut sum = 0.0;
         // Size in metres and strength.
-        for (octave, (size, strength)) in [(3.1, 0.16), (0.7, 0.14), (0.16, 0.20), (0.045, 0.26)].into_iter().enumerate() {
+        for (octave, (size, strength)) in [(3.1, 0.16), (0.7, 0.14), (0.16, 0.20), (0.045, 0.26)]
+            .into_iter()
+            .enumerate()
+        {
             let fine = footprint / size;
             let faded = strength / (1.0 + 4.0 * fine * fine);
-            sum += faded * (self.noise_at(octave as u64, position.x / size, position.z / size) - 0.5);
+            sum +=
+                faded * (self.noise_at(octave as u64, position.x / size, position.z / size) - 0.5);
         }
         Vec3::new(1.0 + 2.1 * sum, 1.0 + 1.8 * sum, 1.0 + 1.4 * sum).max(Vec3::splat(0.2))
     }
@@ -223,7 +266,8 @@ impl Shader<'_> {
         let (fx, fz) = (ease(x - column), ease(z - row));
         let value = |dx: i64, dz: i64| {
             let (cx, cz) = (column as i64 + dx, row as i64 + dz);
-            self.noise.unit(octave ^ (cx as u64 & 0x3fff_ffff) << 4 ^ (cz as u64 & 0x3fff_ffff) << 34)
+            self.noise
+                .unit(octave ^ (cx as u64 & 0x3fff_ffff) << 4 ^ (cz as u64 & 0x3fff_ffff) << 34)
         };
         let near = value(0, 0) * (1.0 - fx) + value(1, 0) * fx;
         let far = value(0, 1) * (1.0 - fx) + value(1, 1) * fx;

@@ -48,7 +48,16 @@ impl DepthMap {
             -toward.dot(eye),
         );
         let depth = vec![f32::NEG_INFINITY; width * height];
-        Self { across, down, toward, origin, width, height, depth, texel: 1.0 / projector.scale }
+        Self {
+            across,
+            down,
+            toward,
+            origin,
+            width,
+            height,
+            depth,
+            texel: 1.0 / projector.scale,
+        }
     }
 
     /// The map of a direction from which light comes, drawn in parallel bands.
@@ -61,17 +70,29 @@ impl DepthMap {
         let projector = Projector::over(scene.vertices(), -light, side, BORDER);
         let mut spots = Vec::new();
         project_all(scene, &projector, &mut spots);
-        let stage = Stage { scene, projector: &projector, spots: &spots };
+        let stage = Stage {
+            scene,
+            projector: &projector,
+            spots: &spots,
+        };
         let bins = Bins::new(&stage, ROWS_PER_BAND);
         let mut map = Self::empty(&projector);
         let (width, rows) = (map.width, ROWS_PER_BAND as usize);
-        map.depth.par_chunks_mut(width * rows).enumerate().try_for_each(|(number, depth)| {
-            control.check()?;
-            let top = (number * rows) as i32;
-            let mut band = Band { top, width: width as i32, depth, ids: &mut [] };
-            stage.draw_band::<false>(&bins, number, &mut band);
-            Ok::<_, crate::LodError>(())
-        })?;
+        map.depth
+            .par_chunks_mut(width * rows)
+            .enumerate()
+            .try_for_each(|(number, depth)| {
+                control.check()?;
+                let top = (number * rows) as i32;
+                let mut band = Band {
+                    top,
+                    width: width as i32,
+                    depth,
+                    ids: &mut [],
+                };
+                stage.draw_band::<false>(&bins, number, &mut band);
+                Ok::<_, crate::LodError>(())
+            })?;
         Ok(map)
     }
 
@@ -87,9 +108,18 @@ impl DepthMap {
             let projector = Projector::over(scene.vertices(), -light, side, BORDER);
             project_all(scene, &projector, spots);
             let mut map = Self::empty(&projector);
-            let stage = Stage { scene, projector: &projector, spots };
+            let stage = Stage {
+                scene,
+                projector: &projector,
+                spots,
+            };
             let width = map.width as i32;
-            let mut band = Band { top: 0, width, depth: &mut map.depth, ids: &mut [] };
+            let mut band = Band {
+                top: 0,
+                width,
+                depth: &mut map.depth,
+                ids: &mut [],
+            };
             stage.draw_all(&mut band);
             Ok(map)
         };
@@ -116,7 +146,9 @@ impl DepthMap {
         let at = row as usize * self.width + column as usize;
         let (Some(&[a, b]), Some(&[c, d])) = (
             self.depth.get(at..).and_then(<[f32]>::first_chunk),
-            self.depth.get(at + self.width..).and_then(<[f32]>::first_chunk),
+            self.depth
+                .get(at + self.width..)
+                .and_then(<[f32]>::first_chunk),
         ) else {
             return 1.0;
         };

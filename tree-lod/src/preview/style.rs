@@ -84,12 +84,22 @@ impl Style {
     /// [`LodError::Parameter`](crate::LodError::Parameter), naming the field.
     pub fn validate(&self) -> Result<()> {
         check_range("style.sun_yaw", self.sun_yaw.into(), -1e6, 1e6)?;
-        check_range("style.sun_pitch", self.sun_pitch.into(), 0.05, FRAC_PI_2.into())?;
+        check_range(
+            "style.sun_pitch",
+            self.sun_pitch.into(),
+            0.05,
+            FRAC_PI_2.into(),
+        )?;
         check_range("style.sun", self.sun.into(), 0.0, 100.0)?;
         check_range("style.sky", self.sky.into(), 0.0, 100.0)?;
         check_range("style.exposure", self.exposure.into(), 0.01, 100.0)?;
         check_range("style.sun_map_px", self.sun_map_px.into(), 16.0, 8192.0)?;
-        check_range("style.sky_directions", self.sky_directions.into(), 0.0, 64.0)?;
+        check_range(
+            "style.sky_directions",
+            self.sky_directions.into(),
+            0.0,
+            64.0,
+        )?;
         check_range("style.sky_map_px", self.sky_map_px.into(), 16.0, 2048.0)?;
         if let Some(height) = self.ground {
             check_range("style.ground", height.into(), -1e6, 1e6)?;

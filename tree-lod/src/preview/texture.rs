@@ -48,7 +48,11 @@ impl Pyramid {
             alpha: texels.iter().map(|texel| texel[3]).collect(),
             cutoff,
         };
-        let covered = level.alpha.iter().filter(|&&a| u16::from(a) >= cutoff).count();
+        let covered = level
+            .alpha
+            .iter()
+            .filter(|&&a| u16::from(a) >= cutoff)
+            .count();
         let covered = covered as f64 / level.alpha.len().max(1) as f64;
         let mut levels = Vec::new();
         while level.width.min(level.height) >= 2 * SMALLEST {
@@ -58,7 +62,9 @@ impl Pyramid {
         }
         levels.push(level);
         if !colors {
-            levels.iter_mut().for_each(|level| level.texels = Vec::new());
+            levels
+                .iter_mut()
+                .for_each(|level| level.texels = Vec::new());
         }
         Self { levels }
     }
@@ -112,13 +118,23 @@ impl Level {
                         alpha += u16::from(texel[3]);
                     }
                 }
-                let mean = if alpha > 0 { color / f32::from(alpha) } else { plain * 0.25 };
+                let mean = if alpha > 0 {
+                    color / f32::from(alpha)
+                } else {
+                    plain * 0.25
+                };
                 let [r, g, b] = mean.to_array().map(|v| srgb.encode(v));
                 texels.push([r, g, b, ((alpha + 2) / 4) as u8]);
             }
         }
         let alpha = texels.iter().map(|texel| texel[3]).collect();
-        Self { width, height, texels, alpha, cutoff: self.cutoff }
+        Self {
+            width,
+            height,
+            texels,
+            alpha,
+            cutoff: self.cutoff,
+        }
     }
 
     /// Chooses what is drawn, so that it is a share of `covered`.
@@ -155,7 +171,8 @@ impl Level {
     pub(super) fn covers(&self, u: f32, v: f32) -> bool {
         let x = (wrap(u) * self.width as f32) as u32;
         let y = (wrap(v) * self.height as f32) as u32;
-        let texel = y.min(self.height - 1) as usize * self.width as usize + x.min(self.width - 1) as usize;
+        let texel =
+            y.min(self.height - 1) as usize * self.width as usize + x.min(self.width - 1) as usize;
         u16::from(self.alpha[texel]) >= self.cutoff
     }
 
@@ -171,7 +188,9 @@ impl Level {
     #[inline]
     pub(super) fn covers_smoothly(&self, u: f32, v: f32) -> bool {
         let (texels, weights) = self.around(u, v);
-        let alpha: f32 = (0..4).map(|i| weights[i] * f32::from(self.alpha[texels[i]])).sum();
+        let alpha: f32 = (0..4)
+            .map(|i| weights[i] * f32::from(self.alpha[texels[i]]))
+            .sum();
         alpha >= f32::from(self.cutoff)
     }
 
@@ -182,7 +201,11 @@ impl Level {
         let (mut sum, mut total) = (Vec3::ZERO, 0.0);
         for (&texel, weight) in texels.iter().zip(weights) {
             let texel = self.texels[texel];
-            let weight = if masked { weight * (f32::from(texel[3]) + 0.1) } else { weight };
+            let weight = if masked {
+                weight * (f32::from(texel[3]) + 0.1)
+            } else {
+                weight
+            };
             sum += srgb.decode(texel) * weight;
             total += weight;
         }
@@ -195,14 +218,23 @@ impl Level {
         let place = |t: f32, size: u32| {
             let x = wrap(t) * size as f32 + (size as f32 - 0.5);
             let low = x as u32;
-            ((low % size) as usize, ((low + 1) % size) as usize, x - low as f32)
+            (
+                (low % size) as usize,
+                ((low + 1) % size) as usize,
+                x - low as f32,
+            )
         };
         let (x0, x1, fx) = place(u, self.width);
         let (y0, y1, fy) = place(v, self.height);
         let (y0, y1) = (y0 * self.width as usize, y1 * self.width as usize);
         (
             [y0 + x0, y0 + x1, y1 + x0, y1 + x1],
-            [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy],
+            [
+                (1.0 - fx) * (1.0 - fy),
+                fx * (1.0 - fy),
+                (1.0 - fx) * fy,
+                fx * fy,
+            ],
         )
     }
 }
@@ -223,7 +255,11 @@ fn nearest(t: f32, size: u32) -> usize {
 fn wrap(t: f32) -> f32 {
     let fraction = t - (t as i32) as f32;
     // Beyond 2³¹ repeats there is no fraction left to find.
-    let fraction = if fraction < 0.0 { fraction + 1.0 } else { fraction };
+    let fraction = if fraction < 0.0 {
+        fraction + 1.0
+    } else {
+        fraction
+    };
     fraction.clamp(0.0, 1.0)
 }
 
@@ -241,9 +277,15 @@ impl Srgb {
     pub(super) fn new() -> Self {
         let decode = std::array::from_fn(|byte| {
             let c = byte as f32 / 255.0;
-            if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                libm::powf((c + 0.055) / 1.055, 2.4)
+            }
         });
-        let encode = (0..=ENCODE_STEPS).map(|i| srgb_byte(i as f32 / ENCODE_STEPS as f32)).collect();
+        let encode = (0..=ENCODE_STEPS)
+            .map(|i| srgb_byte(i as f32 / ENCODE_STEPS as f32))
+            .collect();
         Self { decode, encode }
     }
 
@@ -274,55 +316,5 @@ pub(super) fn srgb(linear: f32) -> f32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn dots(side: u32) -> Texture {
-        // A single texel in nine is opaque: plain averaging would leave nothing above one half.
-        let pixels = (0..side * side).flat_map(|i| {
-            let on = (i % side).is_multiple_of(3) && (i / side).is_multiple_of(3);
-            [0, 255, 0, if on { 255 } else { 0 }]
-        });
-        Texture { name: "dots".into(), width: side, height: side, pixels: pixels.collect() }
-    }
-
-    #[test]
-    fn smaller_levels_cover_as_much_as_the_texture() {
-        let pyramid = Pyramid::new(&dots(192), 128, false, &Srgb::new());
-        assert!(pyramid.levels.len() > 3);
-        for level in &pyramid.levels {
-            let n = level.alpha.iter().filter(|&&a| u16::from(a) >= level.cutoff).count();
-            let share = n as f64 / level.alpha.len() as f64;
-            assert!((0.09..0.13).contains(&share), "{} px: {share}", level.width);
-        }
-    }
-
-    #[test]
-    fn what_lies_beside_a_leaf_does_not_bleed_into_it() {
-        let mut texture = dots(64);
-        texture.pixels.chunks_mut(4).filter(|p| p[3] == 0).for_each(|p| p[..3].fill(255));
-        let srgb = Srgb::new();
-        let pyramid = Pyramid::new(&texture, 128, true, &srgb);
-        for level in &pyramid.levels {
-            let color = level.color(1.0 / 64.0 * 0.5, 1.0 / 64.0 * 0.5, true, &srgb);
-            assert!(color.x < 0.05 && color.y > 0.95, "{} px: {color}", level.width);
-        }
-    }
-
-    #[test]
-    fn srgb_survives_the_round_trip() {
-        let srgb = Srgb::new();
-        for byte in 0..=255 {
-            assert_eq!(srgb.encode(srgb.decode([byte, 0, 0, 0]).x), byte);
-        }
-    }
-
-    #[test]
-    fn wrapping_repeats_and_survives_huge_coordinates() {
-        assert_eq!(wrap(-0.25), 0.75);
-        assert_eq!(wrap(7.5), 0.5);
-        for t in [1e30, -1e30, f32::MAX, -1e-12, 2_147_483_648.0] {
-            assert!((0.0..=1.0).contains(&wrap(t)), "{t}");
-        }
-    }
-}
+#[path = "texture_tests.rs"]
+mod tests;

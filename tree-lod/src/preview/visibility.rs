@@ -49,7 +49,9 @@ impl Bins {
             let range = chunk * per_chunk..n.min((chunk + 1) * per_chunk);
             stage.deal(range.start as u32..range.end as u32, rows_per_band, n_bands)
         });
-        Self { chunks: chunks.collect() }
+        Self {
+            chunks: chunks.collect(),
+        }
     }
 
     fn of_band(&self, band: usize) -> impl Iterator<Item = &[u32]> + '_ {
@@ -79,7 +81,9 @@ impl Stage<'_> {
             if let Some((top, bottom)) = rows {
                 let (first, last) = (top / rows_per_band, bottom / rows_per_band);
                 touched.push((triangle, first, last));
-                starts[first as usize..=last as usize].iter_mut().for_each(|n| *n += 1);
+                starts[first as usize..=last as usize]
+                    .iter_mut()
+                    .for_each(|n| *n += 1);
             }
         }
         let mut sum = 0;
@@ -100,13 +104,19 @@ impl Stage<'_> {
     #[inline]
     fn spots_of(&self, surface: usize, triangle: u32) -> [Spot; 3] {
         let base = self.scene.first_vertex[surface];
-        self.scene.rows(surface, triangle).map(|row| self.spots[base + row])
+        self.scene
+            .rows(surface, triangle)
+            .map(|row| self.spots[base + row])
     }
 
     fn clipped(&self, surface: usize, triangle: u32) -> ([Corner; MOST_CORNERS], usize) {
         let rows = self.scene.rows(surface, triangle);
         let surface = self.scene.surface(surface);
-        clip(rows.map(|row| surface.positions[row]), rows.map(|row| surface.uvs[row]), self.projector)
+        clip(
+            rows.map(|row| surface.positions[row]),
+            rows.map(|row| surface.uvs[row]),
+            self.projector,
+        )
     }
 
     /// First and last row in which the corners' box holds a sample of the picture.
@@ -128,7 +138,12 @@ impl Stage<'_> {
     }
 
     /// Draws what touches band number `number`.
-    pub(super) fn draw_band<const IDS: bool>(&self, bins: &Bins, number: usize, band: &mut Band<'_>) {
+    pub(super) fn draw_band<const IDS: bool>(
+        &self,
+        bins: &Bins,
+        number: usize,
+        band: &mut Band<'_>,
+    ) {
         let mut surface = 0;
         for triangles in bins.of_band(number) {
             for &triangle in triangles {
@@ -144,7 +159,9 @@ impl Stage<'_> {
             if self.scene.skin(surface).cover == Cover::None {
                 continue;
             }
-            for triangle in self.scene.first_triangle[surface]..self.scene.first_triangle[surface + 1] {
+            for triangle in
+                self.scene.first_triangle[surface]..self.scene.first_triangle[surface + 1]
+            {
                 let spots = self.spots_of(surface, triangle);
                 if spots.iter().any(Spot::is_outside) || self.rows_of(spots.into_iter()).is_some() {
                     self.draw_one::<false>(band, surface, triangle, spots);
@@ -154,7 +171,13 @@ impl Stage<'_> {
     }
 
     #[inline]
-    fn draw_one<const IDS: bool>(&self, band: &mut Band<'_>, surface: usize, triangle: u32, spots: [Spot; 3]) {
+    fn draw_one<const IDS: bool>(
+        &self,
+        band: &mut Band<'_>,
+        surface: usize,
+        triangle: u32,
+        spots: [Spot; 3],
+    ) {
         let skin = self.scene.skin(surface);
         let pyramid = match skin.cover {
             Cover::All => None,
@@ -175,12 +198,18 @@ impl Stage<'_> {
                 let texels = texel_area(uvs, pyramid) * 65536.0 / area.max(1.0);
                 let filter = if texels < MAGNIFIED {
                     Filter::Smooth
-                } else if uvs.iter().all(|uv| uv.min_element() >= 0.0 && uv.max_element() <= 1.0) {
+                } else if uvs
+                    .iter()
+                    .all(|uv| uv.min_element() >= 0.0 && uv.max_element() <= 1.0)
+                {
                     Filter::Within
                 } else {
                     Filter::Repeat
                 };
-                Mask { level: pyramid.level(texels), filter }
+                Mask {
+                    level: pyramid.level(texels),
+                    filter,
+                }
             })
         };
         let mut draw = |corners: [Corner; 3]| {
@@ -198,7 +227,10 @@ impl Stage<'_> {
                 draw([corners[0], corners[i - 1], corners[i]]);
             }
         } else {
-            draw([0, 1, 2].map(|i| Corner { spot: spots[i], uv: uvs[i] }));
+            draw([0, 1, 2].map(|i| Corner {
+                spot: spots[i],
+                uv: uvs[i],
+            }));
         }
     }
 }
