@@ -30,7 +30,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mesh = tree_mesh::build(&tree, &look, &MeshParams::default(), &control)?.mesh;
         let framing = Framing { pitch: 0.05, margin: 0.04, ..Framing::default() };
         let view = View { width: tile, height: tile, samples: 3, camera: Camera::Framed(framing) };
-        let style = if params.roots.is_some() { Style::studio() } else { Style::default() };
+        let style = match params.roots {
+            // Soil would hide the roots.
+            Some(_) => Style { ground: None, ..Style::studio() },
+            None => Style::default(),
+        };
         pictures.push(preview::render(&mesh, &view, &style, &control)?);
 
         let mut bare = params;

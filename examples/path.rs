@@ -90,7 +90,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let style = match params.roots {
         // Soil would hide the roots.
-        Some(_) => Style::studio(),
+        Some(_) => Style { ground: None, ..Style::studio() },
         None => Style::default(),
     };
     preview::render(&mesh, &View::default(), &style, &control)?.save_png(path("png"))?;

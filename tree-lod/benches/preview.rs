@@ -1,6 +1,5 @@
 //! How long a 1024² picture takes, by number of triangles.
 
-#[path = "synthetic.rs"]
 mod synthetic;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};

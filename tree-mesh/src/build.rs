@@ -12,7 +12,7 @@ use crate::columns::Columns;
 use crate::error::{MeshError, Result};
 use crate::leaf::{self, Card, Crown};
 use crate::look::Look;
-use crate::mesh::{Material, Mesh, Surface};
+use crate::mesh::{Mesh, Surface};
 use crate::params::MeshParams;
 use crate::spine::Spine;
 use crate::tube::{self, Circles, Count, Scratch};

@@ -1,11 +1,11 @@
 //! Pictures of a mesh, drawn on the processor: previews a person is glad to look at, and
 //! silhouettes.
 //!
-//! 1. The mesh is checked, its textures get smaller levels ([`texture`]).
-//! 2. Depth maps are drawn from the sun and from directions all over the sky ([`shadow`]).
-//! 3. The picture is drawn in bands of rows: each sample finds its nearest triangle ([`visibility`],
-//!    [`raster`]), each triangle seen in a pixel is shaded once, in the middle of its samples
-//!    ([`shade`]), samples are averaged in linear light, and a film curve makes bytes of them.
+//! 1. The mesh is checked, its textures get smaller levels (`texture`).
+//! 2. Depth maps are drawn from the sun and from directions all over the sky (`shadow`).
+//! 3. The picture is drawn in bands of rows: each sample finds its nearest triangle (`visibility`,
+//!    `raster`), each triangle seen in a pixel is shaded once, in the middle of its samples
+//!    (`shade`), samples are averaged in linear light, and a film curve makes bytes of them.
 //!
 //! The same mesh and parameters give the same bits on every platform and for any number of threads.
 //!
@@ -30,6 +30,8 @@ mod style;
 mod texture;
 mod visibility;
 
+#[cfg(test)]
+mod robust_tests;
 #[cfg(test)]
 mod tests;
 

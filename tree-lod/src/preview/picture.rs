@@ -1,6 +1,7 @@
 //! Pictures and masks, and the way from light to bytes.
 
 use super::texture::{srgb, srgb_byte};
+#[cfg(feature = "image")]
 use crate::error::Result;
 use glam::Vec3;
 

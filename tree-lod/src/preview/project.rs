@@ -67,13 +67,27 @@ impl Projector {
     /// A point in view coordinates on the picture.
     #[inline]
     pub(super) fn spot(&self, v: Vec3) -> Spot {
-        let (scale, depth) =
-            if self.perspective { (self.scale / v.z, 1.0 / v.z) } else { (self.scale, -v.z) };
-        let x = self.center.x + v.x * scale;
-        let y = self.center.y - v.y * scale;
+        let (x, y, depth) = self.place(v);
         // Written so that NaN (0 / 0 at the eye) counts as outside.
         let inside = v.z >= self.near && x.abs() <= GUARD && y.abs() <= GUARD;
         Spot { x: if inside { fixed(x) } else { OUTSIDE }, y: fixed(y), depth }
+    }
+}
+
+impl Projector {
+    #[inline]
+    fn place(&self, v: Vec3) -> (f32, f32, f32) {
+        let (scale, depth) =
+            if self.perspective { (self.scale / v.z, 1.0 / v.z) } else { (self.scale, -v.z) };
+        (self.center.x + v.x * scale, self.center.y - v.y * scale, depth)
+    }
+
+    /// As [`spot`](Self::spot), for a corner that was cut off: the rounding of a cut through a long
+    /// edge may leave it a little outside, from where it is brought back.
+    fn spot_within(&self, v: Vec3) -> Spot {
+        let (x, y, depth) = self.place(Vec3::new(v.x, v.y, v.z.max(self.near)));
+        let within = |t: f32| t.clamp(-GUARD, GUARD);
+        Spot { x: fixed(within(x)), y: fixed(within(y)), depth }
     }
 }
 
@@ -105,10 +119,12 @@ pub(super) fn clip(
         polygon[i] = Loose { view: projector.view(positions[i]), uv: uvs[i] };
     }
     let mut count = 3;
-    // Slightly inside, so that rounding does not push a new corner out again.
+    // Half the guard band, measured from the optical axis, is far beyond any picture.
     let reach = 0.5 * GUARD / projector.scale;
-    let side = |v: Vec3| if projector.perspective { reach * v.z } else { reach };
-    let near = projector.near * 1.000_01;
+    let side = |v: Vec3| {
+        if projector.perspective { reach * v.z } else { reach }
+    };
+    let near = projector.near;
     let distances: [&dyn Fn(Vec3) -> f32; 5] =
         [&|v| v.z - near, &|v| side(v) - v.x, &|v| side(v) + v.x, &|v| side(v) - v.y, &|v| {
             side(v) + v.y
@@ -118,11 +134,7 @@ pub(super) fn clip(
     }
     let mut corners = [Corner::default(); MOST_CORNERS];
     for (corner, loose) in corners.iter_mut().zip(&polygon[..count]) {
-        let spot = projector.spot(loose.view);
-        if spot.is_outside() {
-            return (corners, 0);
-        }
-        *corner = Corner { spot, uv: loose.uv };
+        *corner = Corner { spot: projector.spot_within(loose.view), uv: loose.uv };
     }
     (corners, count)
 }

@@ -1,20 +1,18 @@
 //! The whole renderer on small hand-made scenes.
 
 use super::*;
-use crate::LodError;
 use glam::{Vec2, Vec3};
-use proptest::prelude::*;
 use std::f32::consts::{PI, TAU};
 use std::sync::Arc;
-use tree_core::{CancelFlag, Control, LimitError, Limits};
-use tree_mesh::{Alpha, Material, Mesh, MeshError, Surface, Texture};
+use tree_core::Control;
+use tree_mesh::{Alpha, Material, Mesh, Surface, Texture};
 
-fn colored(color: [f32; 3]) -> Material {
+pub(super) fn colored(color: [f32; 3]) -> Material {
     let [r, g, b] = color;
     Material { base_color: [r, g, b, 1.0], ..Material::default() }
 }
 
-fn surface(positions: &[Vec3], indices: &[u32], normal: Vec3, material: u32) -> Surface {
+pub(super) fn surface(positions: &[Vec3], indices: &[u32], normal: Vec3, material: u32) -> Surface {
     Surface {
         normals: vec![normal; positions.len()],
         uvs: positions.iter().map(|p| Vec2::new(p.x, p.y)).collect(),
@@ -25,16 +23,16 @@ fn surface(positions: &[Vec3], indices: &[u32], normal: Vec3, material: u32) -> 
 }
 
 /// A square of side 2 in the xy plane, centred on the z axis.
-fn square(z: f32, material: u32) -> Surface {
+pub(super) fn square(z: f32, material: u32) -> Surface {
     let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
     surface(&corners.map(|(x, y)| Vec3::new(x, y, z)), &[0, 1, 2, 0, 2, 3], Vec3::Z, material)
 }
 
-fn mesh(surfaces: Vec<Surface>, materials: Vec<Material>) -> Mesh {
+pub(super) fn mesh(surfaces: Vec<Surface>, materials: Vec<Material>) -> Mesh {
     Mesh { surfaces, materials }
 }
 
-fn sphere(radius: f32, center: Vec3, n: u32) -> Surface {
+pub(super) fn sphere(radius: f32, center: Vec3, n: u32) -> Surface {
     let mut sphere = Surface::default();
     for row in 0..=n {
         let (sin, cos) = libm::sincosf(PI * row as f32 / n as f32);
@@ -57,22 +55,22 @@ fn sphere(radius: f32, center: Vec3, n: u32) -> Surface {
 }
 
 /// Looks along -Z at a picture `height` metres high around the origin.
-fn flat_view(size: u32, samples: u32, height: f32) -> View {
+pub(super) fn flat_view(size: u32, samples: u32, height: f32) -> View {
     let (eye, target) = (Vec3::Z * 10.0, Vec3::ZERO);
     let lens = Lens::Orthographic { height };
     let camera = Camera::Placed(Pose { eye, target, up: Vec3::Y, lens });
     View { width: size, height: size, samples, camera }
 }
 
-fn quick() -> Style {
+pub(super) fn quick() -> Style {
     Style { sun_map_px: 256, sky_map_px: 64, sky_directions: 6, ..Style::default() }
 }
 
-fn bare() -> Style {
+pub(super) fn bare() -> Style {
     Style { ground: None, ..quick() }
 }
 
-fn pixel(picture: &Picture, x: u32, y: u32) -> [i32; 3] {
+pub(super) fn pixel(picture: &Picture, x: u32, y: u32) -> [i32; 3] {
     let [r, g, b, _] = picture.pixel(x, y).unwrap().map(i32::from);
     [r, g, b]
 }
@@ -109,7 +107,7 @@ fn the_nearer_triangle_wins_in_either_order() {
 }
 
 /// Opaque left and right, a hole in the middle third.
-fn holed() -> Material {
+pub(super) fn holed() -> Material {
     let pixels = (0..48 * 48).flat_map(|i| {
         let hole = (16..32).contains(&(i % 48));
         [255, 255, 255, if hole { 0 } else { 255 }]
@@ -193,8 +191,14 @@ fn the_shadow_touches_what_casts_it_and_lit_faces_have_no_acne() {
         [(-1.0, 0.0), (1.0, 0.0), (1.0, 2.0), (-1.0, 2.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
     let mesh =
         mesh(vec![surface(&corners, &[0, 1, 2, 0, 2, 3], Vec3::Z, 0)], vec![colored([0.5; 3])]);
-    let style =
-        Style { sun_yaw: 0.3, sun_pitch: 0.7, sky_directions: 0, sun_map_px: 512, ..quick() };
+    let style = Style {
+        sun_yaw: 0.3,
+        sun_pitch: 0.7,
+        sky: 0.3,
+        sky_directions: 0,
+        sun_map_px: 512,
+        ..quick()
+    };
     let seen_from = |z: f32| {
         let lens = Lens::Orthographic { height: 4.0 };
         let camera = Camera::Placed(Pose {
@@ -283,183 +287,5 @@ fn a_triangle_through_the_camera_is_clipped_not_lost() {
             33.. => assert_eq!(c, 255, "ground at {i}"),
             _ => {}
         }
-    }
-}
-
-#[test]
-fn one_thread_or_many_give_the_same_bits() {
-    let mut leaf = square(0.4, 1);
-    leaf.uvs = vec![Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
-    let mesh = mesh(vec![sphere(1.0, Vec3::Y, 40), leaf], vec![colored([0.3, 0.5, 0.1]), holed()]);
-    let view = View { width: 150, height: 130, samples: 3, camera: Camera::default() };
-    let with = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| render(&mesh, &view, &quick(), &Control::default()).unwrap())
-    };
-    let one = with(1);
-    assert_eq!(one, with(2));
-    assert_eq!(one, with(5));
-}
-
-#[test]
-fn an_empty_mesh_shows_the_ground_alone() {
-    let (view, control) = (View { width: 40, height: 30, ..View::default() }, Control::default());
-    for empty in
-        [Mesh::default(), mesh(vec![surface(&[], &[], Vec3::Y, 0)], vec![Material::default()])]
-    {
-        for style in [quick(), bare(), Style::studio(), Style { ground: None, ..Style::studio() }] {
-            let picture = render(&empty, &view, &style, &control).unwrap();
-            assert!(picture.pixels.chunks(4).all(|p| p[3] == 255));
-        }
-        let white = silhouette(&empty, &view, &control).unwrap();
-        assert!(white.pixels.iter().all(|&byte| byte == 255));
-        assert_eq!(mask(&empty, &view, &control).unwrap().area(), 0.0);
-    }
-    let picture = render(&Mesh::default(), &view, &quick(), &control).unwrap();
-    let ([_, g, b], sky) = (pixel(&picture, 20, 29), pixel(&picture, 20, 0));
-    assert!(g > b && sky[2] > sky[1], "grass below, sky above: {g} {b} {sky:?}");
-}
-
-#[test]
-fn degenerate_triangles_and_single_points_do_no_harm() {
-    let point = surface(&[Vec3::ONE; 3], &[0, 1, 2], Vec3::Y, 0);
-    let line = surface(&[Vec3::ZERO, Vec3::Y, Vec3::Y * 2.0], &[0, 1, 2], Vec3::ZERO, 0);
-    let far = surface(&[Vec3::splat(-1e30), Vec3::splat(1e30), Vec3::Y], &[0, 1, 2], Vec3::Y, 0);
-    let mut wild = square(0.0, 1);
-    wild.uvs = vec![Vec2::splat(1e30), Vec2::splat(-1e30), Vec2::ZERO, Vec2::splat(f32::MAX)];
-    let nonsense = Material {
-        base_color: [f32::NAN, -1.0, f32::INFINITY, 1.0],
-        roughness: f32::NAN,
-        translucency: f32::INFINITY,
-        ..holed()
-    };
-    for surfaces in [vec![point], vec![line], vec![far], vec![wild]] {
-        let mesh = mesh(surfaces, vec![Material::default(), nonsense.clone()]);
-        let view = View { width: 32, height: 32, ..View::default() };
-        render(&mesh, &view, &quick(), &Control::default()).unwrap();
-        silhouette(&mesh, &view, &Control::default()).unwrap();
-    }
-}
-
-#[test]
-fn roots_below_the_ground_are_hidden_unless_there_is_none() {
-    let mesh = mesh(vec![sphere(1.0, Vec3::Y * -3.0, 16)], vec![colored([1.0, 0.0, 0.0])]);
-    let view = View { width: 64, height: 64, ..View::default() };
-    let red = |ground| {
-        let style = Style { ground, ..quick() };
-        let camera = Camera::Framed(Framing { pitch: 0.8, ..Framing::default() });
-        let picture =
-            render(&mesh, &View { camera, ..view.clone() }, &style, &Control::default()).unwrap();
-        let [r, g, _] = pixel(&picture, 32, 32);
-        r > 2 * g
-    };
-    assert!(!red(Some(0.0)) && red(Some(-5.0)) && red(None));
-}
-
-#[test]
-fn pixels_are_counted_before_memory_is_taken() {
-    let view = View { width: 16_384, height: 16_384, samples: 4, ..View::default() };
-    let mut limits = Limits::default();
-    for result in [
-        render(&Mesh::default(), &view, &Style::default(), &Control::default()).err(),
-        mask(&Mesh::default(), &view, &Control::default()).err(),
-    ] {
-        assert!(matches!(
-            result,
-            Some(LodError::Limit(LimitError { requested: 4_294_967_296.., .. }))
-        ));
-    }
-    limits.triangles = 1;
-    let mesh = mesh(vec![square(0.0, 0)], vec![Material::default()]);
-    let result = mask(&mesh, &View::default(), &Control::default().with_limits(limits));
-    assert!(matches!(result, Err(LodError::Limit(LimitError { requested: 2, cap: 1, .. }))));
-}
-
-#[test]
-fn bad_parameters_are_named() {
-    let name = |view: &View, style: &Style| match render(
-        &Mesh::default(),
-        view,
-        style,
-        &Control::default(),
-    ) {
-        Err(LodError::Parameter { field, .. } | LodError::Camera { field, .. }) => field,
-        other => panic!("{other:?}"),
-    };
-    let (view, style) = (View::default, Style::default);
-    assert_eq!(name(&View { width: 0, ..view() }, &style()), "view.width");
-    assert_eq!(name(&View { height: 16_385, ..view() }, &style()), "view.height");
-    assert_eq!(name(&View { samples: 5, ..view() }, &style()), "view.samples");
-    let framed = |framing| View { camera: Camera::Framed(framing), ..view() };
-    assert_eq!(
-        name(&framed(Framing { yaw: f32::NAN, ..Framing::default() }), &style()),
-        "camera.yaw"
-    );
-    assert_eq!(name(&framed(Framing { fov: 3.0, ..Framing::default() }), &style()), "camera.fov");
-    assert_eq!(
-        name(&framed(Framing { margin: 0.5, ..Framing::default() }), &style()),
-        "camera.margin"
-    );
-    let lens = Lens::Perspective { fov: 1.0 };
-    let placed =
-        |eye, target, up| View { camera: Camera::Placed(Pose { eye, target, up, lens }), ..view() };
-    assert_eq!(name(&placed(Vec3::X, Vec3::X, Vec3::Y), &style()), "camera.target");
-    assert_eq!(name(&placed(Vec3::Y, Vec3::ZERO, Vec3::Y), &style()), "camera.up");
-    assert_eq!(name(&placed(Vec3::NAN, Vec3::ZERO, Vec3::Y), &style()), "camera.eye");
-    assert_eq!(name(&view(), &Style { sun: -1.0, ..style() }), "style.sun");
-    assert_eq!(name(&view(), &Style { ground: Some(f32::INFINITY), ..style() }), "style.ground");
-    assert_eq!(name(&view(), &Style { sky_directions: 65, ..style() }), "style.sky_directions");
-    let mut broken = mesh(vec![square(0.0, 0)], vec![Material::default()]);
-    broken.surfaces[0].positions[1].x = f32::NAN;
-    let result = render(&broken, &view(), &style(), &Control::default());
-    assert!(matches!(result, Err(LodError::Mesh(MeshError::NotFinite { index: 1, .. }))));
-}
-
-#[test]
-fn cancelling_stops_and_progress_never_falls() {
-    let flag = CancelFlag::default();
-    flag.cancel();
-    let mesh = mesh(vec![square(0.0, 0)], vec![Material::default()]);
-    let view = View { width: 64, height: 64, ..View::default() };
-    let cancelled = Control::default().with_cancel(flag);
-    assert!(matches!(render(&mesh, &view, &quick(), &cancelled), Err(LodError::Cancelled(_))));
-    assert!(matches!(mask(&mesh, &view, &cancelled), Err(LodError::Cancelled(_))));
-    let seen = Arc::new(std::sync::Mutex::new(Vec::new()));
-    let sink = seen.clone();
-    let control = Control::default().with_progress(move |p| sink.lock().unwrap().push(p.fraction));
-    render(&mesh, &View { width: 256, height: 2048, ..view }, &quick(), &control).unwrap();
-    let seen = seen.lock().unwrap();
-    assert!(seen.len() > 8 && seen.is_sorted() && seen.last() == Some(&1.0), "{seen:?}");
-}
-
-#[cfg(feature = "image")]
-#[test]
-fn a_png_holds_the_same_pixels() {
-    let mesh = mesh(vec![square(0.0, 0)], vec![Material::default()]);
-    let picture = render(&mesh, &flat_view(24, 1, 3.0), &quick(), &Control::default()).unwrap();
-    let decoded = image::load_from_memory(&picture.to_png().unwrap()).unwrap().to_rgba8();
-    assert_eq!((decoded.width(), decoded.height()), (24, 24));
-    assert_eq!(decoded.into_raw(), picture.pixels);
-    assert!(matches!(picture.save_png("/no/such/folder/a.png"), Err(LodError::Core(_))));
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
-    #[test]
-    fn neighbours_leave_no_gap_from_any_camera(
-        eye in prop::array::uniform3(-3.0_f32..3.0),
-        fov in 0.3_f32..2.0,
-        near_origin in prop::array::uniform3(-0.3_f32..0.3),
-    ) {
-        // Inside a closed sphere every sample sees a wall, across whatever the near plane cuts.
-        let mesh = mesh(vec![sphere(6.0, Vec3::ZERO, 12)], vec![Material::default()]);
-        let eye = Vec3::from_array(eye);
-        let target = Vec3::from_array(near_origin) - eye;
-        prop_assume!((target - eye).length() > 0.1);
-        let up = (target - eye).any_orthonormal_vector();
-        let camera = Camera::Placed(Pose { eye, target, up, lens: Lens::Perspective { fov } });
-        let view = View { width: 61, height: 47, samples: 2, camera };
-        let mask = mask(&mesh, &view, &Control::default()).unwrap();
-        prop_assert!(mask.coverage.iter().all(|&c| c == 255));
     }
 }

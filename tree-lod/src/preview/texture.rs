@@ -5,7 +5,9 @@
 //! 2. Averaged alpha would thin leaves out (a twig of one pixel becomes 25 % and is cut off).
 //!    Castaño (2010, "Computing alpha mipmaps") scales alpha until the covered share is that of
 //!    the original; scaling by s is the same as dividing the cutoff by s, so each level gets a
-//!    cutoff of its own here, read off its histogram.
+//!    cutoff of its own here, read off its histogram. Where no cutoff comes near (stripes finer
+//!    than a pixel all have the same alpha), alpha is dithered by error diffusion instead, which
+//!    keeps the share exactly (Yuksel 2018, "Alpha distribution for alpha testing").
 //! 3. Levels end at [`SMALLEST`], where a shape is still a shape.
 
 use glam::Vec3;
@@ -51,7 +53,7 @@ impl Pyramid {
         let mut levels = Vec::new();
         while level.width.min(level.height) >= 2 * SMALLEST {
             let mut next = level.halved(srgb);
-            next.cutoff = cutoff_for(&next.alpha, covered);
+            next.keep_covered(covered);
             levels.push(std::mem::replace(&mut level, next));
         }
         levels.push(level);
@@ -71,22 +73,26 @@ impl Pyramid {
     }
 }
 
-/// The alpha that leaves a share of `covered` at or above it.
-fn cutoff_for(alpha: &[u8], covered: f64) -> u16 {
+/// How far, relatively, the covered share may be off before alpha is dithered. Less makes more edges
+/// noisy, more changes how dense far trees are.
+const COVER_TOLERANCE: f64 = 0.15;
+
+/// The alpha that leaves a share as near as possible to `covered` at or above it, and that share.
+fn cutoff_for(alpha: &[u8], covered: f64) -> (u16, f64) {
     let mut histogram = [0_usize; 256];
     for &a in alpha {
         histogram[usize::from(a)] += 1;
     }
-    let wanted = covered * alpha.len() as f64;
-    let (mut above, mut best) = (0_usize, (f64::INFINITY, 255));
+    let per_texel = 1.0 / alpha.len().max(1) as f64;
+    let (mut above, mut best) = (0, (256, 0.0));
     for a in (1..256).rev() {
         above += histogram[a];
-        let miss = (above as f64 - wanted).abs();
-        if miss < best.0 {
-            best = (miss, a as u16);
+        let share = above as f64 * per_texel;
+        if (share - covered).abs() < (best.1 - covered).abs() {
+            best = (a as u16, share);
         }
     }
-    best.1
+    best
 }
 
 impl Level {
@@ -113,6 +119,35 @@ impl Level {
         }
         let alpha = texels.iter().map(|texel| texel[3]).collect();
         Self { width, height, texels, alpha, cutoff: self.cutoff }
+    }
+
+    /// Chooses what is drawn, so that it is a share of `covered`.
+    fn keep_covered(&mut self, covered: f64) {
+        let (cutoff, share) = cutoff_for(&self.alpha, covered);
+        self.cutoff = cutoff;
+        if (share - covered).abs() <= COVER_TOLERANCE * covered {
+            return;
+        }
+        // Floyd, Steinberg 1976, on alpha scaled to the wanted mean.
+        let sum: u64 = self.alpha.iter().map(|&a| u64::from(a)).sum();
+        let scale = (covered * self.alpha.len() as f64 / sum.max(1) as f64) as f32;
+        let width = self.width as usize;
+        let (mut errors, mut next) = (vec![0.0_f32; width + 2], vec![0.0_f32; width + 2]);
+        for row in self.alpha.chunks_exact_mut(width) {
+            for (x, a) in row.iter_mut().enumerate() {
+                let wanted = f32::from(*a) * scale + errors[x + 1];
+                let drawn = wanted >= 0.5;
+                let error = wanted - f32::from(u8::from(drawn));
+                errors[x + 2] += error * (7.0 / 16.0);
+                next[x] += error * (3.0 / 16.0);
+                next[x + 1] += error * (5.0 / 16.0);
+                next[x + 2] += error * (1.0 / 16.0);
+                *a = if drawn { 255 } else { 0 };
+            }
+            std::mem::swap(&mut errors, &mut next);
+            next.fill(0.0);
+        }
+        self.cutoff = 128;
     }
 
     /// Whether the texel at these coordinates is drawn.
@@ -241,55 +276,5 @@ pub(super) fn srgb(linear: f32) -> f32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn dots(side: u32) -> Texture {
-        // A single texel in nine is opaque: plain averaging would leave nothing above one half.
-        let pixels = (0..side * side).flat_map(|i| {
-            let on = (i % side).is_multiple_of(3) && (i / side).is_multiple_of(3);
-            [0, 255, 0, if on { 255 } else { 0 }]
-        });
-        Texture { name: "dots".into(), width: side, height: side, pixels: pixels.collect() }
-    }
-
-    #[test]
-    fn smaller_levels_cover_as_much_as_the_texture() {
-        let pyramid = Pyramid::new(&dots(192), 128, false, &Srgb::new());
-        assert!(pyramid.levels.len() > 3);
-        for level in &pyramid.levels {
-            let n = level.alpha.iter().filter(|&&a| u16::from(a) >= level.cutoff).count();
-            let share = n as f64 / level.alpha.len() as f64;
-            assert!((0.06..0.2).contains(&share), "{} px: {share}", level.width);
-        }
-    }
-
-    #[test]
-    fn what_lies_beside_a_leaf_does_not_bleed_into_it() {
-        let mut texture = dots(64);
-        texture.pixels.chunks_mut(4).filter(|p| p[3] == 0).for_each(|p| p[..3].fill(255));
-        let srgb = Srgb::new();
-        let pyramid = Pyramid::new(&texture, 128, true, &srgb);
-        for level in &pyramid.levels {
-            let color = level.color(1.0 / 64.0 * 0.5, 1.0 / 64.0 * 0.5, true, &srgb);
-            assert!(color.x < 0.05 && color.y > 0.95, "{} px: {color}", level.width);
-        }
-    }
-
-    #[test]
-    fn srgb_survives_the_round_trip() {
-        let srgb = Srgb::new();
-        for byte in 0..=255 {
-            assert_eq!(srgb.encode(srgb.decode([byte, 0, 0, 0]).x), byte);
-        }
-    }
-
-    #[test]
-    fn wrapping_repeats_and_survives_huge_coordinates() {
-        assert_eq!(wrap(-0.25), 0.75);
-        assert_eq!(wrap(7.5), 0.5);
-        for t in [1e30, -1e30, f32::MAX, -1e-12, 2_147_483_648.0] {
-            assert!((0.0..=1.0).contains(&wrap(t)), "{t}");
-        }
-    }
-}
+#[path = "texture_tests.rs"]
+mod tests;

@@ -51,7 +51,7 @@ fn tube(surface: &mut Surface, from: Vec3, to: Vec3, radius: f32) {
         let t = ring as f32 / (RINGS - 1) as f32;
         for i in 0..=SIDES {
             let u = i as f32 / SIDES as f32;
-            let (sin, cos) = tree_lod::glam::Vec2::from_angle(u * TAU).into();
+            let (sin, cos) = Vec2::from_angle(u * TAU).into();
             let normal = side * sin + other * cos;
             surface.positions.push(from.lerp(to, t) + normal * (radius * (1.0 - 0.5 * t)));
             surface.normals.push(normal);
