@@ -17,6 +17,11 @@ use tree_model::path::{PathParams, Preset, Profile, ProfileOptions};
 const USAGE: &str = "path [--preset oak|a..l|taproot|heartroot] [--seed N] [--profile curve.svg] \
                      [--height METRES] [--bare] [--swc] [--obj] [--out FOLDER]";
 
+/// Radius of level 2 as a share of the height: small enough that the crown keeps the drawn outline.
+const SIZE_SHARE: f32 = 0.13;
+/// Enough main branches to fill any outline.
+const MIN_ENDPOINTS: u32 = 40;
+
 /// What was asked for on the command line.
 struct Request {
     preset: String,
@@ -115,9 +120,8 @@ fn with_profile(
     profile: &Profile,
     height: f32,
 ) -> Result<PathParams, Box<dyn Error>> {
-    let before = params.volume.bounds().size().y;
-    let scale = if before > 0.0 { height / before } else { 1.0 };
     let mut params = params;
+    let scale = SIZE_SHARE * height / params.size;
     // A short stem makes sure that the root is inside, whatever was drawn.
     let stem = Volume::cylinder(Vec3::ZERO, 0.1 * height * Vec3::Y, 0.03 * height)?;
     params.volume = profile.volume(Vec3::ZERO)?.union(&stem)?;
@@ -125,6 +129,7 @@ fn with_profile(
     for level in &mut params.levels {
         level.size = level.size.map(|size| size * scale);
     }
+    params.endpoints.random = params.endpoints.random.max(MIN_ENDPOINTS);
     params.paint.clear();
     Ok(params)
 }

@@ -50,8 +50,10 @@ pub(crate) struct Spine {
     curve_error: f32,
     /// The axis ends in a point instead of a ring with a cap.
     pub(crate) pointed: bool,
-    /// Whether this is the trunk, which has a flare and a bottom that can be seen.
+    /// Whether this is the trunk, which has a bottom that can be seen.
     pub(crate) trunk: bool,
+    /// Whether its foot widens: a lone trunk's does, stems and roots that share the ground do not.
+    pub(crate) flared: bool,
     /// Nodes left out.
     pub(crate) n_dropped: u32,
 }
@@ -72,6 +74,8 @@ impl Spine {
         self.smooth = params.smooth;
         self.curve_error = params.curve_error;
         self.trunk = axis.index == 0;
+        let alone = || skeleton.parents().iter().filter(|&&parent| parent == 0).nth(1).is_none();
+        self.flared = self.trunk && params.flare > 0.0 && alone();
         self.n_dropped = 0;
         let (positions, radii) = (skeleton.positions(), skeleton.radii());
         let station = |at: u32, radius_of: u32| Station {
@@ -96,7 +100,7 @@ impl Spine {
             return false;
         }
         self.measure();
-        if self.trunk && params.flare > 0.0 {
+        if self.flared {
             self.add_flare_points(params);
         }
         let before = self.nodes[self.nodes.len() - 2].radius;

@@ -78,7 +78,7 @@ impl Circles {
     }
 
     fn flare(&self, spine: &Spine) -> Flare {
-        if spine.trunk { Flare::new(&self.params, spine.base().radius) } else { Flare::NONE }
+        if spine.flared { Flare::new(&self.params, spine.base().radius) } else { Flare::NONE }
     }
 }
 

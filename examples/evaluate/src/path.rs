@@ -71,7 +71,7 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
     scaling(table)?;
     for row in &TABLE_1 {
         let case = format!("{}: its small graphs", row.case);
-        search_against_petgraph(table, &case, row.graph_nodes, 200)?;
+        search_against_petgraph(table, &case, row.graph_nodes, 64)?;
     }
     search_against_petgraph(table, "one graph of 351,810 nodes", 351_810, 1)?;
     Ok(())

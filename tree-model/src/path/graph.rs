@@ -33,6 +33,9 @@ pub struct Graph {
     positions: Vec<Vec3>,
     starts: Vec<u32>,
     arcs: Vec<Arc>,
+    /// Mean and largest cost of an arc.
+    mean_cost: f32,
+    max_cost: f32,
 }
 
 /// How nodes are linked and what edges cost.
@@ -137,14 +140,18 @@ impl Graph {
         }
         let mut next = starts.clone();
         let mut arcs = vec![Arc::default(); starts.last().map_or(0, |&n| n as usize)];
+        let (mut sum, mut max_cost) = (0.0_f64, 0.0_f32);
         for edge in edges() {
+            sum += f64::from(edge.cost);
+            max_cost = max_cost.max(edge.cost);
             for (from, to) in [(edge.from, edge.to), (edge.to, edge.from)] {
                 let slot = &mut next[from as usize];
                 arcs[*slot as usize] = Arc { to, cost: edge.cost };
                 *slot += 1;
             }
         }
-        Self { positions, starts, arcs }
+        let mean_cost = (2.0 * sum / arcs.len().max(1) as f64) as f32;
+        Self { positions, starts, arcs, mean_cost, max_cost }
     }
 
     /// Makes a graph of undirected edges (node, node, cost), for graphs from elsewhere.
@@ -209,15 +216,7 @@ impl Graph {
 
     /// Mean and largest cost of an arc; (0, 0) without arcs.
     pub(crate) fn cost_range(&self) -> (f32, f32) {
-        // A sample tells the mean well enough for a bucket width; the maximum must be exact.
-        let max = self.arcs.iter().fold(0.0_f32, |max, arc| max.max(arc.cost));
-        let step = self.arcs.len() / 4096 + 1;
-        let (sum, n) = self
-            .arcs
-            .iter()
-            .step_by(step)
-            .fold((0.0_f64, 0_u32), |(sum, n), arc| (sum + f64::from(arc.cost), n + 1));
-        ((sum / f64::from(n.max(1))) as f32, max)
+        (self.mean_cost, self.max_cost)
     }
 }
 

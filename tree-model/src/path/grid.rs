@@ -1,4 +1,7 @@
 //! A uniform grid over sorted points: the points of a run of cells along x are one slice.
+//!
+//! Cells are numbered brick by brick, so that points near in space are near in memory and a search
+//! that spreads through them stays within few pages. A small grid is one brick.
 
 use glam::Vec3;
 use tree_core::Aabb;
@@ -7,7 +10,13 @@ use tree_core::Aabb;
 /// without a cap its cells would outweigh its points.
 const CELLS_PER_POINT: f32 = 6.0;
 
-/// Where each cell's points begin. Cells are numbered x first, then y, then z.
+/// Grids up to this many cells are one brick: they fit a core's cache as they are.
+const ONE_BRICK: u32 = 4096;
+
+/// Binary logarithms of a brick's edges in cells: 16 × 8 × 8, some 400 points.
+const BRICK: [u32; 3] = [4, 3, 3];
+
+/// Where each cell's points begin, cells in bricks, x first in each.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
     pub(crate) origin: Vec3,
@@ -15,6 +24,9 @@ pub(crate) struct Grid {
     pub(crate) cell: f32,
     per_metre: f32,
     pub(crate) dims: [u32; 3],
+    /// Binary logarithms of a brick's edges in cells, and the number of bricks along x and y.
+    brick: [u32; 3],
+    bricks: [u32; 3],
     starts: Vec<u32>,
 }
 
@@ -29,7 +41,11 @@ impl Grid {
             cell *= 1.26; // the cube root of 2: half the cells
         }
         let dims = dims(cell).map(|n| n as u32);
-        Self { origin: bounds.min, cell, per_metre: cell.recip(), dims, starts: Vec::new() }
+        let small = dims.iter().product::<u32>() <= ONE_BRICK;
+        let brick = if small { dims.map(|n| n.next_power_of_two().ilog2()) } else { BRICK };
+        let bricks = std::array::from_fn(|i| (dims[i] - 1 >> brick[i]) + 1);
+        let per_metre = cell.recip();
+        Self { origin: bounds.min, cell, per_metre, dims, brick, bricks, starts: Vec::new() }
     }
 
     /// Cell of a point; points outside count to the nearest cell.
@@ -40,16 +56,25 @@ impl Grid {
         std::array::from_fn(|i| (cell[i] as u32).min(self.dims[i] - 1))
     }
 
+    /// Number of a cell.
     #[inline]
-    pub(crate) fn index_of(&self, point: Vec3) -> u32 {
-        let [x, y, z] = self.cell_of(point);
-        (z * self.dims[1] + y) * self.dims[0] + x
+    fn number(&self, [x, y, z]: [u32; 3]) -> u32 {
+        let [lx, ly, lz] = self.brick;
+        let brick = ((z >> lz) * self.bricks[1] + (y >> ly)) * self.bricks[0] + (x >> lx);
+        let within = |n: u32, log: u32| n & ((1 << log) - 1);
+        ((((brick << lz) + within(z, lz) << ly) + within(y, ly)) << lx) + within(x, lx)
     }
 
-    /// Sorts points, given by cell, into the grid; returns each one's place.
+    #[inline]
+    pub(crate) fn number_of(&self, point: Vec3) -> u32 {
+        self.number(self.cell_of(point))
+    }
+
+    /// Sorts points, given by cell number, into the grid; returns each one's place.
     pub(crate) fn fill(&mut self, cells: &[u32]) -> Vec<u32> {
-        let n_cells = self.dims.iter().product::<u32>() as usize;
-        let mut starts = vec![0_u32; n_cells + 1];
+        let n_bricks = self.bricks.iter().product::<u32>();
+        let n_cells = n_bricks << self.brick.iter().sum::<u32>();
+        let mut starts = vec![0_u32; n_cells as usize + 1];
         for &cell in cells {
             starts[cell as usize + 1] += 1;
         }
@@ -70,7 +95,7 @@ impl Grid {
     }
 
     /// Calls `visit` with runs of point indices that cover the points after point `a`, which lies at
-    /// `point`, within `reach` of it. Half of all neighbours, so that each pair is seen once. Points
+    /// `point`, within `reach` of it: half of all neighbours, so that each pair is seen once. Points
     /// outside the grid's box are found too, because they count to its outermost cells.
     #[inline]
     pub(crate) fn for_runs_after(
@@ -81,20 +106,22 @@ impl Grid {
         mut visit: impl FnMut(std::ops::Range<usize>),
     ) {
         let low = self.cell_of(point - reach);
-        let here = self.cell_of(point);
         let high = self.cell_of(point + reach);
-        let start = |x: u32, y: u32, z: u32| {
-            self.starts[((z * self.dims[1] + y) * self.dims[0] + x) as usize] as usize
-        };
-        let end = |x: u32, y: u32, z: u32| {
-            self.starts[((z * self.dims[1] + y) * self.dims[0] + x) as usize + 1] as usize
-        };
-        // What is left of the own row, then the rows after it.
-        visit(a + 1..end(high[0], here[1], here[2]));
-        for z in here[2]..=high[2] {
-            let first = if z == here[2] { here[1] + 1 } else { low[1] };
-            for y in first..=high[1] {
-                visit(start(low[0], y, z)..end(high[0], y, z));
+        let log = self.brick[0];
+        for z in low[2]..=high[2] {
+            for y in low[1]..=high[1] {
+                // A row of cells along x is contiguous within each brick it passes.
+                let mut x = low[0];
+                while x <= high[0] {
+                    let last = high[0].min(x | ((1 << log) - 1));
+                    let first = self.number([x, y, z]) as usize;
+                    let end = self.starts[first + (last - x) as usize + 1] as usize;
+                    let start = (self.starts[first] as usize).max(a + 1);
+                    if start < end {
+                        visit(start..end);
+                    }
+                    x = last + 1;
+                }
             }
         }
     }

@@ -307,7 +307,7 @@ impl Near {
 
 /// Counting sort by grid cell.
 fn sort_by_cell(points: Vec<Vec3>, n_forced: usize, separation: f32, mut grid: Grid) -> Nodes {
-    let cells: Vec<u32> = points.iter().map(|&p| grid.index_of(p)).collect();
+    let cells: Vec<u32> = points.iter().map(|&p| grid.number_of(p)).collect();
     let order = grid.fill(&cells);
     let mut positions = vec![Vec3::ZERO; points.len()];
     let mut forced = vec![0; n_forced];

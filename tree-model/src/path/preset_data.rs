@@ -172,6 +172,7 @@ pub(super) const ROWS: [Row; 15] = [
         low: 0.2,
         trunk_radius: 0.48,
         pipe_exponent: 2.4,
+        leaves: Some(LeafRow { spacing: 0.085, bearing: 0.8, ..LEAVES }),
         ..ROW
     },
     Row {
@@ -219,7 +220,14 @@ pub(super) const ROWS: [Row; 15] = [
         trunk_radius: 0.26,
         species: "birch",
         bark: "birch",
-        leaves: Some(LeafRow { kind: "birch-cluster", droop: 0.3, size: 0.36, ..LEAVES }),
+        leaves: Some(LeafRow {
+            kind: "birch-cluster",
+            droop: 0.3,
+            size: 0.4,
+            spacing: 0.08,
+            bearing: 1.0,
+            ..LEAVES
+        }),
         ..ROW
     },
     Row {
@@ -322,7 +330,7 @@ pub(super) const ROWS: [Row; 15] = [
         paper_seconds: Some(3.3),
         base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 11.0, 0.0], radius: 2.2 }],
         branching: 40,
-        placed: &[[0.0, 10.7, 0.0]],
+        placed: &[[0.0, 10.7, 0.0], [0.2, 10.0, 0.1], [-0.2, 9.5, 0.15], [0.1, 9.0, -0.3]],
         above: 0.08,
         graph_nodes: 2400,
         size: 0.75,
@@ -352,9 +360,9 @@ pub(super) const ROWS: [Row; 15] = [
         bark: "pine",
         leaves: Some(LeafRow {
             kind: "pine-needles",
-            size: 0.34,
+            size: 0.46,
             spacing: 0.05,
-            bearing: 1.1,
+            bearing: 1.3,
             pitch: 0.6,
             droop: 0.0,
             ..LEAVES
@@ -391,7 +399,8 @@ pub(super) const ROWS: [Row; 15] = [
             kind: "birch-cluster",
             droop: 0.6,
             size: 0.4,
-            spacing: 0.08,
+            spacing: 0.06,
+            bearing: 0.9,
             ..LEAVES
         }),
         ..ROW
@@ -405,7 +414,7 @@ pub(super) const ROWS: [Row; 15] = [
             Part::Cone { base: [0.0, 2.0, 0.0], top: [0.0, 15.0, 0.0], radius: 2.0 },
         ],
         branching: 32,
-        placed: &[[0.0, 14.7, 0.0]],
+        placed: &[[0.0, 14.7, 0.0], [0.15, 14.0, 0.1], [-0.2, 13.4, 0.1], [0.1, 12.8, -0.3]],
         above: 0.15,
         graph_nodes: 2400,
         size: 0.6,
@@ -436,7 +445,7 @@ pub(super) const ROWS: [Row; 15] = [
         bark: "pine",
         leaves: Some(LeafRow {
             kind: "spruce-needles",
-            size: 0.34,
+            size: 0.42,
             spacing: 0.07,
             bearing: 0.9,
             pitch: 0.6,
@@ -504,7 +513,7 @@ pub(super) const ROWS: [Row; 15] = [
             Part::Cone { base: [0.0, 1.5, 0.0], top: [0.0, 10.5, 0.0], radius: 2.6 },
         ],
         branching: 16,
-        placed: &[[0.0, 10.2, 0.0]],
+        placed: &[[0.0, 10.2, 0.0], [0.2, 9.6, 0.1], [-0.25, 9.0, 0.15]],
         above: 0.2,
         graph_nodes: 2400,
         size: 1.9,
@@ -565,7 +574,7 @@ pub(super) const ROWS: [Row; 15] = [
         paper_seconds: Some(1.3),
         base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 8.0, 0.0], radius: 0.9 }],
         branching: 16,
-        placed: &[[0.0, 7.7, 0.0]],
+        placed: &[[0.0, 7.7, 0.0], [0.1, 7.2, 0.05], [-0.12, 6.7, 0.1], [0.1, 6.2, -0.15]],
         above: 0.1,
         graph_nodes: 1400,
         size: 1.0,
@@ -588,9 +597,9 @@ pub(super) const ROWS: [Row; 15] = [
         bark: "smooth",
         leaves: Some(LeafRow {
             kind: "spruce-needles",
-            size: 0.28,
+            size: 0.36,
             spacing: 0.035,
-            bearing: 1.2,
+            bearing: 1.8,
             pitch: 0.35,
             droop: 0.0,
             ..LEAVES
@@ -615,7 +624,7 @@ const ROOTED: Row = Row {
     levels: &[LevelRow { branching: 4, ..LEVEL }, LevelRow { branching: 5, ..LEVEL }],
     trunk_radius: 0.2,
     species: "young oak",
-    leaves: Some(LeafRow { size: 0.32, ..LEAVES }),
+    leaves: Some(LeafRow { size: 0.36, spacing: 0.08, ..LEAVES }),
     ..ROW
 };
 

@@ -11,7 +11,7 @@
 use crate::error::{ModelError, Result, check};
 use glam::{Vec2, Vec3};
 use kurbo::{Affine, BezPath, Circle, Ellipse, PathEl, Point, Rect, Shape};
-use roxmltree::{Document, Node};
+use roxmltree::{Document, Node, ParsingOptions};
 use std::str::FromStr;
 use tree_core::Volume;
 
@@ -27,6 +27,9 @@ const CLOSED_GAP: f64 = 0.01;
 /// Deepest nesting of SVG groups followed: a drawing program makes a dozen, a hostile file
 /// thousands.
 const MAX_DEPTH: u32 = 64;
+
+/// Most elements and texts in a drawing: a traced picture has tens of thousands.
+const MAX_NODES: u32 = 1_000_000;
 
 /// How a drawing becomes a profile.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +64,12 @@ impl Profile {
     pub fn from_svg(text: &str, options: &ProfileOptions) -> Result<Self> {
         check("height", options.height, 0.01, 10_000.0)?;
         check("widen", options.widen, 0.01, 100.0)?;
-        let document = Document::parse(text).map_err(|error| ModelError::Svg(error.to_string()))?;
+        // Drawing programs write a document type; entities in it are expanded within roxmltree's
+        // own bounds.
+        let parsing =
+            ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+        let document = Document::parse_with_options(text, parsing)
+            .map_err(|error| ModelError::Svg(error.to_string()))?;
         let mut drawing = Drawing::default();
         drawing.collect(document.root_element(), Affine::IDENTITY, 0)?;
         drawing.profile(options)

@@ -22,26 +22,22 @@ const WIDTH_SHARE: f32 = 0.25;
 /// Cost and predecessor of every node.
 #[derive(Clone, Debug, Default)]
 pub struct Routes {
-    labels: Vec<Label>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Label {
-    cost: f32,
-    from: u32,
+    // Two columns: the search compares costs far more often than it writes predecessors.
+    costs: Vec<f32>,
+    from: Vec<u32>,
 }
 
 impl Routes {
     /// Cost of the cheapest path from the root; infinite where there is none.
     #[must_use]
     pub fn cost(&self, node: u32) -> f32 {
-        self.labels.get(node as usize).map_or(f32::INFINITY, |label| label.cost)
+        self.costs.get(node as usize).copied().unwrap_or(f32::INFINITY)
     }
 
     /// The node before `node` on that path; [`NO_NODE`] at the root and where there is no path.
     #[must_use]
     pub fn from(&self, node: u32) -> u32 {
-        self.labels.get(node as usize).map_or(NO_NODE, |label| label.from)
+        self.from.get(node as usize).copied().unwrap_or(NO_NODE)
     }
 
     /// Whether a path leads to `node`.
@@ -53,7 +49,7 @@ impl Routes {
     /// Number of nodes with a path.
     #[must_use]
     pub fn n_reached(&self) -> usize {
-        self.labels.iter().filter(|label| label.cost < f32::INFINITY).count()
+        self.costs.iter().filter(|&&cost| cost < f32::INFINITY).count()
     }
 }
 
@@ -77,8 +73,11 @@ pub struct Scratch {
 /// As [`search`], into `routes`, reusing `scratch`.
 pub fn search_with(graph: &Graph, root: u32, routes: &mut Routes, scratch: &mut Scratch) {
     let n_nodes = graph.len();
-    routes.labels.clear();
-    routes.labels.resize(n_nodes, Label { cost: f32::INFINITY, from: NO_NODE });
+    let Routes { costs, from } = routes;
+    costs.clear();
+    costs.resize(n_nodes, f32::INFINITY);
+    from.clear();
+    from.resize(n_nodes, NO_NODE);
     if root as usize >= n_nodes {
         return;
     }
@@ -93,7 +92,7 @@ pub fn search_with(graph: &Graph, root: u32, routes: &mut Routes, scratch: &mut 
     }
     let lap = scratch.ring.len();
 
-    routes.labels[root as usize].cost = 0.0;
+    costs[root as usize] = 0.0;
     scratch.ring[0].push((0.0, root));
     let mut n_queued = 1_usize;
     let mut slot = 0_usize;
@@ -102,14 +101,15 @@ pub fn search_with(graph: &Graph, root: u32, routes: &mut Routes, scratch: &mut 
         while let Some((cost, node)) = scratch.ring[slot].pop() {
             n_queued -= 1;
             // An entry whose cost was undercut since is stale.
-            if cost > routes.labels[node as usize].cost {
+            if cost > costs[node as usize] {
                 continue;
             }
             for arc in graph.arcs(node) {
                 let reach = cost + arc.cost;
-                let label = &mut routes.labels[arc.to as usize];
-                if reach < label.cost {
-                    *label = Label { cost: reach, from: node };
+                let known = &mut costs[arc.to as usize];
+                if reach < *known {
+                    *known = reach;
+                    from[arc.to as usize] = node;
                     let ahead = ((reach * per_width) as u64).saturating_sub(bucket) as usize;
                     let mut at = slot + ahead.min(lap - 1);
                     if at >= lap {
