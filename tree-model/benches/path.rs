@@ -1,5 +1,7 @@
 //! The stages of path planning over graph sizes, so that growth shows.
 
+#![allow(clippy::expect_used)]
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use tree_core::glam::Vec3;

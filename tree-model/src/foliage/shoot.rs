@@ -50,18 +50,15 @@ impl Bearer<'_> {
             }
             ahead -= length;
         }
-        if let (true, Some(&tip)) = (self.params.terminal, axis.nodes.last()) {
-            if self.skeleton.parent(tip).is_some() && self.params.bearing > 0.0 {
-                let site = Site {
-                    node: tip,
-                    point: positions[tip as usize],
-                    along: last,
-                    side,
-                    radius: 0.0,
-                };
-                let pitch = uniform(rng, 0.0, 0.5 * self.params.jitter);
-                leaves.push(self.leaf(&site, side, pitch, rng));
-            }
+        let bears_tip = self.params.terminal && self.params.bearing > 0.0;
+        if let Some(&tip) = axis.nodes.last()
+            && bears_tip
+            && self.skeleton.parent(tip).is_some()
+        {
+            let point = positions[tip as usize];
+            let site = Site { node: tip, point, along: last, side, radius: 0.0 };
+            let pitch = uniform(rng, 0.0, 0.5 * self.params.jitter);
+            leaves.push(self.leaf(&site, side, pitch, rng));
         }
     }
 

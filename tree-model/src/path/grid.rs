@@ -43,7 +43,7 @@ impl Grid {
         let dims = dims(cell).map(|n| n as u32);
         let small = dims.iter().product::<u32>() <= ONE_BRICK;
         let brick = if small { dims.map(|n| n.next_power_of_two().ilog2()) } else { BRICK };
-        let bricks = std::array::from_fn(|i| (dims[i] - 1 >> brick[i]) + 1);
+        let bricks = std::array::from_fn(|i| ((dims[i] - 1) >> brick[i]) + 1);
         let per_metre = cell.recip();
         Self { origin: bounds.min, cell, per_metre, dims, brick, bricks, starts: Vec::new() }
     }
@@ -62,7 +62,9 @@ impl Grid {
         let [lx, ly, lz] = self.brick;
         let brick = ((z >> lz) * self.bricks[1] + (y >> ly)) * self.bricks[0] + (x >> lx);
         let within = |n: u32, log: u32| n & ((1 << log) - 1);
-        ((((brick << lz) + within(z, lz) << ly) + within(y, ly)) << lx) + within(x, lx)
+        let layer = (brick << lz) + within(z, lz);
+        let row = (layer << ly) + within(y, ly);
+        (row << lx) + within(x, lx)
     }
 
     #[inline]

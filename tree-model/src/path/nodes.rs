@@ -98,7 +98,7 @@ pub fn strew(
             "no dart hit it; is it thinner than a hair, or all inside the obstacle?",
         ));
     }
-    Ok(sort_by_cell(points, forced.len(), separation, grid))
+    Ok(sort_by_cell(&points, forced.len(), separation, grid))
 }
 
 /// What all blocks share.
@@ -306,7 +306,7 @@ impl Near {
 }
 
 /// Counting sort by grid cell.
-fn sort_by_cell(points: Vec<Vec3>, n_forced: usize, separation: f32, mut grid: Grid) -> Nodes {
+fn sort_by_cell(points: &[Vec3], n_forced: usize, separation: f32, mut grid: Grid) -> Nodes {
     let cells: Vec<u32> = points.iter().map(|&p| grid.number_of(p)).collect();
     let order = grid.fill(&cells);
     let mut positions = vec![Vec3::ZERO; points.len()];

@@ -158,7 +158,7 @@ impl Drawing {
         };
         let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
         let high = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-        if !(high - low > 0.0) || points.iter().all(|p| p.x <= 0.0) {
+        if low >= high || points.iter().all(|p| p.x <= 0.0) {
             return Err(ModelError::Svg("the drawing has no height or no width".into()));
         }
         let scale = f64::from(options.height) / (high - low);

@@ -15,8 +15,8 @@ const MAX_STRAY_SHARE: f32 = 0.05;
 
 /// Factor on the reach, and how often it is applied, when a graph falls apart: thin trunks have
 /// holes that a solid crown has not. Beyond that the volume itself is in pieces.
-const WIDEN: f32 = 1.5;
-const MAX_WIDENINGS: u32 = 2;
+const WIDEN: f32 = 1.2;
+const MAX_WIDENINGS: u32 = 4;
 
 /// The order for one graph.
 pub(crate) struct Plot<'a> {

@@ -46,7 +46,8 @@ fn every_preset_grows_a_valid_tree() {
         assert_eq!(grown.levels.len(), grown.tree.skeleton().len(), "{}", preset.name());
         assert!(grown.tree.foliage().len() > 300, "{}", preset.name());
         let report = grown.report;
-        assert_eq!(report.levels[0].graphs.widened, 0, "{}: {report:?}", preset.name());
+        let base = report.levels[0].graphs;
+        assert!(base.stray_nodes * 20 < base.nodes, "{}: {report:?}", preset.name());
         assert_eq!(report.levels.iter().map(|level| level.stunted).sum::<u64>(), 0);
     }
 }
