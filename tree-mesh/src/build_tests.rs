@@ -282,8 +282,7 @@ fn limits_are_asked_before_the_memory() {
     let tree = leafy(vec![leaf(Vec3::ZERO, Quat::IDENTITY, 1.0, 0); 10], 1);
     let look = Look::plain(tree.species());
     let with = |triangles| {
-        let mut limits = Limits::default();
-        limits.triangles = triangles;
+        let limits = Limits { triangles, ..Limits::default() };
         let control = Control::default().with_limits(limits);
         build(&tree, &look, &plain(), &control)
     };

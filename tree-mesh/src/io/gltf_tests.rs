@@ -26,9 +26,9 @@ pub(super) fn mesh() -> Mesh {
         height: 4,
         pixels: (0..64).map(|i| 3 * i).collect(),
     });
-    for material in &mut look.leaves {
-        material.texture = Some(Arc::clone(&texture));
-        material.alpha = Alpha::Mask(0.4);
+    for leaf in &mut look.leaves {
+        leaf.material.texture = Some(Arc::clone(&texture));
+        leaf.material.alpha = Alpha::Mask(0.4);
     }
     build(&tree, &look, &MeshParams::default(), &Control::default()).unwrap().mesh
 }

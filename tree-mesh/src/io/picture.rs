@@ -95,8 +95,7 @@ mod tests {
         texture().save_png(&path).unwrap();
         assert_eq!(Texture::open(&path, &Limits::default()).unwrap(), texture());
         assert!(texture().save_png(folder.join("none/t.png")).is_err());
-        let mut limits = Limits::default();
-        limits.pixels = 1;
+        let mut limits = Limits { pixels: 1, ..Limits::default() };
         let error = Texture::open(&path, &limits).unwrap_err();
         assert!(matches!(error, MeshError::Limit(_)), "{error}");
         limits.input_bytes = 1;

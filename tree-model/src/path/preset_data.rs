@@ -12,9 +12,11 @@ pub(super) struct Row {
     pub(super) title: &'static str,
     pub(super) paper_seconds: Option<f32>,
     pub(super) base: &'static [Part],
-    /// Endpoints of level 1: drawn above this share of the height, and placed by hand.
+    /// Endpoints of level 1: how many are drawn, above which share of the height, whether only at the
+    /// surface, and which are placed by hand.
     pub(super) branching: u32,
     pub(super) above: f32,
+    pub(super) surface: bool,
     pub(super) placed: &'static [[f32; 3]],
     pub(super) graph_nodes: u32,
     /// Radius of level 2's subgraphs, and its ratio from level to level.
@@ -132,6 +134,7 @@ const ROW: Row = Row {
     base: &[],
     branching: 12,
     above: 0.0,
+    surface: false,
     placed: &[],
     graph_nodes: 2500,
     size: 1.5,
@@ -330,6 +333,7 @@ pub(super) const ROWS: [Row; 15] = [
         paper_seconds: Some(3.3),
         base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 11.0, 0.0], radius: 2.2 }],
         branching: 40,
+        surface: true,
         placed: &[[0.0, 10.7, 0.0], [0.2, 10.0, 0.1], [-0.2, 9.5, 0.15], [0.1, 9.0, -0.3]],
         above: 0.08,
         graph_nodes: 2400,
@@ -414,6 +418,7 @@ pub(super) const ROWS: [Row; 15] = [
             Part::Cone { base: [0.0, 2.0, 0.0], top: [0.0, 15.0, 0.0], radius: 2.0 },
         ],
         branching: 32,
+        surface: true,
         placed: &[[0.0, 14.7, 0.0], [0.15, 14.0, 0.1], [-0.2, 13.4, 0.1], [0.1, 12.8, -0.3]],
         above: 0.15,
         graph_nodes: 2400,
@@ -574,6 +579,7 @@ pub(super) const ROWS: [Row; 15] = [
         paper_seconds: Some(1.3),
         base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 8.0, 0.0], radius: 0.9 }],
         branching: 16,
+        surface: true,
         placed: &[[0.0, 7.7, 0.0], [0.1, 7.2, 0.05], [-0.12, 6.7, 0.1], [0.1, 6.2, -0.15]],
         above: 0.1,
         graph_nodes: 1400,

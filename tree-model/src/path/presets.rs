@@ -1,6 +1,6 @@
 //! Ready-made trees: the twelve of Xu & Mould's Table 2, their two root systems, and an oak.
 
-use super::params::{Endpoints, Level, LevelAxis, Lifespan, PathParams, SubShape};
+use super::params::{Endpoints, Level, LevelAxis, Lifespan, PathParams, Placing, SubShape};
 use super::preset_data::{LevelRow, Part, ROWS, Row, Shape};
 use super::{Linking, Paint};
 use crate::error::{ModelError, Result};
@@ -112,6 +112,7 @@ impl Row {
             endpoints: Endpoints {
                 random: self.branching,
                 above: self.above,
+                placing: if self.surface { Placing::Surface } else { Placing::Volume },
                 placed: self.placed.iter().copied().map(Vec3::from).collect(),
                 ..Endpoints::default()
             },
