@@ -35,7 +35,7 @@ impl Table {
     pub(crate) fn new(system: &str, json: bool) -> Self {
         if !json {
             println!(
-                "{:<34} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  holds",
+                "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  holds",
                 "case", "metric", "paper", "peer", "ours", "unit", "aim"
             );
         }
@@ -67,7 +67,7 @@ impl Table {
         let optional = |value: Option<f64>| value.map_or(String::new(), figure);
         let holds = holds.map_or("", |holds| if holds { "yes" } else { "NO" });
         println!(
-            "{:<34} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  {holds}",
+            "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  {holds}",
             row.case,
             row.metric,
             optional(row.paper),

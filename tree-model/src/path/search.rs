@@ -84,25 +84,31 @@ pub fn search_with(graph: &Graph, root: u32, routes: &mut Routes, scratch: &mut 
     let (mean, max) = graph.cost_range();
     let width = (WIDTH_SHARE * mean).max(max / MAX_BUCKETS).max(f32::MIN_POSITIVE);
     let per_width = width.recip().min(f32::MAX);
-    // One lap must hold the costliest arc from anywhere in a bucket, plus rounding.
-    let lap = (max * per_width) as usize + 3;
+    // One lap must hold the costliest arc from anywhere in a bucket, plus rounding. A power of two,
+    // so that places on the ring are found by masking.
+    let lap = ((max * per_width) as usize + 3).next_power_of_two();
     scratch.ring.iter_mut().for_each(Vec::clear);
     if scratch.ring.len() < lap {
         scratch.ring.resize_with(lap, Vec::new);
     }
-    let lap = scratch.ring.len();
+    let ring = &mut scratch.ring[..lap];
 
     costs[root as usize] = 0.0;
-    scratch.ring[0].push((0.0, root));
+    ring[0].push((0.0, root));
     let mut n_queued = 1_usize;
-    let mut slot = 0_usize;
-    let mut bucket = 0_u64;
+    let mut bucket = 0_usize;
     while n_queued > 0 {
-        while let Some((cost, node)) = scratch.ring[slot].pop() {
+        let floor = bucket as f32 * width;
+        let slot = bucket & (lap - 1);
+        while let Some((cost, node)) = ring[slot].pop() {
             n_queued -= 1;
             // An entry whose cost was undercut since is stale.
             if cost > costs[node as usize] {
                 continue;
+            }
+            // Touching the next node's arcs while this one's are at work hides the way to memory.
+            if let Some(&(_, next)) = ring[slot].last() {
+                std::hint::black_box(graph.arcs(next).first().map_or(0, |arc| arc.to));
             }
             for arc in graph.arcs(node) {
                 let reach = cost + arc.cost;
@@ -110,17 +116,14 @@ pub fn search_with(graph: &Graph, root: u32, routes: &mut Routes, scratch: &mut 
                 if reach < *known {
                     *known = reach;
                     from[arc.to as usize] = node;
-                    let ahead = ((reach * per_width) as u64).saturating_sub(bucket) as usize;
-                    let mut at = slot + ahead.min(lap - 1);
-                    if at >= lap {
-                        at -= lap;
-                    }
-                    scratch.ring[at].push((reach, arc.to));
+                    // Rounding may put an entry into a neighbouring bucket. That costs time at
+                    // worst: a node whose cost falls later is worked again.
+                    let ahead = ((reach - floor) * per_width) as u32 as usize;
+                    ring[(slot + ahead.min(lap - 1)) & (lap - 1)].push((reach, arc.to));
                     n_queued += 1;
                 }
             }
         }
         bucket += 1;
-        slot = if slot + 1 == lap { 0 } else { slot + 1 };
     }
 }
