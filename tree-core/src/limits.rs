@@ -8,6 +8,8 @@ pub enum Resource {
     Nodes,
     /// Nodes of all search graphs of one model together.
     GraphNodes,
+    /// Arcs of one search graph: two for each edge.
+    GraphArcs,
     /// Leaves of one tree.
     Leaves,
     /// Cells of a three-dimensional grid.
@@ -27,6 +29,7 @@ impl Resource {
         match self {
             Self::Nodes => "nodes",
             Self::GraphNodes => "graph_nodes",
+            Self::GraphArcs => "graph_arcs",
             Self::Leaves => "leaves",
             Self::Voxels => "voxels",
             Self::Pixels => "pixels",
@@ -54,8 +57,10 @@ pub struct LimitError {
 pub struct Limits {
     /// Nodes of a skeleton. Default 20 million (about 320 MB).
     pub nodes: u64,
-    /// Nodes of all search graphs of one model. Default 50 million.
+    /// Nodes of all search graphs of one model together. Default 20 million.
     pub graph_nodes: u64,
+    /// Arcs of one search graph. Default 300 million (about 4 GB while it is linked).
+    pub graph_arcs: u64,
     /// Leaves of one tree. Default 20 million (about 760 MB).
     pub leaves: u64,
     /// Cells of a three-dimensional grid. Default 512³.
@@ -72,7 +77,8 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             nodes: 20_000_000,
-            graph_nodes: 50_000_000,
+            graph_nodes: 20_000_000,
+            graph_arcs: 300_000_000,
             leaves: 20_000_000,
             voxels: 512 * 512 * 512,
             pixels: 16_384 * 16_384,
@@ -89,6 +95,7 @@ impl Limits {
         match resource {
             Resource::Nodes => self.nodes,
             Resource::GraphNodes => self.graph_nodes,
+            Resource::GraphArcs => self.graph_arcs,
             Resource::Leaves => self.leaves,
             Resource::Voxels => self.voxels,
             Resource::Pixels => self.pixels,

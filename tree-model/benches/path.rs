@@ -47,11 +47,13 @@ fn stages(c: &mut Criterion) {
             })
             .collect();
         let (mut routes, mut scratch) = (Routes::default(), Scratch::default());
+        let control = Control::default();
         group.throughput(Throughput::Elements(n_graphs * u64::from(size)));
         group.bench_with_input(BenchmarkId::new("search", size), &graphs, |b, graphs| {
             b.iter(|| {
                 for (graph, root) in graphs {
-                    search_with(black_box(graph), *root, &mut routes, &mut scratch);
+                    search_with(black_box(graph), *root, &mut routes, &mut scratch, &control)
+                        .expect("not cancelled");
                 }
             });
         });

@@ -58,6 +58,16 @@ pub enum ModelError {
     /// Nothing to grow towards.
     #[error("no endpoints: give `endpoints.random` above 0 or at least one placed endpoint")]
     NoEndpoints,
+    /// No node of the graph may be an endpoint.
+    #[error(
+        "none of the graph's nodes qualifies as one of {wanted} random endpoints: lower \
+             `endpoints.above`, place them in the volume instead of at its surface, or raise \
+             `graph_nodes`"
+    )]
+    NoCandidates {
+        /// Random endpoints asked for.
+        wanted: u32,
+    },
     /// No path leads to a placed endpoint.
     #[error(
         "endpoint {index} at {position} cannot be reached from the root: it lies too far \
@@ -68,6 +78,15 @@ pub enum ModelError {
         index: usize,
         /// Where it was placed.
         position: Vec3,
+    },
+    /// Nothing grew at one level.
+    #[error("levels[{index}]: {source}")]
+    Level {
+        /// Index into the levels.
+        index: usize,
+        /// Why its first branch did not grow.
+        #[source]
+        source: Box<ModelError>,
     },
     /// A cost field answered with something that is no cost.
     #[error("the cost field gives {found} at {position}, allowed is 0 or more and finite")]

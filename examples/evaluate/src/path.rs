@@ -248,7 +248,7 @@ fn search_against_petgraph(table: &mut Table, case: &str, nodes: u32, n_graphs: 
     let mut scratch = Scratch::default();
     let (our_seconds, ()) = fastest(7, || -> Outcome {
         for ((graph, root), routes) in graphs.iter().zip(&mut routes) {
-            search_with(graph, *root, routes, &mut scratch);
+            search_with(graph, *root, routes, &mut scratch, &control)?;
         }
         Ok(())
     })?;

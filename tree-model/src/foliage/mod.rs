@@ -67,14 +67,18 @@ pub fn grow_leaves(
 /// An upper bound on the number of leaves.
 fn most_leaves(skeleton: &Skeleton, params: &LeafParams, to_tip: &[f32], n_axes: usize) -> u64 {
     let positions = skeleton.positions();
-    let length: f64 = skeleton
+    let along: f64 = skeleton
         .segments()
         .filter(|&(_, node)| to_tip[node as usize] < params.bearing)
-        .map(|(a, b)| f64::from(positions[a as usize].distance(positions[b as usize])))
+        .map(|(a, b)| {
+            let [a, b] = [a, b].map(|node| positions[node as usize].as_dvec3());
+            // One more for each segment makes up for rounding.
+            a.distance(b) / f64::from(params.spacing) + 1.0
+        })
         .sum();
     let per_node = u64::from(params.arrangement.per_node());
-    let along = (length / f64::from(params.spacing)) as u64 + n_axes as u64;
-    along.saturating_mul(per_node).saturating_add(n_axes as u64)
+    // A cast from float saturates.
+    (along as u64).saturating_mul(per_node).saturating_add(n_axes as u64)
 }
 
 #[cfg(test)]

@@ -39,16 +39,17 @@ impl Bearer<'_> {
             let to_tip_at_a = self.to_tip[node as usize] + length;
             // A segment that reaches below the bearing zone starts bearing part of the way up.
             ahead = ahead.max(to_tip_at_a - self.params.bearing);
-            while ahead < length {
-                let share = ahead / length;
+            // By number, not by adding up: small steps added to a large length go nowhere.
+            let n_nodes = ((length - ahead) / self.params.spacing).ceil().max(0.0) as u64;
+            for i in 0..n_nodes {
+                let share = ((ahead + i as f32 * self.params.spacing) / length).min(1.0);
                 let radius = radii[node as usize] * share
                     + radii[below as usize].min(2.0 * radii[node as usize]) * (1.0 - share);
                 let site = Site { node, point: a.lerp(b, share), along, side, radius };
                 self.bear_node(&site, turn, rng, leaves);
                 turn = (turn + self.params.arrangement.divergence()) % TAU;
-                ahead += self.params.spacing;
             }
-            ahead -= length;
+            ahead = (ahead + n_nodes as f32 * self.params.spacing - length).max(0.0);
         }
         let bears_tip = self.params.terminal && self.params.bearing > 0.0;
         if let Some(&tip) = axis.nodes.last()

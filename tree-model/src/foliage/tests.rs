@@ -122,3 +122,22 @@ fn bad_parameters_and_too_many_leaves_are_refused() {
     let error = grow_leaves(&shoot(2.0), &LeafParams::default(), Seed(1), &control).unwrap_err();
     assert!(matches!(error, ModelError::Limit(_)), "{error}");
 }
+
+#[test]
+fn short_spacing_on_a_long_shoot_ends_and_keeps_its_number() {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1);
+    builder.add(0, Vec3::Y * 2060.0, 0.1).unwrap();
+    let params = LeafParams { spacing: 1e-3, bearing: 1e6, ..calm(Phyllotaxis::default()) };
+    let foliage = grow(&builder.finish(), &params);
+    assert!((2_059_000..2_061_000).contains(&foliage.len()), "{}", foliage.len());
+}
+
+#[test]
+fn nodes_too_far_apart_for_single_precision_are_refused_by_the_limit() {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1);
+    builder.add(0, Vec3::Y * 1e20, 0.1).unwrap();
+    let params = LeafParams { bearing: 1e6, ..LeafParams::default() };
+    let control = Control::default();
+    let error = grow_leaves(&builder.finish(), &params, Seed(1), &control).unwrap_err();
+    assert!(matches!(error, ModelError::Limit(_)), "{error}");
+}

@@ -8,28 +8,7 @@ use super::params::Placing;
 use super::search::Routes;
 use glam::Vec3;
 use rand::RngExt;
-use tree_core::{Rng, Volume};
-
-/// Directions in which a node looks for the surface when the volume knows no distances.
-const FEELERS: [Vec3; 14] = {
-    const D: f32 = 0.577_350_26;
-    [
-        Vec3::X,
-        Vec3::Y,
-        Vec3::Z,
-        Vec3::NEG_X,
-        Vec3::NEG_Y,
-        Vec3::NEG_Z,
-        Vec3::new(D, D, D),
-        Vec3::new(D, D, -D),
-        Vec3::new(D, -D, D),
-        Vec3::new(D, -D, -D),
-        Vec3::new(-D, D, D),
-        Vec3::new(-D, D, -D),
-        Vec3::new(-D, -D, D),
-        Vec3::new(-D, -D, -D),
-    ]
-};
+use tree_core::{Cancelled, Control, Rng, Volume};
 
 /// Draws for each endpoint that may fall on a node that does not qualify, before all qualifying
 /// nodes are listed. Most nodes qualify, and listing them costs more than a few draws.
@@ -53,49 +32,61 @@ impl Choice<'_> {
     /// Draws `wanted` different nodes, none of them in `taken`, and appends them to it. Fewer when
     /// there are not so many.
     ///
+    /// # Errors
+    /// [`Cancelled`].
+    ///
     /// # Complexity
-    /// O(wanted² · candidates) distances where candidates are above 1, else O(wanted²) at worst.
-    pub(crate) fn draw(&self, wanted: u32, taken: &mut Vec<u32>, rng: &mut Rng) {
-        let mut listed: Option<Vec<u32>> = None;
+    /// O(nodes + wanted) with one candidate each; O(wanted² · candidates) distances with more.
+    pub(crate) fn draw(
+        &self,
+        wanted: u32,
+        taken: &mut Vec<u32>,
+        rng: &mut Rng,
+        control: &Control,
+    ) -> Result<(), Cancelled> {
+        let mut pool = Pool { is_taken: vec![false; self.positions.len()], listed: None };
+        for &node in taken.iter() {
+            pool.is_taken[node as usize] = true;
+        }
         for _ in 0..wanted {
+            control.check()?;
             let mut best: Option<(f32, u32)> = None;
             for _ in 0..self.candidates {
-                let Some(node) = self.candidate(taken, &mut listed, rng) else {
-                    break;
-                };
+                let Some(node) = self.candidate(&mut pool, rng) else { break };
                 let room = if self.candidates == 1 { 0.0 } else { self.room(node, taken) };
                 if best.is_none_or(|(most, _)| room > most) {
                     best = Some((room, node));
                 }
             }
-            let Some((_, node)) = best else { return };
+            let Some((_, node)) = best else { break };
             taken.push(node);
-            if let Some(list) = &mut listed {
-                list.retain(|&n| n != node);
-            }
+            pool.is_taken[node as usize] = true;
         }
+        Ok(())
     }
 
-    fn candidate(
-        &self,
-        taken: &[u32],
-        listed: &mut Option<Vec<u32>>,
-        rng: &mut Rng,
-    ) -> Option<u32> {
-        if listed.is_none() {
+    fn candidate(&self, pool: &mut Pool, rng: &mut Rng) -> Option<u32> {
+        if pool.listed.is_none() {
             for _ in 0..TRIES {
                 let node = rng.random_range(0..self.positions.len() as u32);
-                if self.qualifies(node) && !taken.contains(&node) {
+                if self.qualifies(node) && !pool.is_taken[node as usize] {
                     return Some(node);
                 }
             }
         }
+        let Pool { is_taken, listed } = pool;
         let list = listed.get_or_insert_with(|| {
-            (0..self.positions.len() as u32)
-                .filter(|node| self.qualifies(*node) && !taken.contains(node))
-                .collect()
+            (0..self.positions.len() as u32).filter(|&node| self.qualifies(node)).collect()
         });
-        if list.is_empty() { None } else { Some(list[rng.random_range(0..list.len())]) }
+        // Nodes taken since the list was made are dropped when they are drawn.
+        while !list.is_empty() {
+            let at = rng.random_range(0..list.len());
+            if !is_taken[list[at] as usize] {
+                return Some(list[at]);
+            }
+            list.swap_remove(at);
+        }
+        None
     }
 
     fn qualifies(&self, node: u32) -> bool {
@@ -107,12 +98,7 @@ impl Choice<'_> {
     }
 
     fn is_near_surface(&self, position: Vec3) -> bool {
-        match self.volume.distance(position) {
-            Some(distance) => distance > -self.separation,
-            None => FEELERS
-                .iter()
-                .any(|&feeler| !self.volume.contains(position + feeler * self.separation)),
-        }
+        self.volume.distance(position).is_some_and(|distance| distance > -self.separation)
     }
 
     /// Squared distance to the nearest endpoint there is.
@@ -123,4 +109,11 @@ impl Choice<'_> {
             .map(|&other| here.distance_squared(self.positions[other as usize]))
             .fold(f32::INFINITY, f32::min)
     }
+}
+
+/// What can still be drawn.
+struct Pool {
+    is_taken: Vec<bool>,
+    /// All nodes that qualify, once plain draws have failed too often.
+    listed: Option<Vec<u32>>,
 }

@@ -6,17 +6,20 @@
 //! strewing without holes is always connected: balls of one separation round the nodes then cover
 //! the volume, and neighbouring balls touch.
 
-use super::nodes::Nodes;
+use super::nodes::{FILL, Nodes};
 use super::obstacle::Obstacle;
 use crate::error::{ModelError, Result, check};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::sync::Arc as Shared;
-use tree_core::{Control, Seed, Volume};
+use tree_core::{Control, Resource, Seed, Volume};
 
 /// Nodes linked by one task. Graphs up to this size are linked on the calling thread, because the
 /// many small graphs of one level already keep all threads busy.
 const CHUNK: usize = 4096;
+
+/// Arcs of a node deep inside a graph of reach 1: the nodes in a ball of one separation.
+const ARCS_PER_NODE: f32 = 4.0 / 3.0 * std::f32::consts::PI * FILL;
 
 /// One direction of an edge.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,12 +63,15 @@ impl Default for Linking {
 }
 
 impl Linking {
+    /// Longest linking distance in separations: a node has about a hundred arcs there.
+    pub const MAX_REACH: f32 = 4.0;
+
     /// Checks all ranges.
     ///
     /// # Errors
     /// [`ModelError::Parameter`] naming the field.
     pub fn validate(&self) -> Result<()> {
-        check("linking.reach", self.reach, 1.2, 4.0)?;
+        check("linking.reach", self.reach, 1.2, Self::MAX_REACH)?;
         check("linking.low", self.low, 0.01, 1.0)?;
         check("linking.bias", self.bias, 0.1, 10.0)
     }
@@ -92,14 +98,15 @@ pub struct Terrain<'a> {
     /// A factor for every point.
     pub cost: Option<&'a CostField>,
     /// Where no path may enter.
-    pub(crate) obstacle: Option<&'a Obstacle>,
+    pub obstacle: Option<&'a Obstacle>,
 }
 
 impl Graph {
     /// Links `nodes`.
     ///
     /// # Errors
-    /// [`ModelError::Cost`] when the user's field answers with no cost, [`ModelError::Cancelled`].
+    /// [`ModelError::Cost`] when the user's field answers with no cost, [`ModelError::Limit`] when the
+    /// arcs would exceed [`Limits::graph_arcs`](tree_core::Limits), [`ModelError::Cancelled`].
     ///
     /// # Complexity
     /// O(nodes · reach³) time; at the default reach about 15 arcs of 8 bytes a node.
@@ -112,6 +119,9 @@ impl Graph {
     ) -> Result<Self> {
         let n_nodes = nodes.positions.len();
         let reach = linking.reach * nodes.separation;
+        let arcs = n_nodes as f64
+            * f64::from(ARCS_PER_NODE * linking.reach * linking.reach * linking.reach);
+        control.limits.check(Resource::GraphArcs, arcs as u64)?;
         let linker = Linker { nodes, linking, terrain, seed, reach };
         let ranges: Vec<_> =
             (0..n_nodes).step_by(CHUNK).map(|start| start..(start + CHUNK).min(n_nodes)).collect();

@@ -42,7 +42,9 @@ impl Grid {
         }
         let dims = dims(cell).map(|n| n as u32);
         let small = dims.iter().product::<u32>() <= ONE_BRICK;
-        let brick = if small { dims.map(|n| n.next_power_of_two().ilog2()) } else { BRICK };
+        // No brick is longer than the grid: thin grids would be mostly empty cells.
+        let most = if small { [u32::MAX; 3] } else { BRICK };
+        let brick = std::array::from_fn(|i| dims[i].next_power_of_two().ilog2().min(most[i]));
         let bricks = std::array::from_fn(|i| ((dims[i] - 1) >> brick[i]) + 1);
         let per_metre = cell.recip();
         Self { origin: bounds.min, cell, per_metre, dims, brick, bricks, starts: Vec::new() }
@@ -72,11 +74,15 @@ impl Grid {
         self.number(self.cell_of(point))
     }
 
+    /// Number of cells, those that fill up bricks included.
+    pub(crate) fn n_cells(&self) -> usize {
+        let n_bricks: usize = self.bricks.iter().map(|&n| n as usize).product();
+        n_bricks << self.brick.iter().sum::<u32>()
+    }
+
     /// Sorts points, given by cell number, into the grid; returns each one's place.
     pub(crate) fn fill(&mut self, cells: &[u32]) -> Vec<u32> {
-        let n_bricks = self.bricks.iter().product::<u32>();
-        let n_cells = n_bricks << self.brick.iter().sum::<u32>();
-        let mut starts = vec![0_u32; n_cells as usize + 1];
+        let mut starts = vec![0_u32; self.n_cells() + 1];
         for &cell in cells {
             starts[cell as usize + 1] += 1;
         }

@@ -4,13 +4,13 @@
 use super::draft::{Draft, join_roots};
 use super::graph::Terrain;
 use super::nursery::Nursery;
-use super::obstacle::Obstacle;
-use super::params::{Level, PathParams};
+use super::params::PathParams;
 use super::shoot::{GraphStats, Plot, Shoot, Workspace};
 use super::smooth::smooth;
 use crate::error::{ModelError, Result};
 use crate::foliage;
 use rayon::prelude::*;
+use std::ops::Range;
 use tree_core::allometry::RadiusRule;
 use tree_core::{Control, Foliage, Resource, Seed, Skeleton, Tree};
 
@@ -41,6 +41,8 @@ pub struct LevelReport {
     pub graphs: GraphStats,
     /// Endpoints reached.
     pub endpoints: u64,
+    /// Random endpoints asked for that the graphs had no nodes for.
+    pub missing: u64,
     /// Endpoints of the levels before from which nothing grew, because an obstacle left no room or
     /// a narrow subgraph did not hang together.
     pub stunted: u64,
@@ -80,7 +82,10 @@ impl PathParams {
     pub fn grow(&self, seed: Seed, control: &Control) -> Result<PathTree> {
         self.validate()?;
         control.report("level 1", 0.0)?;
-        let (mut skeleton, mut levels, crown) = self.grow_part(seed, control)?;
+        let mut budget = Budget::default();
+        let crown_share = if self.roots.is_some() { 0.0..0.6 } else { 0.0..0.8 };
+        let (mut skeleton, mut levels, crown) =
+            self.grow_part(seed, crown_share, &mut budget, control)?;
         let mut report = PathReport { levels: crown, ..Default::default() };
         control.report("leaves", 0.8)?;
         let leaves = match &self.leaves {
@@ -90,8 +95,9 @@ impl PathParams {
             None => Foliage::default(),
         };
         if let Some(roots) = &self.roots {
-            control.report("roots", 0.9)?;
-            let (below, _, levels_below) = roots.grow_part(seed.stream("roots"), control)?;
+            let (seed, share) = (seed.stream("roots"), 0.85..1.0);
+            let (below, _, levels_below) =
+                self.root_params(roots).grow_part(seed, share, &mut budget, control)?;
             // Roots come after all other nodes, so that the leaves' nodes stay right.
             skeleton = join_roots(&skeleton, &below)?;
             levels.resize(skeleton.len(), 0);
@@ -103,26 +109,33 @@ impl PathParams {
     }
 
     /// Grows the branches of all levels: the skeleton, the level of each node, and a report.
+    /// `share` is this part's share of the whole progress.
     fn grow_part(
         &self,
         seed: Seed,
+        share: Range<f32>,
+        budget: &mut Budget,
         control: &Control,
     ) -> Result<(Skeleton, Vec<u8>, Vec<LevelReport>)> {
-        let obstacle = self
-            .obstacle
-            .as_ref()
-            .map(|volume| Obstacle { volume: volume.clone(), clearance: self.clearance });
-        let terrain =
-            Terrain { paint: &self.paint, cost: self.cost.as_ref(), obstacle: obstacle.as_ref() };
+        let obstacle = self.obstacle.as_ref();
+        let terrain = Terrain { paint: &self.paint, cost: self.cost.as_ref(), obstacle };
         let mut draft = Draft::default();
-        let mut reports = vec![self.grow_base(seed, &terrain, &mut draft, control)?];
-        for (i, level) in self.levels.iter().enumerate() {
-            control.report(LEVEL_NAMES[i.min(LEVEL_NAMES.len() - 1)], self.progress_at(i))?;
-            reports.push(self.grow_level(i, level, seed, &terrain, &mut draft, control)?);
+        let n_levels = self.levels.len() as f32 + 1.0;
+        let mut reports = Vec::with_capacity(self.levels.len() + 1);
+        budget.ask(1, self.graph_nodes, &draft, control)?;
+        reports.push(self.grow_base(seed, &terrain, &mut draft, control)?);
+        budget.spend(&reports[0]);
+        for i in 0..self.levels.len() {
+            let done = (i as f32 + 1.0) / n_levels;
+            let fraction = share.start + (share.end - share.start) * done;
+            control.report(LEVEL_NAMES[i.min(LEVEL_NAMES.len() - 1)], fraction)?;
+            let report = self.grow_level(i, seed, &terrain, &mut draft, budget, control)?;
+            budget.spend(&report);
+            reports.push(report);
         }
-        control.limits.check(Resource::Nodes, draft.positions.len() as u64)?;
+        budget.close_part(&draft, control)?;
         let (mut skeleton, levels) = draft.finish()?;
-        smooth(&mut skeleton, self.smoothing, obstacle.as_ref())?;
+        smooth(&mut skeleton, self.smoothing, obstacle, control)?;
         match &self.radii {
             // The paper's rule goes by level, which only the modeler knows.
             RadiusRule::TipDistance(rule) => {
@@ -156,23 +169,25 @@ impl PathParams {
         };
         let shoot = plot.grow(seed.stream("level 1"), &mut Workspace::default(), control)?;
         let (graphs, endpoints) = (shoot.stats, shoot.tips.len() as u64);
+        let wanted = u64::from(self.endpoints.random) + self.endpoints.placed.len() as u64;
         draft.start(&shoot, self.levels.len() as u32);
-        Ok(LevelReport { graphs, endpoints, ..Default::default() })
+        Ok(LevelReport { graphs, endpoints, missing: wanted - endpoints, ..Default::default() })
     }
 
     fn grow_level(
         &self,
         i: usize,
-        level: &Level,
         seed: Seed,
         terrain: &Terrain<'_>,
         draft: &mut Draft,
+        budget: &Budget,
         control: &Control,
     ) -> Result<LevelReport> {
+        let Some(level) = self.levels.get(i) else { return Ok(LevelReport::default()) };
         let size = self.level_size(i);
         let (from, ended) = draft.living_tips(level.from_all_levels);
         let mut report = LevelReport { ended, ..Default::default() };
-        self.check_limits(level, from.len() as u64, draft, control)?;
+        budget.ask(from.len() as u64, level.graph_nodes, draft, control)?;
         let stream = seed.stream("levels").child(i as u64);
         let nursery = Nursery { level, size, linking: &self.linking, terrain, control };
         let shoots: Vec<Result<Shoot>> = from
@@ -197,6 +212,7 @@ impl PathParams {
             };
             report.graphs.add(shoot.stats);
             report.endpoints += shoot.tips.len() as u64;
+            report.missing += u64::from(level.branching) - shoot.tips.len() as u64;
             let life = stream.stream("life").child(number as u64);
             draft.append(&shoot, tip, i as u8 + 2, &mut tips, |n| {
                 self.lifespan.after(tip.life, life.child(u64::from(n)))
@@ -204,23 +220,39 @@ impl PathParams {
         }
         if let (Some(error), true, None) = (why, tips.is_empty(), terrain.obstacle) {
             // Nothing grew at all and no obstacle is to blame: the level's shape is.
-            return Err(error);
+            return Err(ModelError::Level { index: i, source: Box::new(error) });
         }
         draft.close_level(tips);
         Ok(report)
     }
+}
 
-    /// Both the graphs and the skeleton of a level must stay within the limits.
-    fn check_limits(&self, level: &Level, n: u64, draft: &Draft, control: &Control) -> Result<()> {
-        control.limits.check(Resource::GraphNodes, n * u64::from(level.graph_nodes))?;
-        // At least one node an endpoint; more cannot be known before.
-        let least = draft.positions.len() as u64 + n * u64::from(level.branching);
-        control.limits.check(Resource::Nodes, least)?;
+/// What all parts and levels of one model use together, held against the limits.
+#[derive(Default)]
+struct Budget {
+    graph_nodes: u64,
+    /// Skeleton nodes of the parts that are finished.
+    nodes: u64,
+}
+
+impl Budget {
+    /// Before a level: `n_graphs` of `graph_nodes` each, and at least one skeleton node for each.
+    fn ask(&self, n_graphs: u64, graph_nodes: u32, draft: &Draft, control: &Control) -> Result<()> {
+        let graph_nodes = self.graph_nodes + n_graphs * u64::from(graph_nodes);
+        control.limits.check(Resource::GraphNodes, graph_nodes)?;
+        let nodes = self.nodes + draft.positions.len() as u64 + n_graphs;
+        control.limits.check(Resource::Nodes, nodes)?;
         Ok(())
     }
 
-    fn progress_at(&self, i: usize) -> f32 {
-        0.8 * (i as f32 + 1.0) / (self.levels.len() as f32 + 1.0)
+    fn spend(&mut self, report: &LevelReport) {
+        self.graph_nodes += report.graphs.nodes;
+    }
+
+    fn close_part(&mut self, draft: &Draft, control: &Control) -> Result<()> {
+        self.nodes += draft.positions.len() as u64;
+        control.limits.check(Resource::Nodes, self.nodes)?;
+        Ok(())
     }
 }
 
@@ -231,6 +263,7 @@ fn is_local(error: &ModelError) -> bool {
         ModelError::EmptyVolume { .. }
             | ModelError::RootOutside { .. }
             | ModelError::RootBlocked { .. }
+            | ModelError::NoCandidates { .. }
     )
 }
 

@@ -46,8 +46,10 @@ mod smooth;
 
 pub use graph::{CostField, Linking, Paint};
 pub use iterate::{LevelReport, PathReport, PathTree};
+pub use obstacle::Obstacle;
 pub use params::{
-    Endpoints, Level, LevelAxis, Lifespan, MAX_LEVELS, MIN_ANGLE, PathParams, Placing, SubShape,
+    Endpoints, Level, LevelAxis, Lifespan, MAX_ENDPOINTS, MAX_LEVELS, MIN_ANGLE, PathParams,
+    Placing, SubShape,
 };
 pub use presets::{PRESETS, Preset};
 #[cfg(feature = "svg")]

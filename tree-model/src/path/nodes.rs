@@ -9,10 +9,12 @@
 //! a few kilobytes, so the time per node does not grow with their number.
 //!
 //! Departure: the paper throws until it has exactly K nodes; we throw a fixed number of darts per
-//! node, which gives K within about a tenth and always ends.
+//! node, which gives K within about a tenth and always ends. A volume thinner than the separation
+//! takes more, up to 2.8 K, because its nodes have fewer neighbours.
 
 use crate::error::{ModelError, Result};
 use crate::path::grid::Grid;
+use crate::path::obstacle::Obstacle;
 use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::seed::uniform;
@@ -20,7 +22,7 @@ use tree_core::{Aabb, Control, Resource, Rng, Seed, Volume};
 
 /// Nodes per cube of one separation that dart throwing settles at with [`DARTS_PER_NODE`] darts.
 /// Jammed packings reach 0.73; closer to that, almost every dart is thrown in vain.
-const FILL: f32 = 0.38;
+pub(crate) const FILL: f32 = 0.38;
 
 /// Darts thrown inside the volume for each node wanted. Fewer leave holes, more cost time.
 const DARTS_PER_NODE: f32 = 2.8;
@@ -61,7 +63,7 @@ pub struct Nodes {
 /// O(wanted · share of the bounding box that the volume fills); 30 bytes a node.
 pub fn strew(
     volume: &Volume,
-    obstacle: Option<&Volume>,
+    obstacle: Option<&Obstacle>,
     wanted: u32,
     forced: &[Vec3],
     seed: Seed,
@@ -82,6 +84,9 @@ pub fn strew(
         return Err(empty("it has no inside"));
     }
     let separation = libm::cbrtf(FILL * measure / wanted.max(1) as f32);
+    if !(box_measure.is_finite() && measure.is_finite() && separation > 0.0) {
+        return Err(empty("it is too large or too small for single precision"));
+    }
     let grid = Grid::new(bounds, separation, wanted.max(1));
     let field = Field {
         volume,
@@ -104,7 +109,7 @@ pub fn strew(
 /// What all blocks share.
 struct Field<'a> {
     volume: &'a Volume,
-    obstacle: Option<&'a Volume>,
+    obstacle: Option<&'a Obstacle>,
     separation: f32,
     bounds: Aabb,
     darts_per_m3: f32,
@@ -125,18 +130,18 @@ impl Field<'_> {
             n_forced[block] += 1;
         }
         for phase in 0..8_u32 {
-            control.check()?;
             let members: Vec<[u32; 3]> = all_blocks(blocks)
                 .filter(|b| (b[0] & 1) | (b[1] & 1) << 1 | (b[2] & 1) << 2 == phase)
                 .collect();
             let throw = |&b: &[u32; 3]| {
+                control.check()?;
                 let rim = self.rim(b, blocks, &points, number);
                 let rng = seed.child(number(b) as u64).rng();
-                self.throw_block(b, &points[number(b)], &rim, rng)
+                Ok(self.throw_block(b, &points[number(b)], &rim, rng))
             };
             let thrown: Vec<Vec<Vec3>> = match members.as_slice() {
-                [one] => vec![throw(one)],
-                many => many.par_iter().map(throw).collect(),
+                [one] => vec![throw(one)?],
+                many => many.par_iter().map(throw).collect::<Result<_>>()?,
             };
             for (b, block_points) in members.iter().zip(thrown) {
                 points[number(*b)].extend(block_points);
@@ -207,7 +212,7 @@ impl Field<'_> {
             if !near.own_cell_hits(dart)
                 && self.volume.contains(dart)
                 && near.is_free(dart)
-                && !self.obstacle.is_some_and(|obstacle| obstacle.contains(dart))
+                && !self.obstacle.is_some_and(|obstacle| obstacle.holds(dart))
             {
                 near.add(dart);
             }

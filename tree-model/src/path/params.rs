@@ -1,64 +1,83 @@
 //! What a path-planned tree is made of: plain structs, all with defaults that make a good oak.
 
 use super::graph::{CostField, Linking, Paint};
+use super::obstacle::Obstacle;
 use crate::error::{ModelError, Result, check, check_finite};
 use crate::foliage::LeafParams;
 use glam::Vec3;
 use std::f32::consts::PI;
 use tree_core::allometry::RadiusRule;
-use tree_core::{Species, Volume};
+use tree_core::{CoreError, Species, Volume};
 
 /// Most levels: 2 to the 16th subgraphs at the smallest branching would be a forest.
 pub const MAX_LEVELS: usize = 16;
+
+/// Most endpoints drawn at random in one graph.
+pub const MAX_ENDPOINTS: u32 = 10_000;
 
 /// Narrowest sector, in radians (3°): a thinner one is hit by too few darts to hold a graph.
 pub const MIN_ANGLE: f32 = 0.05;
 
 /// Everything that shapes a tree by Xu & Mould's method. Lengths in metres, angles in radians.
+///
+/// There is no `Default`, because volumes are checked when they are made; begin with
+/// [`PathParams::oak`] or another preset, and change what should differ:
+///
+/// ```
+/// use tree_model::path::PathParams;
+/// let params = PathParams { graph_nodes: 9000, ..PathParams::oak()? };
+/// # Ok::<(), tree_model::ModelError>(())
+/// ```
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathParams {
     /// The volume of level 1: trunk and crown, or root ball. It decides the shape of the tree more
     /// than all else. Bounded. Default: a trunk of 2.6 m under a round crown of 9.5 m height.
     pub volume: Volume,
-    /// Where all paths end; inside `volume` or within linking distance. Default the origin.
+    /// Where all paths end; inside `volume` or within linking distance. Oak: the origin.
     pub root: Vec3,
     /// Nodes of the level 1 graph (K), 8 to `Limits::graph_nodes`; the graph has this many within
-    /// about a tenth. More make branches finer and cost time in proportion. Default 6000.
+    /// about a tenth. More make branches finer and cost time in proportion. Oak: 5000.
     pub graph_nodes: u32,
     /// Where the branches of level 1 end.
     pub endpoints: Endpoints,
-    /// Radius of the subgraphs of level 2 in metres, above 0. Default 1.6.
+    /// Radius of the subgraphs of level 2 in metres, above 0. Oak: 2.2.
     pub size: f32,
-    /// Ratio (a) of the subgraph radii of successive levels, 0.05 to 2. Default 0.62.
+    /// Ratio (a) of the subgraph radii of successive levels, 0.05 to 2. Oak: 0.62.
     pub shrink: f32,
-    /// Levels 2 and on, at most [`MAX_LEVELS`]. Default three.
+    /// Levels 2 and on, at most [`MAX_LEVELS`]. Oak: three.
     pub levels: Vec<Level>,
     /// How long branches live.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub lifespan: Lifespan,
     /// How nodes are linked and what edges cost.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub linking: Linking,
     /// Painted edge costs (the paper's §5); where several overlap, they multiply.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub paint: Vec<Paint>,
     /// A cost factor for every point, multiplied with `paint`.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub cost: Option<CostField>,
-    /// What no path may enter.
-    pub obstacle: Option<Volume>,
-    /// Distance that paths keep from the obstacle in metres, 0 or more, where its volume knows
-    /// distances. Default 0.05.
-    pub clearance: f32,
+    /// What no path may enter. Oak: none.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub obstacle: Option<Obstacle>,
     /// Smoothing passes over the branches, 0 to 50. Each takes away some of the zigzag from node to
-    /// node. Default 3; the paper has none.
+    /// node. Oak: 3; the paper has none.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub smoothing: u32,
-    /// How thick branches are. Default the pipe model.
+    /// How thick branches are. Oak: the pipe model, scaled to a trunk of 0.48 m radius.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub radii: RadiusRule,
     /// Leaves; none when `None`.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub leaves: Option<LeafParams>,
     /// Names of species, bark and leaves.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub species: Species,
-    /// A root system, grown by the same method from the same root. Its own leaves and roots are
-    /// ignored. Default none.
+    /// A root system, grown by the same method from the same root. Its own root, leaves and roots are
+    /// ignored. Oak: none.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub roots: Option<Box<PathParams>>,
 }
 
@@ -66,13 +85,13 @@ pub struct PathParams {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Endpoints {
-    /// Endpoints drawn at random (b). Default 14.
+    /// Endpoints drawn at random (b), at most [`MAX_ENDPOINTS`]. Default 14.
     pub random: u32,
     /// Where random endpoints may lie.
     pub placing: Placing,
     /// Candidates drawn for each random endpoint, of which the one farthest from all others is
     /// taken (Mitchell 1991), 1 to 64. 1 is the paper's plain draw; more spread the branches
-    /// evenly. Default 4.
+    /// evenly and cost time with the square of `random`. Default 4.
     pub candidates: u32,
     /// Random endpoints lie above this share of the volume's height, 0 to 0.95; keeps main branches
     /// off the trunk. Default 0.
@@ -102,7 +121,7 @@ pub enum Placing {
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Level {
-    /// Endpoints in each subgraph (b), 1 to 10,000. Default 4.
+    /// Endpoints in each subgraph (b), 1 to [`MAX_ENDPOINTS`]. Default 4.
     pub branching: u32,
     /// Shape of the subgraphs.
     pub shape: SubShape,
@@ -214,17 +233,25 @@ impl PathParams {
         for (i, paint) in self.paint.iter().enumerate() {
             check(format!("paint[{i}].factor"), paint.factor, 0, 1000)?;
         }
-        check("clearance", self.clearance, 0, 1e6)?;
+        if let Some(obstacle) = &self.obstacle {
+            check("obstacle.clearance", obstacle.clearance, 0, 1e6)?;
+        }
         check("smoothing", self.smoothing, 0, 50)?;
-        self.radii.validate()?;
+        self.radii.validate().map_err(|error| within("radii", error.into()))?;
         if let Some(leaves) = &self.leaves {
-            leaves.validate(self.species.leaf_kinds.len())?;
+            let n_kinds = self.species.leaf_kinds.len();
+            check("species.leaf_kinds.len()", n_kinds as f64, 1, u16::MAX)?;
+            leaves.validate(n_kinds)?;
         }
         match &self.roots {
-            // Roots of roots are ignored, so they need not be valid.
-            Some(roots) => Self { roots: None, leaves: None, ..(**roots).clone() }.validate(),
+            Some(roots) => self.root_params(roots).validate().map_err(|e| within("roots", e)),
             None => Ok(()),
         }
+    }
+
+    /// The root system's parameters, without what is ignored.
+    pub(crate) fn root_params(&self, roots: &Self) -> Self {
+        Self { root: self.root, roots: None, leaves: None, ..roots.clone() }
     }
 
     /// Radius of the subgraphs of `levels[i]` in metres.
@@ -235,11 +262,31 @@ impl PathParams {
     }
 }
 
+/// The same error, its field named as part of `outer`.
+fn within(outer: &str, error: ModelError) -> ModelError {
+    match error {
+        ModelError::Parameter { field, found, min, max } => {
+            ModelError::Parameter { field: format!("{outer}.{field}"), found, min, max }
+        }
+        ModelError::NotFinite { field } => {
+            ModelError::NotFinite { field: format!("{outer}.{field}") }
+        }
+        ModelError::Core(CoreError::OutOfRange { field, found, min, max, .. }) => {
+            ModelError::Parameter { field: format!("{outer}.{field}"), found, min, max }
+        }
+        ModelError::Core(CoreError::NotFinite { field, .. }) => {
+            ModelError::NotFinite { field: format!("{outer}.{field}") }
+        }
+        other => other,
+    }
+}
+
 impl Endpoints {
     fn validate(&self) -> Result<()> {
         if self.random == 0 && self.placed.is_empty() {
             return Err(ModelError::NoEndpoints);
         }
+        check("endpoints.random", self.random, 0, MAX_ENDPOINTS)?;
         check("endpoints.candidates", self.candidates, 1, 64)?;
         check("endpoints.above", self.above, 0.0, 0.95)?;
         self.placed
@@ -252,7 +299,7 @@ impl Endpoints {
 impl Level {
     fn validate(&self, i: usize) -> Result<()> {
         let field = |name: &str| format!("levels[{i}].{name}");
-        check(field("branching"), self.branching, 1, 10_000)?;
+        check(field("branching"), self.branching, 1, MAX_ENDPOINTS)?;
         check(field("graph_nodes"), self.graph_nodes, 8, u32::MAX)?;
         check(field("turn"), self.turn, -PI, PI)?;
         if let Some(size) = self.size {

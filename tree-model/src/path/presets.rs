@@ -124,7 +124,6 @@ impl Row {
             paint,
             cost: None,
             obstacle: None,
-            clearance: 0.05,
             smoothing: self.smoothing,
             radii: RadiusRule::Pipe(PipeModel {
                 exponent: self.pipe_exponent,

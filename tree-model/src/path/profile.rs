@@ -28,6 +28,9 @@ const CLOSED_GAP: f64 = 0.01;
 /// thousands.
 const MAX_DEPTH: u32 = 64;
 
+/// Largest coordinate: beyond that, curves cannot be cut into a sensible number of lines.
+const MAX_NUMBER: f64 = 1e7;
+
 /// Most elements and texts in a drawing: a traced picture has tens of thousands.
 const MAX_NODES: u32 = 1_000_000;
 
@@ -120,7 +123,8 @@ impl Drawing {
     fn add(&mut self, node: Node<'_, '_>, path: &BezPath) {
         let bounds = path.bounding_box();
         let size = bounds.width().max(bounds.height());
-        if !(size > 0.0 && size.is_finite()) {
+        let corner = bounds.x0.abs().max(bounds.y0.abs());
+        if !(size > 0.0 && size <= MAX_NUMBER && corner <= MAX_NUMBER) {
             return;
         }
         if node.attribute("id").is_some_and(|id| id.eq_ignore_ascii_case("axis")) {
@@ -238,12 +242,7 @@ fn transform(node: Node<'_, '_>) -> Result<Affine> {
 
 /// The shape an element draws, before its transform.
 fn outline(node: Node<'_, '_>) -> Result<Option<BezPath>> {
-    let number = |name: &str| -> f64 {
-        node.attribute(name)
-            .and_then(|text| text.trim().trim_end_matches("px").parse().ok())
-            .unwrap_or(0.0)
-    };
-    let centre = Point::new(number("cx"), number("cy"));
+    let number = |name: &str| number(node, name);
     Ok(match node.tag_name().name() {
         "path" => {
             let data = node.attribute("d").unwrap_or("");
@@ -255,19 +254,37 @@ fn outline(node: Node<'_, '_>) -> Result<Option<BezPath>> {
         "polygon" => polyline(node, true)?,
         "line" => {
             let mut path = BezPath::new();
-            path.move_to((number("x1"), number("y1")));
-            path.line_to((number("x2"), number("y2")));
+            path.move_to((number("x1")?, number("y1")?));
+            path.line_to((number("x2")?, number("y2")?));
             Some(path)
         }
         "rect" => {
-            let (x, y) = (number("x"), number("y"));
-            let rect = Rect::new(x, y, x + number("width"), y + number("height"));
-            Some(rect.to_path(1e-3))
+            let (x, y) = (number("x")?, number("y")?);
+            let rect = Rect::new(x, y, x + number("width")?, y + number("height")?);
+            Some(rect.to_path(1.0))
         }
-        "circle" => Some(Circle::new(centre, number("r")).to_path(1e-3)),
-        "ellipse" => Some(Ellipse::new(centre, (number("rx"), number("ry")), 0.0).to_path(1e-3)),
+        "circle" => {
+            let (centre, r) = (Point::new(number("cx")?, number("cy")?), number("r")?.abs());
+            Some(Circle::new(centre, r).to_path(FLATNESS * r))
+        }
+        "ellipse" => {
+            let centre = Point::new(number("cx")?, number("cy")?);
+            let radii = (number("rx")?.abs(), number("ry")?.abs());
+            Some(Ellipse::new(centre, radii, 0.0).to_path(FLATNESS * radii.0.max(radii.1)))
+        }
         _ => None,
     })
+}
+
+/// A length in user units; 0 where the attribute is missing, as SVG has it.
+fn number(node: Node<'_, '_>, name: &str) -> Result<f64> {
+    let Some(text) = node.attribute(name) else { return Ok(0.0) };
+    match text.trim().trim_end_matches("px").parse::<f64>() {
+        Ok(number) if number.abs() <= MAX_NUMBER => Ok(number),
+        _ => Err(ModelError::Svg(format!(
+            "{name}='{text}' is no length in user units of at most {MAX_NUMBER}"
+        ))),
+    }
 }
 
 fn polyline(node: Node<'_, '_>, close: bool) -> Result<Option<BezPath>> {
@@ -349,6 +366,10 @@ mod tests {
         fails(&svg("<path d='M0 0 L nonsense'/>"));
         fails(&svg("<path d='M0 0 L 10 0 Z'/>"));
         fails(&svg("<polyline points='1,x'/>"));
+        fails(&svg("<circle r='1e300'/>"));
+        fails(&svg("<circle r='inf'/>"));
+        fails(&svg("<rect width='50%' height='3'/>"));
+        fails(&svg("<path d='M0 0 A 1e300 1e300 0 0 1 1e300 5 Z'/>"));
         fails(&svg("<g transform='wobble(1)'><circle r='3'/></g>"));
         fails(&svg(&format!("{}{}", "<g>".repeat(100), "</g>".repeat(100))));
         let options = ProfileOptions { height: f32::NAN, ..Default::default() };

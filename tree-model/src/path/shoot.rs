@@ -117,7 +117,11 @@ impl Plot<'_> {
             above: self.above,
             candidates: self.candidates,
         };
-        choice.draw(self.random, &mut targets, &mut seed.stream("endpoints").rng());
+        let mut rng = seed.stream("endpoints").rng();
+        choice.draw(self.random, &mut targets, &mut rng, control)?;
+        if targets.is_empty() {
+            return Err(ModelError::NoCandidates { wanted: self.random });
+        }
         let mut shoot = union_of_paths(&linked.graph, routes, linked.root, &targets);
         shoot.stats = linked.stats;
         Ok(shoot)
@@ -137,20 +141,28 @@ impl Plot<'_> {
         let mut forced = Vec::with_capacity(self.placed.len() + 1);
         forced.push(self.root);
         forced.extend_from_slice(self.placed);
-        let obstacle = self.terrain.obstacle.map(|obstacle| &obstacle.volume);
-        let nodes =
-            strew(self.volume, obstacle, self.graph_nodes, &forced, seed.stream("nodes"), control)?;
+        let nodes = strew(
+            self.volume,
+            self.terrain.obstacle,
+            self.graph_nodes,
+            &forced,
+            seed.stream("nodes"),
+            control,
+        )?;
         let (root, placed) = (nodes.forced[0], nodes.forced[1..].to_vec());
         let mut linking = self.linking.clone();
         let mut widenings = 0;
         loop {
             let graph = Graph::link(&nodes, &linking, self.terrain, seed.stream("edges"), control)?;
-            search_with(&graph, root, routes, scratch);
+            search_with(&graph, root, routes, scratch, control)?;
             let n_reached = routes.n_reached();
             let strays = graph.len() - n_reached;
+            // What an obstacle cuts off no longer reach would bring back.
+            let cut_off = self.terrain.obstacle.is_some() && n_reached > forced.len();
             let whole = strays as f32 <= MAX_STRAY_SHARE * graph.len() as f32
                 && placed.iter().all(|&node| routes.reached(node));
-            if whole || widenings == MAX_WIDENINGS {
+            let widest = linking.reach * WIDEN > Linking::MAX_REACH;
+            if whole || cut_off || widest || widenings == MAX_WIDENINGS {
                 if n_reached <= forced.len() {
                     return Err(self.root_outside(&graph, root, linking.reach * nodes.separation));
                 }

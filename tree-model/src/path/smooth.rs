@@ -5,7 +5,7 @@
 use super::obstacle::Obstacle;
 use crate::error::Result;
 use glam::Vec3;
-use tree_core::Skeleton;
+use tree_core::{Children, Control, Skeleton};
 
 /// How far a node moves in one pass towards the middle between its neighbours.
 const STEP: f32 = 0.5;
@@ -17,12 +17,14 @@ pub(crate) fn smooth(
     skeleton: &mut Skeleton,
     passes: u32,
     obstacle: Option<&Obstacle>,
+    control: &Control,
 ) -> Result<()> {
     let sizes = skeleton.subtree_sizes();
     let children = skeleton.children();
     let mut positions = skeleton.positions().to_vec();
     let mut next = positions.clone();
     for _ in 0..passes {
+        control.check()?;
         for node in 1..positions.len() {
             let above = children.of(node as u32);
             if above.is_empty() {
@@ -41,29 +43,38 @@ pub(crate) fn smooth(
             next[node] = positions[node].lerp(middle, STEP);
         }
         if let Some(obstacle) = obstacle {
-            take_back(&mut next, &positions, skeleton, obstacle);
+            take_back(&mut next, &positions, skeleton, &children, obstacle);
         }
         positions.copy_from_slice(&next);
     }
     Ok(skeleton.set_positions(positions)?)
 }
 
-/// Takes back the moves of both ends of every segment that would pass through the obstacle, until
-/// none does. It ends, because before the pass none did.
-fn take_back(next: &mut [Vec3], before: &[Vec3], skeleton: &Skeleton, obstacle: &Obstacle) {
-    loop {
-        let mut changed = false;
-        for (parent, node) in skeleton.segments() {
-            let (parent, node) = (parent as usize, node as usize);
-            let moved = next[parent] != before[parent] || next[node] != before[node];
-            if moved && !obstacle.is_free(next[parent], next[node]) {
-                next[parent] = before[parent];
-                next[node] = before[node];
-                changed = true;
-            }
+/// Takes back the moves of both ends of every segment that would pass through the obstacle, and
+/// then looks again at the segments of the nodes moved back, until none does. It ends, because before
+/// the pass none did, and is linear, because a node is moved back once.
+fn take_back(
+    next: &mut [Vec3],
+    before: &[Vec3],
+    skeleton: &Skeleton,
+    children: &Children,
+    obstacle: &Obstacle,
+) {
+    // Segments to look at, by the node at their upper end.
+    let mut open: Vec<u32> = (1..skeleton.len() as u32).collect();
+    while let Some(node) = open.pop() {
+        let Some(parent) = skeleton.parent(node) else { continue };
+        let ends = [parent, node].map(|end| end as usize);
+        let moved = ends.iter().any(|&end| next[end] != before[end]);
+        if !moved || obstacle.is_free(next[ends[0]], next[ends[1]]) {
+            continue;
         }
-        if !changed {
-            return;
+        for end in ends {
+            if next[end] != before[end] {
+                next[end] = before[end];
+                open.push(end as u32);
+                open.extend_from_slice(children.of(end as u32));
+            }
         }
     }
 }

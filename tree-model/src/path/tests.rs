@@ -115,8 +115,8 @@ fn surface_endpoints_lie_near_the_surface() {
 #[test]
 fn no_branch_enters_an_obstacle() {
     let wall = Volume::box_solid(Vec3::new(0.25, 0.0, -3.0), Vec3::new(0.3, 6.0, 3.0)).unwrap();
-    let params =
-        PathParams { obstacle: Some(wall.clone()), clearance: 0.02, smoothing: 10, ..shrub() };
+    let obstacle = Some(Obstacle { volume: wall.clone(), clearance: 0.02 });
+    let params = PathParams { obstacle, smoothing: 10, ..shrub() };
     let grown = params.grow(SEED, &control()).unwrap();
     let skeleton = grown.tree.skeleton();
     for (parent, node) in skeleton.segments() {
@@ -206,10 +206,60 @@ fn progress_never_falls_and_ends_at_one() {
     let seen = std::sync::Arc::new(std::sync::Mutex::new(Vec::new()));
     let sink = seen.clone();
     let control = control().with_progress(move |p| sink.lock().unwrap().push(p.fraction));
-    shrub().grow(SEED, &control).unwrap();
+    Preset::find("taproot").unwrap().params().unwrap().grow(SEED, &control).unwrap();
     let seen = seen.lock().unwrap();
     assert!(seen.windows(2).all(|pair| pair[0] <= pair[1]), "{seen:?}");
     assert_eq!(seen.last(), Some(&1.0));
+}
+
+#[test]
+fn costs_that_differ_by_powers_of_ten_do_not_slow_the_search() {
+    // Cheap below, dear above: all cheap arcs fall into one bucket.
+    let volume = Volume::sphere(Vec3::ZERO, 3.0).unwrap();
+    let strewn = nodes::strew(&volume, None, 20_000, &[Vec3::ZERO], SEED, &control()).unwrap();
+    let cost: CostField = std::sync::Arc::new(|p: Vec3| if p.y > 0.0 { 1e5 } else { 1.0 });
+    let terrain = graph::Terrain { cost: Some(&cost), ..Default::default() };
+    let graph = Graph::link(&strewn, &Linking::default(), &terrain, SEED, &control()).unwrap();
+    let routes = search(&graph, strewn.forced[0], &control()).unwrap();
+    assert_eq!(routes.n_reached(), graph.len());
+    let mut theirs = UnGraph::<(), f32>::default();
+    for _ in 0..graph.len() {
+        theirs.add_node(());
+    }
+    for node in 0..graph.len() as u32 {
+        for arc in graph.arcs(node).iter().filter(|arc| arc.to > node) {
+            theirs.add_edge(
+                NodeIndex::new(node as usize),
+                NodeIndex::new(arc.to as usize),
+                arc.cost,
+            );
+        }
+    }
+    let root = NodeIndex::new(strewn.forced[0] as usize);
+    for (node, cost) in dijkstra(&theirs, root, None, |edge| *edge.weight()) {
+        assert_eq!(routes.cost(node.index() as u32), cost);
+    }
+}
+
+#[test]
+fn a_wall_thinner_than_a_step_holds() {
+    let thin = Vec3::new(3.0, 0.0001, 3.0);
+    let wall = Volume::box_solid(1.5 * Vec3::Y - thin, 1.5 * Vec3::Y + thin).unwrap();
+    let mut params = shrub();
+    params.obstacle = Some(Obstacle { volume: wall, clearance: 0.0 });
+    params.endpoints.placed = vec![2.5 * Vec3::Y];
+    let found = params.grow(SEED, &control()).unwrap_err();
+    assert!(matches!(found, ModelError::EndpointUnreachable { .. }), "{found}");
+}
+
+#[test]
+fn roots_grow_from_the_trees_root_whatever_their_own_says() {
+    let mut params = Preset::find("taproot").unwrap().params().unwrap();
+    if let Some(roots) = &mut params.roots {
+        roots.root = Vec3::new(40.0, 0.0, 0.0);
+    }
+    let skeleton = skeleton(&params);
+    assert!(skeleton.segment_lengths().iter().all(|&length| length < 2.0));
 }
 
 #[test]
@@ -278,7 +328,8 @@ mod bad_input {
 
     #[test]
     fn a_root_inside_the_obstacle_is_refused() {
-        let obstacle = Some(Volume::sphere(Vec3::ZERO, 0.2).unwrap());
+        let volume = Volume::sphere(Vec3::ZERO, 0.2).unwrap();
+        let obstacle = Some(Obstacle { volume, clearance: 0.0 });
         let error = error(&PathParams { obstacle, ..shrub() });
         assert!(matches!(error, ModelError::RootBlocked { .. }), "{error}");
     }
@@ -294,7 +345,8 @@ mod bad_input {
         let mut params = shrub();
         let center = 2.2 * Vec3::Y;
         let shell = Volume::sphere(center, 0.5).unwrap();
-        params.obstacle = Some(shell.difference(&Volume::sphere(center, 0.4).unwrap()).unwrap());
+        let volume = shell.difference(&Volume::sphere(center, 0.4).unwrap()).unwrap();
+        params.obstacle = Some(Obstacle { volume, clearance: 0.0 });
         params.endpoints.placed = vec![center];
         let found = error(&params);
         assert!(matches!(found, ModelError::EndpointUnreachable { index: 0, .. }), "{found}");
@@ -308,6 +360,58 @@ mod bad_input {
         let limits = Limits { nodes: 50, ..Limits::default() };
         let found = shrub().grow(SEED, &control().with_limits(limits)).unwrap_err();
         assert!(matches!(found, ModelError::Limit(_)), "{found}");
+    }
+
+    #[test]
+    fn the_limit_on_graph_nodes_counts_all_levels_and_the_roots() {
+        let params = Preset::find("taproot").unwrap().params().unwrap();
+        let grown = params.grow(SEED, &control()).unwrap();
+        let total = grown.report.graphs().nodes;
+        let limits = Limits { graph_nodes: total * 9 / 10, ..Limits::default() };
+        let found = params.grow(SEED, &control().with_limits(limits)).unwrap_err();
+        assert!(matches!(found, ModelError::Limit(_)), "{found}");
+    }
+
+    #[test]
+    fn more_arcs_than_the_limit_are_refused_before_they_are_linked() {
+        let limits = Limits { graph_arcs: 1000, ..Limits::default() };
+        let found = shrub().grow(SEED, &control().with_limits(limits)).unwrap_err();
+        assert!(found.to_string().contains("graph_arcs"), "{found}");
+    }
+
+    #[test]
+    fn a_crown_without_room_for_endpoints_is_refused() {
+        let mut params = shrub();
+        params.volume = Volume::cone(Vec3::ZERO, 9.0 * Vec3::Y, 1.0).unwrap();
+        params.graph_nodes = 300;
+        params.endpoints.above = 0.95;
+        let found = error(&params);
+        assert!(matches!(found, ModelError::NoCandidates { wanted: 6 }), "{found}");
+    }
+
+    #[test]
+    fn volumes_of_extreme_size_are_refused() {
+        let volume = Volume::box_solid(Vec3::splat(-2e38), Vec3::splat(2e38)).unwrap();
+        let found = error(&PathParams { volume, ..shrub() });
+        assert!(matches!(found, ModelError::EmptyVolume { .. }), "{found}");
+    }
+
+    #[test]
+    fn errors_of_the_roots_and_of_the_radii_say_so() {
+        let text = |change: fn(&mut PathParams)| {
+            let mut params = Preset::find("taproot").unwrap().params().unwrap();
+            change(&mut params);
+            error(&params).to_string()
+        };
+        let found = text(|p| p.roots.as_mut().unwrap().size = f32::NAN);
+        assert!(found.starts_with("roots.size is NaN"), "{found}");
+        let found = text(|p| {
+            let rule = tree_core::allometry::PipeModel { exponent: 0.5, ..Default::default() };
+            p.radii = tree_core::allometry::RadiusRule::Pipe(rule);
+        });
+        assert!(found.starts_with("radii.exponent is 0.5"), "{found}");
+        let found = text(|p| p.species.leaf_kinds.clear());
+        assert!(found.starts_with("species.leaf_kinds.len() is 0"), "{found}");
     }
 
     #[test]
@@ -329,6 +433,13 @@ fn a_thin_slanted_volume_neither_hangs_nor_eats_memory() {
         Err(ModelError::RootOutside { .. }) => {}
         Err(other) => panic!("{other}"),
     }
+}
+
+#[test]
+fn a_needle_along_one_axis_takes_no_more_memory_than_its_nodes() {
+    let volume = Volume::cylinder(Vec3::ZERO, 1000.0 * Vec3::Z, 1e-6).unwrap();
+    let strewn = nodes::strew(&volume, None, 20_000, &[], SEED, &control()).unwrap();
+    assert!(strewn.grid.n_cells() < 40 * 20_000, "{} cells", strewn.grid.n_cells());
 }
 
 #[test]
@@ -389,7 +500,7 @@ proptest! {
             theirs.add_edge(NodeIndex::new(a as usize), NodeIndex::new(b as usize), cost);
         }
         let costs = dijkstra(&theirs, NodeIndex::new(0), None, |edge| *edge.weight());
-        let routes = search(&graph, 0);
+        let routes = search(&graph, 0, &control()).unwrap();
         for node in 0..n {
             let oracle = costs.get(&NodeIndex::new(node as usize)).copied();
             prop_assert_eq!(oracle.unwrap_or(f32::INFINITY), routes.cost(node));
