@@ -7,6 +7,8 @@
 
 use std::error::Error;
 use std::path::PathBuf;
+use std::process::ExitCode;
+use std::str::FromStr;
 use tree_core::{Control, Seed, Volume, file, glam::Vec3, swc};
 use tree_lod::preview::{self, Style, View};
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
@@ -50,9 +52,9 @@ impl Request {
             let mut value = || arguments.next().ok_or(format!("{name} needs a value"));
             match name.as_str() {
                 "--preset" => request.preset = value()?,
-                "--seed" => request.seed = value()?.parse()?,
+                "--seed" => request.seed = number(&name, &value()?)?,
                 "--profile" => request.profile = Some(value()?.into()),
-                "--height" => request.height = value()?.parse()?,
+                "--height" => request.height = number(&name, &value()?)?,
                 "--bare" => request.bare = true,
                 "--swc" => request.swc = true,
                 "--obj" => request.obj = true,
@@ -64,7 +66,17 @@ impl Request {
     }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let request = Request::parse(std::env::args().skip(1))
         .map_err(|error| format!("{error}\nusage: {USAGE}"))?;
     let control = Control::default();
@@ -84,7 +96,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let look = Look::built_in(tree.species())?;
     let mesh = tree_mesh::build(tree, &look, &MeshParams::default(), &control)?.mesh;
 
-    std::fs::create_dir_all(&request.out)?;
+    std::fs::create_dir_all(&request.out)
+        .map_err(|error| format!("cannot make folder {}: {error}", request.out.display()))?;
     let path = |extension: &str| request.out.join(format!("{name}.{extension}"));
     write_glb(&mesh, path("glb"), &GlbOptions::default())?;
     if request.obj {
@@ -112,6 +125,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         mesh.n_triangles(),
     );
     Ok(())
+}
+
+fn number<T: FromStr>(name: &str, text: &str) -> Result<T, String> {
+    text.parse().map_err(|_| format!("{name} needs a number, not '{text}'"))
 }
 
 /// Puts the drawn volume in the place of the preset's, and scales what grows in it along.
