@@ -36,7 +36,6 @@ pub mod nodes;
 mod nursery;
 mod obstacle;
 mod params;
-mod preset_data;
 mod presets;
 #[cfg(feature = "svg")]
 mod profile;
