@@ -18,6 +18,7 @@ use crate::path::obstacle::Obstacle;
 use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::seed::uniform;
+use tree_core::volume::Solid;
 use tree_core::{Aabb, Control, Resource, Rng, Seed, Volume};
 
 /// Nodes per cube of one separation that dart throwing settles at with [`DARTS_PER_NODE`] darts.
@@ -93,6 +94,9 @@ pub fn strew(
         obstacle,
         separation,
         bounds,
+        hit_share: measure / box_measure,
+        // Only where the whole volume is one block, or darts would fall into other blocks.
+        sector: if grid.dims.iter().all(|&n| n <= BLOCK) { Sector::of(volume) } else { None },
         darts_per_m3: (DARTS_PER_NODE / measure).min(MAX_BOX_DARTS_PER_NODE / box_measure)
             * wanted as f32,
         grid: &grid,
@@ -113,6 +117,9 @@ struct Field<'a> {
     separation: f32,
     bounds: Aabb,
     darts_per_m3: f32,
+    /// Share of the box that the volume fills.
+    hit_share: f32,
+    sector: Option<Sector>,
     grid: &'a Grid,
 }
 
@@ -196,28 +203,82 @@ impl Field<'_> {
         }
         let expected = self.darts_per_m3 * target.size().element_product();
         // The fraction of a dart is thrown with that chance, or small blocks would get none.
-        let n_darts = (expected + uniform(&mut rng, 0.0, 1.0)) as u32;
+        let n_darts = expected + uniform(&mut rng, 0.0, 1.0);
         let mut near = Near::new(target, self.separation);
         for &point in own.iter().chain(rim) {
             near.add(point);
         }
         let n_given = near.points.len();
-        for _ in 0..n_darts {
-            let dart = Vec3::new(
-                uniform(&mut rng, target.min.x, target.max.x),
-                uniform(&mut rng, target.min.y, target.max.y),
-                uniform(&mut rng, target.min.z, target.max.z),
-            );
+        let mut stick = |dart: Vec3, inside: &dyn Fn(Vec3) -> bool| {
             // Cheap tests first: the own cell turns down most darts.
             if !near.own_cell_hits(dart)
-                && self.volume.contains(dart)
+                && inside(dart)
                 && near.is_free(dart)
                 && !self.obstacle.is_some_and(|obstacle| obstacle.holds(dart))
             {
                 near.add(dart);
             }
+        };
+        match self.sector {
+            // All darts hit: as many as would have, of those thrown at the box.
+            Some(sector) => {
+                for _ in 0..(n_darts * self.hit_share) as u32 {
+                    stick(sector.throw(&mut rng), &|_| true);
+                }
+            }
+            None => {
+                for _ in 0..n_darts as u32 {
+                    let dart = Vec3::new(
+                        uniform(&mut rng, target.min.x, target.max.x),
+                        uniform(&mut rng, target.min.y, target.max.y),
+                        uniform(&mut rng, target.min.z, target.max.z),
+                    );
+                    stick(dart, &|dart| self.volume.contains(dart));
+                }
+            }
         }
         near.points.split_off(n_given)
+    }
+}
+
+/// A spherical sector to throw into without missing: the shape of most subgraphs, which fills a
+/// quarter of its box.
+#[derive(Clone, Copy)]
+struct Sector {
+    apex: Vec3,
+    radius: f32,
+    cosine: f32,
+    /// The axis and two directions across it.
+    axis: Vec3,
+    across: [Vec3; 2],
+}
+
+impl Sector {
+    fn of(volume: &Volume) -> Option<Self> {
+        let Solid::Sector { apex, axis, angle, radius } = *volume.solid() else { return None };
+        let axis = axis.try_normalize()?;
+        let across = axis.any_orthonormal_pair();
+        let cosine = libm::cosf(angle);
+        Some(Self { apex, radius, cosine, axis, across: [across.0, across.1] })
+    }
+
+    /// A point uniform in the sector, without a transcendental function.
+    #[inline]
+    fn throw(&self, rng: &mut Rng) -> Vec3 {
+        // The height of a point on a spherical cap is uniform (Archimedes), and the largest of three
+        // uniform numbers is distributed as the cube root of one.
+        let up = uniform(rng, self.cosine, 1.0);
+        let mut unit = || uniform(rng, 0.0, 1.0);
+        let distance = self.radius * unit().max(unit()).max(unit());
+        let [x, y] = loop {
+            let [x, y] = [uniform(rng, -1.0, 1.0), uniform(rng, -1.0, 1.0)];
+            let squared = x * x + y * y;
+            if squared > 1e-6 && squared <= 1.0 {
+                let scale = ((1.0 - up * up).max(0.0) / squared).sqrt();
+                break [scale * x, scale * y];
+            }
+        };
+        self.apex + distance * (up * self.axis + x * self.across[0] + y * self.across[1])
     }
 }
 

@@ -312,6 +312,25 @@ fn strewn_nodes_keep_their_separation_and_their_number() {
 }
 
 #[test]
+fn darts_thrown_straight_into_a_sector_fill_it_evenly() {
+    let sector = Volume::sector(Vec3::X, Vec3::new(1.0, 2.0, 0.5), 0.9, 2.0).unwrap();
+    let (mut inside, mut far, mut total) = (0, 0, 0);
+    for i in 0..40 {
+        let strewn = nodes::strew(&sector, None, 200, &[], SEED.child(i), &control()).unwrap();
+        total += strewn.positions.len();
+        for p in &strewn.positions {
+            inside += usize::from(sector.distance(*p).unwrap() < 1e-5);
+            far += usize::from(p.distance(Vec3::X) > 2.0 * 0.7937);
+        }
+    }
+    assert_eq!(inside, total);
+    assert!((7200..9600).contains(&total), "{total} of 8000");
+    // Half of the volume lies beyond the cube root of one half; surfaces hold a little more.
+    let share = far as f32 / total as f32;
+    assert!((0.48..0.62).contains(&share), "{share}");
+}
+
+#[test]
 fn links_are_all_pairs_within_reach() {
     let volume = Volume::sphere(Vec3::ZERO, 3.0).unwrap();
     let strewn = nodes::strew(&volume, None, 600, &[], SEED, &control()).unwrap();
