@@ -17,6 +17,13 @@ const SYSTEMS: [(&str, Evaluation); 1] = [("path", path::evaluate)];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let [flag, case] = arguments.as_slice()
+        && flag == measure::MEMORY_FLAG
+    {
+        let done = path::grow_case(case);
+        measure::print_peak();
+        return if done.is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
+    }
     let json = arguments.iter().any(|argument| argument == "--json");
     let wanted: Vec<&String> = arguments.iter().filter(|a| !a.starts_with("--")).collect();
     let known = || SYSTEMS.map(|(name, _)| name).join(", ");

@@ -1,6 +1,7 @@
 //! Time and memory of a piece of work.
 
 use std::fs;
+use std::process::Command;
 use std::time::Instant;
 
 /// Seconds of the fastest of `runs` runs, and the last result. The fastest is the least disturbed by
@@ -24,24 +25,28 @@ pub(crate) fn fastest<T, E>(
     }
 }
 
-/// Runs `work` and returns by how many bytes the resident memory of this process peaked above what
-/// it was before; `None` where the system does not tell (it takes Linux's `/proc`).
-pub(crate) fn peak_bytes<T>(work: impl FnOnce() -> T) -> (T, Option<u64>) {
-    // Writing 5 resets the peak.
-    let reset = fs::write("/proc/self/clear_refs", "5").is_ok();
-    let before = status_bytes("VmRSS:");
-    let value = work();
-    let peak = status_bytes("VmHWM:");
-    let grown = match (before, peak) {
-        (Some(before), Some(peak)) if reset => Some(peak.saturating_sub(before)),
-        _ => None,
+/// The flag under which [`peak_bytes`] calls this program again.
+pub(crate) const MEMORY_FLAG: &str = "--memory-of";
+
+/// Peak resident memory of a piece of work above that of a program that does nothing: `case` is run
+/// by a fresh process of this program, because a used one hides what its allocator has kept. `None`
+/// where the system does not tell (it takes Linux's `/proc`).
+pub(crate) fn peak_bytes(case: &str) -> Option<u64> {
+    let measure = |case: &str| -> Option<u64> {
+        let program = std::env::current_exe().ok()?;
+        let output = Command::new(program).args([MEMORY_FLAG, case]).output().ok()?;
+        String::from_utf8(output.stdout).ok()?.trim().parse().ok()
     };
-    (value, grown)
+    Some(measure(case)?.saturating_sub(measure("nothing")?))
 }
 
-fn status_bytes(field: &str) -> Option<u64> {
-    let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with(field))?;
-    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024 * kilobytes)
+/// Prints the peak resident memory of this process in bytes.
+pub(crate) fn print_peak() {
+    let peak = fs::read_to_string("/proc/self/status").ok().and_then(|status| {
+        let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+        line.split_whitespace().nth(1)?.parse::<u64>().ok()
+    });
+    if let Some(kilobytes) = peak {
+        println!("{}", 1024 * kilobytes);
+    }
 }

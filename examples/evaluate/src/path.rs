@@ -102,13 +102,28 @@ fn tree(branching: &[u32], graph_nodes: u32, scale: u32) -> Outcome<PathParams> 
     })
 }
 
+/// A tree of level 1 only, in one graph.
+fn one_graph(graph_nodes: u32) -> Outcome<PathParams> {
+    Ok(PathParams { graph_nodes, levels: Vec::new(), ..tree(TABLE_1[0].branching, 8, 1)? })
+}
+
+/// Grows the tree of a row of Table 1, or one graph of so many nodes, or nothing: for its memory.
+pub(crate) fn grow_case(case: &str) -> Outcome {
+    if let Some(row) = TABLE_1.iter().find(|row| row.case == case) {
+        grow(&tree(row.branching, row.graph_nodes, 1)?)?;
+    } else if let Ok(nodes) = case.parse() {
+        grow(&one_graph(nodes)?)?;
+    }
+    Ok(())
+}
+
 fn grow(params: &PathParams) -> Outcome<PathTree> {
     Ok(params.grow(SEED, &Control::default())?)
 }
 
 fn table_1(table: &mut Table, row: &Measured) -> Outcome {
     let params = tree(row.branching, row.graph_nodes, 1)?;
-    let ((), peak) = peak_bytes(|| drop(grow(&params)));
+    let peak = peak_bytes(row.case);
     let (seconds, grown) = fastest(7, || grow(&params))?;
     let graphs = grown.report.graphs();
     let mut figure = |metric, paper: Option<f64>, ours, unit, aim| {
@@ -188,10 +203,9 @@ fn scaling(table: &mut Table) -> Outcome {
     });
 
     for (nodes, per_node) in [351_810, 3_518_100].into_iter().zip(&mut per_node) {
-        let params =
-            PathParams { graph_nodes: nodes, levels: Vec::new(), ..tree(row.branching, 8, 1)? };
-        let (grown, peak) = peak_bytes(|| grow(&params));
-        let nodes = grown?.report.graphs().nodes as f64;
+        let params = one_graph(nodes)?;
+        let peak = peak_bytes(&nodes.to_string());
+        let nodes = grow(&params)?.report.graphs().nodes as f64;
         let (seconds, _) = fastest(3, || grow(&params))?;
         *per_node = 1e9 * seconds / nodes;
         let case = format!("one graph of {nodes} nodes");
