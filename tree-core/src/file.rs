@@ -1,10 +1,14 @@
 //! Files that are whole or absent: written beside their final name, then renamed.
 
 use crate::error::{CoreError, Result};
-use std::fs::{self, File};
-use std::io::{BufWriter, Read, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::{BufWriter, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Names tried for a temporary file before giving up: others hold one only when a process of the
+/// same number died half way, or when someone plants them.
+const NAME_TRIES: u32 = 256;
 
 /// Writes a file so that a reader sees the old one or the whole new one, never a part.
 ///
@@ -36,8 +40,8 @@ pub fn write_all_atomic<E: From<CoreError>>(
     let mut written = Vec::with_capacity(parts.len());
     for (path, write) in parts {
         if let Some(write) = write.take() {
-            let temporary = Temporary::beside(path);
-            temporary.fill(write)?;
+            let (temporary, file) = Temporary::beside(path)?;
+            fill(path, file, write)?;
             written.push((temporary, *path));
         }
     }
@@ -47,29 +51,47 @@ pub fn write_all_atomic<E: From<CoreError>>(
     Ok(())
 }
 
+/// Number in the next temporary name of this process.
+static NEXT_NAME: AtomicU64 = AtomicU64::new(0);
+
 /// A file that is removed when dropped, unless it was renamed away.
 struct Temporary(PathBuf);
 
 impl Temporary {
-    fn beside(path: &Path) -> Self {
-        static COUNTER: AtomicU64 = AtomicU64::new(0);
-        let mut name = path.file_name().unwrap_or_default().to_os_string();
-        let number = COUNTER.fetch_add(1, Ordering::Relaxed);
-        name.push(format!(".{}-{number}.tmp", std::process::id()));
-        Self(path.with_file_name(name))
+    /// A new file in the folder of `path`. Its name is short whatever `path` is called, and a file
+    /// or link that already has it is neither opened nor followed.
+    fn beside(path: &Path) -> Result<(Self, File)> {
+        let mut tries = 1;
+        loop {
+            let number = NEXT_NAME.fetch_add(1, Ordering::Relaxed);
+            let beside = path.with_file_name(temporary_name(number));
+            match OpenOptions::new().write(true).create_new(true).open(&beside) {
+                Ok(file) => return Ok((Self(beside), file)),
+                Err(error) if error.kind() == ErrorKind::AlreadyExists && tries < NAME_TRIES => {
+                    tries += 1;
+                }
+                Err(error) => return Err(CoreError::io(path, error)),
+            }
+        }
     }
+}
 
-    fn fill<E: From<CoreError>>(
-        &self,
-        write: impl FnOnce(&mut dyn Write) -> std::result::Result<(), E>,
-    ) -> std::result::Result<(), E> {
-        let io = |error| CoreError::io(&self.0, error);
-        let mut writer = BufWriter::new(File::create(&self.0).map_err(io)?);
-        write(&mut writer)?;
-        let file = writer.into_inner().map_err(|error| io(error.into_error()))?;
-        file.sync_all().map_err(io)?;
-        Ok(())
-    }
+fn temporary_name(number: u64) -> String {
+    format!(".tree-{}-{number}.tmp", std::process::id())
+}
+
+/// Writes `file`, which will become `path`, down to the disk.
+fn fill<E: From<CoreError>>(
+    path: &Path,
+    file: File,
+    write: impl FnOnce(&mut dyn Write) -> std::result::Result<(), E>,
+) -> std::result::Result<(), E> {
+    let io = |error| CoreError::io(path, error);
+    let mut writer = BufWriter::new(file);
+    write(&mut writer)?;
+    let file = writer.into_inner().map_err(|error| io(error.into_error()))?;
+    file.sync_all().map_err(io)?;
+    Ok(())
 }
 
 impl Drop for Temporary {
@@ -79,13 +101,12 @@ impl Drop for Temporary {
     }
 }
 
-/// Reads a text file whose size is within [`Limits::input_bytes`](crate::Limits::input_bytes).
-/// Bytes that are no UTF-8 (comments in an old encoding) become U+FFFD.
+/// Reads a file whose size is within [`Limits::input_bytes`](crate::Limits::input_bytes).
 ///
 /// # Errors
-/// [`CoreError::Io`] or [`CoreError::Limit`], the latter having read no more than the limit, even
-/// from a pipe whose size nobody knows.
-pub fn read_text(path: &Path, limits: &crate::Limits) -> Result<String> {
+/// [`CoreError::Io`] or [`CoreError::Limit`], the latter having read no more than one byte over the
+/// limit, even from a pipe or device whose size nobody knows.
+pub fn read_bytes(path: &Path, limits: &crate::Limits) -> Result<Vec<u8>> {
     let io = |error| CoreError::io(path, error);
     let file = File::open(path).map_err(io)?;
     let cap = limits.input_bytes;
@@ -93,7 +114,16 @@ pub fn read_text(path: &Path, limits: &crate::Limits) -> Result<String> {
     let mut bytes = Vec::new();
     file.take(cap.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
     limits.check(crate::Resource::InputBytes, bytes.len() as u64)?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    Ok(bytes)
+}
+
+/// Reads a text file as [`read_bytes`] does. Bytes that are no UTF-8 (comments in an old encoding)
+/// become U+FFFD.
+///
+/// # Errors
+/// As [`read_bytes`].
+pub fn read_text(path: &Path, limits: &crate::Limits) -> Result<String> {
+    Ok(String::from_utf8_lossy(&read_bytes(path, limits)?).into_owned())
 }
 
 #[cfg(test)]
@@ -152,6 +182,49 @@ mod tests {
         let limits = crate::Limits { input_bytes: 4, ..Default::default() };
         assert!(matches!(read_text(&path, &limits), Err(CoreError::Limit(_))));
         fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_source_without_end_is_read_only_up_to_the_limit() {
+        let limits = crate::Limits { input_bytes: 1000, ..Default::default() };
+        let error = read_bytes(Path::new("/dev/zero"), &limits).unwrap_err();
+        assert!(matches!(error, CoreError::Limit(limit) if limit.requested == 1001), "{error}");
+    }
+
+    #[test]
+    fn a_name_of_255_bytes_can_be_written() {
+        let folder = folder("long");
+        let name = "n".repeat(255);
+        write_atomic::<CoreError>(&folder.join(&name), |_| Ok(())).unwrap();
+        assert_eq!(names(&folder), [name]);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn planted_temporary_names_are_passed_over_and_links_not_followed() {
+        let (folder, victim) = (folder("planted"), folder("victim").join("v"));
+        fs::write(&victim, "mine").unwrap();
+        let start = NEXT_NAME.load(Ordering::Relaxed);
+        let plant: Vec<_> =
+            (start..start + 64).map(|number| folder.join(temporary_name(number))).collect();
+        for path in &plant {
+            #[cfg(unix)]
+            std::os::unix::fs::symlink(&victim, path).unwrap();
+            #[cfg(not(unix))]
+            fs::write(path, "mine").unwrap();
+        }
+        let write = |path: &Path| {
+            write_atomic(path, |out| out.write_all(b"new").map_err(|e| CoreError::io("a", e)))
+        };
+        write(&folder.join("a")).unwrap();
+        assert_eq!(fs::read_to_string(folder.join("a")).unwrap(), "new");
+        for path in plant.iter().chain([&victim]) {
+            assert_eq!(fs::read_to_string(path).unwrap(), "mine");
+        }
+        assert_eq!(names(&folder).len(), plant.len() + 1);
+        fs::remove_dir_all(folder).unwrap();
+        fs::remove_dir_all(victim.parent().unwrap()).unwrap();
     }
 
     #[test]

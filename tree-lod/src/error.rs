@@ -4,7 +4,7 @@ use tree_core::{Cancelled, CoreError, LimitError};
 use tree_mesh::MeshError;
 
 /// Shorthand for results of this crate.
-pub type Result<T, E = LodError> = std::result::Result<T, E>;
+pub(crate) type Result<T, E = LodError> = std::result::Result<T, E>;
 
 /// Every error of tree-lod. Each says what was wrong, where, and what would be right.
 #[derive(Debug, thiserror::Error)]
@@ -29,6 +29,18 @@ pub enum LodError {
         field: &'static str,
         /// What is wrong with it and what would be right.
         problem: &'static str,
+    },
+    /// A picture's pixels do not fill its width and height.
+    #[error("picture: {found} bytes, {expected} are needed for {width} × {height} RGBA")]
+    Picture {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+        /// Bytes it holds.
+        found: usize,
+        /// Bytes it needs.
+        expected: usize,
     },
     /// An image could not be encoded.
     #[cfg(feature = "image")]

@@ -1,7 +1,7 @@
 #![forbid(unsafe_code)]
 #![doc = "Level of detail, and previews, of botanical trees."]
 
-pub mod error;
+mod error;
 pub mod preview;
 
 pub use error::LodError;

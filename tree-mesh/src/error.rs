@@ -51,6 +51,20 @@ pub enum MeshError {
         /// Number of indices.
         found: usize,
     },
+    /// A material's look lies outside its range, or is not finite.
+    #[error("material {material}: {field} is {found}, allowed is {min} to {max:?}")]
+    Material {
+        /// Number of the material.
+        material: usize,
+        /// The field at fault; `alpha` is the cutoff of [`Alpha::Mask`](crate::Alpha::Mask).
+        field: &'static str,
+        /// The value found.
+        found: f32,
+        /// Smallest allowed value.
+        min: f32,
+        /// Largest allowed value.
+        max: f32,
+    },
     /// A texture's pixels do not fill its width and height.
     #[error("texture {name}: {found} bytes, {expected} are needed for {width} × {height} RGBA")]
     Texture {

@@ -12,6 +12,10 @@ const BARK_COLOR: [f32; 4] = [0.13, 0.09, 0.06, 1.0];
 const BARK_TINT: [f32; 4] = [0.6, 0.6, 0.6, 1.0];
 /// Linear colour of plain leaves: a dull green.
 const LEAF_COLOR: [f32; 4] = [0.09, 0.2, 0.04, 1.0];
+/// Narrowest card in lengths of the leaf: longer needles than nature grows.
+const CARD_WIDTH_MIN: f64 = 0.001;
+/// Widest card in lengths of the leaf, by symmetry.
+const CARD_WIDTH_MAX: f64 = 1000.0;
 /// Share of light that plain leaves let through; measured broad leaves have 0.3 to 0.5.
 const LEAF_TRANSLUCENCY: f32 = 0.4;
 /// Alpha under which leaf textures are cut away; they are drawn for one half.
@@ -33,7 +37,7 @@ pub struct Look {
 pub struct LeafLook {
     /// Goes on the cards. Should be double-sided, with an alpha mask where the texture has one.
     pub material: Material,
-    /// Width of a card in lengths of the leaf, above 0; 1 is square.
+    /// Width of a card in lengths of the leaf, 0.001 to 1000; 1 is square.
     pub width: f32,
 }
 
@@ -94,12 +98,24 @@ impl Look {
         }
     }
 
-    /// Checks that every leaf kind of `species` has its material.
+    /// Checks that every leaf kind of `species` has its material, and cards their widths.
     ///
     /// # Errors
-    /// [`MeshError::LeafMaterials`].
+    /// [`MeshError::LeafMaterials`], or [`MeshError::Parameter`] for a width outside its range.
     pub fn check(&self, species: &Species) -> Result<()> {
         let (found, expected) = (self.leaves.len(), species.leaf_kinds.len());
-        if found == expected { Ok(()) } else { Err(MeshError::LeafMaterials { found, expected }) }
+        if found != expected {
+            return Err(MeshError::LeafMaterials { found, expected });
+        }
+        let allowed = CARD_WIDTH_MIN..=CARD_WIDTH_MAX;
+        match self.leaves.iter().find(|leaf| !allowed.contains(&f64::from(leaf.width))) {
+            Some(leaf) => Err(MeshError::Parameter {
+                field: "look.leaves.width",
+                found: leaf.width.into(),
+                min: CARD_WIDTH_MIN,
+                max: CARD_WIDTH_MAX,
+            }),
+            None => Ok(()),
+        }
     }
 }

@@ -66,8 +66,9 @@ impl Texture {
     /// # Errors
     /// [`MeshError::Texture`].
     pub fn check(&self) -> Result<()> {
-        let expected = u64::from(self.width) * u64::from(self.height) * 4;
-        if self.pixels.len() as u64 == expected && expected > 0 {
+        // Sides of 32 bits: 64 would not hold four times their product.
+        let expected = u128::from(self.width) * u128::from(self.height) * 4;
+        if self.pixels.len() as u128 == expected && expected > 0 {
             return Ok(());
         }
         Err(MeshError::Texture {
@@ -85,7 +86,7 @@ impl Texture {
 pub struct Material {
     /// Name for people and files.
     pub name: String,
-    /// Linear colour and alpha, multiplied with the texture.
+    /// Linear colour (0 or more; files hold up to 1) and alpha (0 to 1), multiplied with the texture.
     pub base_color: [f32; 4],
     /// Image wrapped on the surface; shared between materials and meshes.
     pub texture: Option<Arc<Texture>>,
@@ -144,11 +145,12 @@ impl Mesh {
     }
 
     /// Checks that the mesh can be drawn and written: columns of equal length, finite numbers,
-    /// indices and materials that exist, textures filled.
+    /// indices and materials that exist, looks within their ranges, textures filled.
     ///
     /// # Errors
-    /// [`MeshError::Length`], [`MeshError::NotFinite`], [`MeshError::Dangling`],
-    /// [`MeshError::PartialTriangle`] or [`MeshError::Texture`], naming surface and row.
+    /// [`MeshError::Length`], [`MeshError::NotFinite`], [`MeshError::Dangling`] or
+    /// [`MeshError::PartialTriangle`], naming surface and row; [`MeshError::Material`] or
+    /// [`MeshError::Texture`].
     ///
     /// # Complexity
     /// One pass over all columns.
@@ -156,10 +158,26 @@ impl Mesh {
         for (number, surface) in self.surfaces.iter().enumerate() {
             check_surface(number, surface, self.materials.len())?;
         }
+        for (number, material) in self.materials.iter().enumerate() {
+            check_material(number, material)?;
+        }
         self.materials
             .iter()
             .filter_map(|material| material.texture.as_deref())
             .try_for_each(Texture::check)
+    }
+
+    /// Checks that no colour is brighter than 1: file formats rely on it, drawing does not.
+    ///
+    /// # Errors
+    /// [`MeshError::Material`], naming the material.
+    pub fn check_colors(&self) -> Result<()> {
+        for (number, material) in self.materials.iter().enumerate() {
+            for found in material.base_color {
+                check_within(number, "base_color", found, 1.0)?;
+            }
+        }
+        Ok(())
     }
 
     /// Checks that normals have unit length, within half a percent: file formats and engines rely
@@ -180,6 +198,26 @@ impl Mesh {
         }
         Ok(())
     }
+}
+
+fn check_material(number: usize, material: &Material) -> Result<()> {
+    let [r, g, b, alpha] = material.base_color;
+    for color in [r, g, b] {
+        check_within(number, "base_color", color, f32::MAX)?;
+    }
+    check_within(number, "base_color", alpha, 1.0)?;
+    check_within(number, "roughness", material.roughness, 1.0)?;
+    if let Alpha::Mask(cutoff) = material.alpha {
+        check_within(number, "alpha", cutoff, 1.0)?;
+    }
+    check_within(number, "translucency", material.translucency, 1.0)
+}
+
+fn check_within(material: usize, field: &'static str, found: f32, max: f32) -> Result<()> {
+    if (0.0..=max).contains(&found) {
+        return Ok(());
+    }
+    Err(MeshError::Material { material, field, found, min: 0.0, max })
 }
 
 fn check_surface(number: usize, surface: &Surface, n_materials: usize) -> Result<()> {
@@ -254,5 +292,42 @@ mod tests {
             m.materials[0].texture = Some(Arc::new(texture));
         });
         assert!(matches!(error, MeshError::Texture { found: 15, expected: 16, .. }));
+    }
+
+    #[test]
+    fn a_look_outside_its_range_is_named_by_material_and_field() {
+        type Change = (&'static str, fn(&mut Material));
+        let changes: [Change; 8] = [
+            ("base_color", |m| m.base_color[0] = f32::NAN),
+            ("base_color", |m| m.base_color[1] = f32::INFINITY),
+            ("base_color", |m| m.base_color[2] = -0.1),
+            ("base_color", |m| m.base_color[3] = 1.1),
+            ("roughness", |m| m.roughness = 1.5),
+            ("alpha", |m| m.alpha = Alpha::Mask(f32::NAN)),
+            ("translucency", |m| m.translucency = -1.0),
+            ("translucency", |m| m.translucency = f32::INFINITY),
+        ];
+        for (wanted, change) in changes {
+            let mut mesh = triangle();
+            mesh.materials.push(Material::default());
+            change(&mut mesh.materials[1]);
+            match mesh.check() {
+                Err(MeshError::Material { material: 1, field, .. }) => assert_eq!(field, wanted),
+                other => panic!("{wanted}: {other:?}"),
+            }
+        }
+        let mut bright = triangle();
+        bright.materials[0].base_color[0] = 2.0;
+        bright.check().unwrap();
+        let error = bright.check_colors().unwrap_err();
+        assert!(matches!(error, MeshError::Material { material: 0, found: 2.0, max: 1.0, .. }));
+    }
+
+    #[test]
+    fn sides_whose_product_overflows_are_refused() {
+        for (width, height) in [(u32::MAX, u32::MAX), (1 << 31, 1 << 31), (0, 1)] {
+            let texture = Texture { name: "t".into(), width, height, pixels: Vec::new() };
+            assert!(matches!(texture.check(), Err(MeshError::Texture { found: 0, .. })));
+        }
     }
 }

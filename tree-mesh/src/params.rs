@@ -141,7 +141,7 @@ mod tests {
             change(&mut params);
             params.validate().unwrap_err().to_string()
         };
-        assert!(error(|p| p.sides_min = 25).starts_with("sides_min is 25, allowed is 3 to 24"));
+        assert!(error(|p| p.sides_min = 25).starts_with("sides_min is 25, allowed is 3 to 20"));
         assert!(error(|p| p.sides_max = 2).starts_with("sides_max"));
         assert!(error(|p| p.curve_error = f32::NAN).starts_with("curve_error"));
         assert!(error(|p| p.radius_min = 0.0).starts_with("radius_min"));

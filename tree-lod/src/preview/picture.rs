@@ -1,8 +1,7 @@
 //! Pictures and masks, and the way from light to bytes.
 
 use super::texture::{srgb, srgb_byte};
-#[cfg(feature = "image")]
-use crate::error::Result;
+use crate::error::{LodError, Result};
 use glam::Vec3;
 
 /// A picture: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
@@ -26,17 +25,40 @@ impl Picture {
     /// The bytes of a pixel; None outside the picture.
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 4]> {
-        let at = 4 * (y as usize * self.width as usize + x as usize);
-        (x < self.width).then(|| self.pixels.get(at..)?.first_chunk().copied()).flatten()
+        if x >= self.width || y >= self.height {
+            return None;
+        }
+        let at = u128::from(y) * u128::from(self.width) + u128::from(x);
+        let at = usize::try_from(4 * at).ok()?;
+        self.pixels.get(at..)?.first_chunk().copied()
+    }
+
+    /// Checks that the pixels fill width and height, neither of which is 0.
+    ///
+    /// # Errors
+    /// [`LodError::Picture`].
+    pub fn check(&self) -> Result<()> {
+        // Sides of 32 bits: 64 would not hold four times their product.
+        let expected = u128::from(self.width) * u128::from(self.height) * 4;
+        if self.pixels.len() as u128 == expected && expected > 0 {
+            return Ok(());
+        }
+        Err(LodError::Picture {
+            width: self.width,
+            height: self.height,
+            found: self.pixels.len(),
+            expected: usize::try_from(expected.max(4)).unwrap_or(usize::MAX),
+        })
     }
 
     /// The picture as a PNG file in memory.
     ///
     /// # Errors
-    /// [`LodError::Image`](crate::LodError::Image) if the encoder fails.
+    /// What [`Picture::check`] finds, or [`LodError::Image`] if the encoder fails.
     #[cfg(feature = "image")]
     pub fn to_png(&self) -> Result<Vec<u8>> {
         use image::ImageEncoder;
+        self.check()?;
         let mut bytes = Vec::new();
         image::codecs::png::PngEncoder::new(&mut bytes).write_image(
             &self.pixels,
@@ -50,8 +72,7 @@ impl Picture {
     /// Writes a PNG file, whole or not at all.
     ///
     /// # Errors
-    /// [`LodError::Image`](crate::LodError::Image), or [`LodError::Core`](crate::LodError::Core)
-    /// with the path.
+    /// As [`Picture::to_png`], and [`LodError::Core`] with the path.
     #[cfg(feature = "image")]
     pub fn save_png(&self, path: impl AsRef<std::path::Path>) -> Result<()> {
         let path = path.as_ref();
@@ -91,7 +112,8 @@ impl Mask {
         self.coverage.iter().map(|&c| c >= 128)
     }
 
-    /// The mask in black on white.
+    /// The mask in black on white. A mask whose coverage does not fill it gives a picture that
+    /// [`Picture::check`] refuses.
     #[must_use]
     pub fn to_picture(&self) -> Picture {
         let bytes: Vec<u8> = (0..=255_u16).map(|c| srgb_byte(1.0 - f32::from(c) / 255.0)).collect();
@@ -140,4 +162,33 @@ impl Tone {
 /// Film: shadows keep their depth, highlights roll off (Narkowicz 2015, a fit of the ACES curve).
 fn filmic(x: f32) -> f32 {
     x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_that_is_not_filled_is_refused_without_panic() {
+        let odd = [(2, 2, 15), (2, 2, 17), (0, 0, 0), (0, 1, 0), (u32::MAX, u32::MAX, 4)];
+        for (width, height, n) in odd.into_iter().chain([(1 << 31, 1 << 31, 0)]) {
+            let picture = Picture { width, height, pixels: vec![0; n] };
+            let error = picture.check().unwrap_err();
+            assert!(matches!(error, LodError::Picture { found, .. } if found == n), "{error}");
+            assert_eq!(picture.pixel(u32::MAX, u32::MAX), None);
+            assert_eq!(picture.pixel(width, height.wrapping_sub(1)), None);
+            assert_eq!(picture.pixel(width.wrapping_sub(1), height), None);
+            #[cfg(feature = "image")]
+            assert!(matches!(picture.to_png(), Err(LodError::Picture { .. })));
+            #[cfg(feature = "image")]
+            assert!(matches!(picture.save_png("/no/such/a.png"), Err(LodError::Picture { .. })));
+        }
+        Picture { width: 1, height: 2, pixels: vec![0; 8] }.check().unwrap();
+    }
+
+    #[test]
+    fn a_mask_that_is_not_filled_becomes_a_picture_that_is_refused() {
+        let mask = Mask { width: 3, height: 2, coverage: vec![0, 255] };
+        assert!(mask.to_picture().check().is_err());
+    }
 }

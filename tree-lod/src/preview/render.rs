@@ -44,8 +44,8 @@ const GROUND: u32 = u32::MAX - 1;
 ///
 /// # Complexity
 /// O((2 + sky directions) × triangles + samples × depth complexity). Memory: 12 bytes per vertex and
-/// thread, 4 to 8 per triangle, 4 per texel of the depth maps and pixel of the picture; samples are
-/// held only for the bands at work.
+/// thread, 4 to 8 per triangle of a tree in view (never above 32, or 256 KiB for a small mesh), 4 per
+/// texel of the depth maps and pixel of the picture; samples are held only for the bands at work.
 pub fn render(mesh: &Mesh, view: &View, style: &Style, control: &Control) -> Result<Picture> {
     view.validate()?;
     style.validate()?;

@@ -50,14 +50,14 @@ fn degenerate_triangles_and_single_points_do_no_harm() {
     let far = surface(&[Vec3::splat(-1e30), Vec3::splat(1e30), Vec3::Y], &[0, 1, 2], Vec3::Y, 0);
     let mut wild = square(0.0, 1);
     wild.uvs = vec![Vec2::splat(1e30), Vec2::splat(-1e30), Vec2::ZERO, Vec2::splat(f32::MAX)];
-    let nonsense = Material {
-        base_color: [f32::NAN, -1.0, f32::INFINITY, 1.0],
-        roughness: f32::NAN,
-        translucency: f32::INFINITY,
+    let extreme = Material {
+        base_color: [f32::MAX, 0.0, 1e30, 1.0],
+        roughness: 0.0,
+        translucency: 1.0,
         ..holed()
     };
     for surfaces in [vec![point], vec![line], vec![far], vec![wild]] {
-        let mesh = mesh(surfaces, vec![Material::default(), nonsense.clone()]);
+        let mesh = mesh(surfaces, vec![Material::default(), extreme.clone()]);
         let view = View { width: 32, height: 32, ..View::default() };
         render(&mesh, &view, &quick(), &Control::default()).unwrap();
         silhouette(&mesh, &view, &Control::default()).unwrap();
@@ -136,6 +136,12 @@ fn bad_parameters_are_named() {
     broken.surfaces[0].positions[1].x = f32::NAN;
     let result = render(&broken, &view(), &style(), &Control::default());
     assert!(matches!(result, Err(LodError::Mesh(MeshError::NotFinite { index: 1, .. }))));
+    let glass = Material { roughness: f32::NAN, ..Material::default() };
+    let result = render(&mesh(vec![], vec![glass]), &view(), &style(), &Control::default());
+    let Err(LodError::Mesh(MeshError::Material { material: 0, field: "roughness", .. })) = result
+    else {
+        panic!("{result:?}");
+    };
 }
 
 #[test]

@@ -2,7 +2,9 @@
 //!
 //! 1. Triangles are dealt to the bands they touch, in chunks; a chunk keeps its own lists, so that
 //!    the order within a band is the order of the mesh whatever thread did the dealing. Triangles
-//!    that miss every sample are dropped here.
+//!    that miss every sample are dropped here. A chunk whose triangles touch so many bands that its
+//!    lists would pass [`ENTRIES_PER_TRIANGLE`] keeps one list for 2, 4, 8, ... bands together;
+//!    drawing passes over what misses the band at hand, so the samples are the same.
 //! 2. Each band is drawn by one thread into buffers that stay in its cache.
 
 use super::camera::Projector;
@@ -17,6 +19,9 @@ use std::ops::Range;
 const FEWEST_PER_CHUNK: usize = 8192;
 /// Most pieces, so that the lists of a large mesh stay few.
 const MOST_CHUNKS: usize = 256;
+/// Most list entries of a chunk, per triangle of a full chunk. Trees have 1 to 2; more happens where
+/// the camera stands between the leaves. Memory is bounded by it whatever the camera sees.
+const ENTRIES_PER_TRIANGLE: usize = 8;
 /// Below this many texels per sample (an area) alpha is interpolated.
 const MAGNIFIED: f32 = 0.4;
 
@@ -32,37 +37,44 @@ pub(super) struct Bins {
     chunks: Vec<Chunk>,
 }
 
-/// The triangles of band i are `triangles[starts[i]..starts[i + 1]]`.
+/// The triangles of band i are `triangles[starts[j]..starts[j + 1]]` with `j = i >> shift`, and maybe
+/// others that miss it.
 struct Chunk {
+    shift: u32,
     starts: Vec<u32>,
     triangles: Vec<u32>,
 }
 
 impl Bins {
     /// # Complexity
-    /// O(triangles × bands each touches), in parallel over chunks.
+    /// O(triangles × bands each touches), in parallel over chunks. Memory: 4 bytes per entry, at most
+    /// [`ENTRIES_PER_TRIANGLE`] for each triangle (no fewer than [`FEWEST_PER_CHUNK`]), and 4 per band
+    /// and chunk; while a chunk is dealt, 12 per triangle of it.
     pub(super) fn new(stage: &Stage<'_>, rows_per_band: u32) -> Self {
         let n = stage.scene.n_triangles() as usize;
         let per_chunk = n.div_ceil(MOST_CHUNKS).max(FEWEST_PER_CHUNK);
         let n_bands = stage.projector.height.div_ceil(rows_per_band) as usize;
         let chunks = (0..n.div_ceil(per_chunk)).into_par_iter().map(|chunk| {
             let range = chunk * per_chunk..n.min((chunk + 1) * per_chunk);
-            stage.deal(range.start as u32..range.end as u32, rows_per_band, n_bands)
+            let range = range.start as u32..range.end as u32;
+            stage.deal(range, rows_per_band, n_bands, per_chunk * ENTRIES_PER_TRIANGLE)
         });
         Self { chunks: chunks.collect() }
     }
 
     fn of_band(&self, band: usize) -> impl Iterator<Item = &[u32]> + '_ {
         self.chunks.iter().map(move |chunk| {
-            &chunk.triangles[chunk.starts[band] as usize..chunk.starts[band + 1] as usize]
+            let list = band >> chunk.shift;
+            &chunk.triangles[chunk.starts[list] as usize..chunk.starts[list + 1] as usize]
         })
     }
 }
 
 impl Stage<'_> {
-    fn deal(&self, range: Range<u32>, rows_per_band: u32, n_bands: usize) -> Chunk {
+    /// `most` entries must be enough for each triangle to have one.
+    fn deal(&self, range: Range<u32>, rows_per_band: u32, n_bands: usize, most: usize) -> Chunk {
         let mut touched: Vec<(u32, u32, u32)> = Vec::with_capacity(range.len());
-        let mut starts = vec![0_u32; n_bands + 1];
+        let mut n_entries = 0_u64;
         let mut surface = 0;
         for triangle in range {
             surface = self.scene.surface_of(triangle, surface);
@@ -79,8 +91,22 @@ impl Stage<'_> {
             if let Some((top, bottom)) = rows {
                 let (first, last) = (top / rows_per_band, bottom / rows_per_band);
                 touched.push((triangle, first, last));
-                starts[first as usize..=last as usize].iter_mut().for_each(|n| *n += 1);
+                n_entries += u64::from(last - first) + 1;
             }
+        }
+        let mut shift = 0;
+        // Ends at the latest with all bands in one list.
+        while n_entries > most as u64 && n_bands >> shift > 0 {
+            shift += 1;
+            n_entries =
+                touched.iter().map(|&(_, a, b)| u64::from((b >> shift) - (a >> shift)) + 1).sum();
+        }
+        if shift > 0 {
+            touched.iter_mut().for_each(|(_, a, b)| (*a, *b) = (*a >> shift, *b >> shift));
+        }
+        let mut starts = vec![0_u32; n_bands.div_ceil(1 << shift) + 1];
+        for &(_, first, last) in &touched {
+            starts[first as usize..=last as usize].iter_mut().for_each(|n| *n += 1);
         }
         let mut sum = 0;
         for start in &mut starts {
@@ -94,7 +120,7 @@ impl Stage<'_> {
                 *next += 1;
             }
         }
-        Chunk { starts, triangles }
+        Chunk { shift, starts, triangles }
     }
 
     #[inline]
@@ -217,5 +243,59 @@ impl Stage<'_> {
         } else {
             draw([0, 1, 2].map(|i| Corner { spot: spots[i], uv: uvs[i] }));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::project::project_all;
+    use super::super::tests::{mesh, square, surface};
+    use super::*;
+    use glam::Vec3;
+    use tree_core::Control;
+    use tree_mesh::{Material, Mesh};
+
+    /// One row per band, and the depths that bands and the whole picture give.
+    fn bins_and_depths(mesh: &Mesh, side: u32) -> (Bins, Vec<f32>, Vec<f32>) {
+        let scene = Scene::new(mesh, false, &Control::default()).unwrap();
+        let projector = Projector::over(scene.vertices(), Vec3::NEG_Z, side, 2.0);
+        let mut spots = Vec::new();
+        project_all(&scene, &projector, &mut spots);
+        let stage = Stage { scene: &scene, projector: &projector, spots: &spots };
+        let bins = Bins::new(&stage, 1);
+        let (width, height) = (projector.width as usize, projector.height as usize);
+        let mut all = vec![f32::NEG_INFINITY; width * height];
+        let mut banded = all.clone();
+        stage.draw_all(&mut Band { top: 0, width: width as i32, depth: &mut all, ids: &mut [] });
+        for (row, depth) in banded.chunks_mut(width).enumerate() {
+            let mut band = Band { top: row as i32, width: width as i32, depth, ids: &mut [] };
+            stage.draw_band::<false>(&bins, row, &mut band);
+        }
+        (bins, all, banded)
+    }
+
+    #[test]
+    fn triangles_over_the_whole_picture_share_lists_and_draw_the_same() {
+        let mut surfaces: Vec<_> = (0..5000).map(|i| square(-1e-3 * i as f32, 0)).collect();
+        let small = [Vec3::new(0.3, 0.2, 1.0), Vec3::new(0.4, 0.2, 1.5), Vec3::new(0.3, 0.3, 1.0)];
+        surfaces.push(surface(&small, &[0, 1, 2], Vec3::Z, 0));
+        let (bins, all, banded) = bins_and_depths(&mesh(surfaces, vec![Material::default()]), 100);
+        for chunk in &bins.chunks {
+            assert!(chunk.triangles.len() <= ENTRIES_PER_TRIANGLE * FEWEST_PER_CHUNK);
+        }
+        assert!(bins.chunks[0].shift > 0, "100 bands times 8192 triangles do not fit");
+        for band in 20..80 {
+            assert!(bins.of_band(band).flatten().is_sorted());
+            assert!(bins.of_band(band).flatten().count() >= 5000);
+        }
+        assert_eq!(all, banded);
+    }
+
+    #[test]
+    fn few_triangles_keep_a_list_per_band() {
+        let (bins, all, banded) =
+            bins_and_depths(&mesh(vec![square(0.0, 0)], vec![Material::default()]), 300);
+        assert_eq!(bins.chunks[0].shift, 0);
+        assert_eq!(all, banded);
     }
 }

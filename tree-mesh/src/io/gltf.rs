@@ -58,15 +58,16 @@ pub fn write_glb(mesh: &Mesh, path: impl AsRef<Path>, options: &GlbOptions) -> R
 /// A mesh as the bytes of a GLB file.
 ///
 /// # Errors
-/// [`MeshError::NoTriangles`], what [`Mesh::check`] and [`Mesh::check_normals`] find,
-/// [`MeshError::Parameter`] for a colour or roughness outside 0 to 1, [`MeshError::Image`] when a
-/// texture cannot be encoded, [`MeshError::Gltf`] when the file would be larger than 4 GiB.
+/// [`MeshError::NoTriangles`], what [`Mesh::check`], [`Mesh::check_normals`] and
+/// [`Mesh::check_colors`] find, [`MeshError::Image`] when a texture cannot be encoded,
+/// [`MeshError::Gltf`] when the file would be larger than 4 GiB.
 ///
 /// # Complexity
 /// O(vertices + triangles + pixels); textures are encoded in parallel.
 pub fn to_glb(mesh: &Mesh, options: &GlbOptions) -> Result<Vec<u8>> {
     mesh.check()?;
     mesh.check_normals()?;
+    mesh.check_colors()?;
     let drawn: Vec<&Surface> =
         mesh.surfaces.iter().filter(|surface| surface.n_triangles() > 0).collect();
     if drawn.is_empty() {
@@ -128,7 +129,7 @@ impl Writer {
                 .texture
                 .as_ref()
                 .and_then(|wanted| textures.iter().position(|known| Arc::ptr_eq(known, wanted)));
-            places.insert(number, self.material(material, texture)?);
+            places.insert(number, self.material(material, texture));
         }
         Ok(places)
     }
@@ -155,27 +156,10 @@ impl Writer {
         Ok(())
     }
 
-    fn material(
-        &mut self,
-        material: &Material,
-        texture: Option<usize>,
-    ) -> Result<Index<json::Material>> {
-        let [r, g, b, a] = material.base_color;
-        for (field, found) in [
-            ("base_color", r),
-            ("base_color", g),
-            ("base_color", b),
-            ("base_color", a),
-            ("roughness", material.roughness),
-        ] {
-            check_share(field, found)?;
-        }
+    fn material(&mut self, material: &Material, texture: Option<usize>) -> Index<json::Material> {
         let (alpha_mode, alpha_cutoff) = match material.alpha {
             Alpha::Opaque => (AlphaMode::Opaque, None),
-            Alpha::Mask(cutoff) => {
-                check_share("alpha", cutoff)?;
-                (AlphaMode::Mask, Some(AlphaCutoff(cutoff)))
-            }
+            Alpha::Mask(cutoff) => (AlphaMode::Mask, Some(AlphaCutoff(cutoff))),
         };
         let info = texture.map(|number| json::texture::Info {
             index: Index::new(number as u32),
@@ -183,7 +167,7 @@ impl Writer {
             extensions: None,
             extras: Default::default(),
         });
-        Ok(self.root.push(json::Material {
+        self.root.push(json::Material {
             name: Some(material.name.clone()),
             alpha_mode: Checked::Valid(alpha_mode),
             alpha_cutoff,
@@ -196,7 +180,7 @@ impl Writer {
                 ..Default::default()
             },
             ..Default::default()
-        }))
+        })
     }
 
     fn primitive(
@@ -375,13 +359,6 @@ fn too_large() -> MeshError {
     MeshError::Gltf(format!(
         "the file would be larger than {BYTES_MAX} bytes, which GLB cannot state"
     ))
-}
-
-fn check_share(field: &'static str, found: f32) -> Result<()> {
-    if (0.0..=1.0).contains(&found) {
-        return Ok(());
-    }
-    Err(MeshError::Parameter { field, found: f64::from(found), min: 0.0, max: 1.0 })
 }
 
 #[cfg(test)]

@@ -135,7 +135,11 @@ fn flaws_are_named_and_leave_no_file() {
     ));
     assert!(matches!(
         error(|m| m.materials[0].base_color[1] = f32::NAN),
-        MeshError::Parameter { field: "base_color", .. }
+        MeshError::Material { material: 0, field: "base_color", .. }
+    ));
+    assert!(matches!(
+        error(|m| m.materials[0].base_color[1] = 1.5),
+        MeshError::Material { material: 0, field: "base_color", .. }
     ));
     assert!(matches!(
         error(|m| m.surfaces[0].positions[0].x = f32::NAN),

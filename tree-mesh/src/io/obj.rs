@@ -27,9 +27,9 @@ const WHOLE_FROM: f32 = 1e9;
 /// none are named.
 ///
 /// # Errors
-/// [`MeshError::NoTriangles`], what [`Mesh::check`] finds, `MeshError::Image` (feature `image`), or
-/// [`MeshError::Core`] with the path that could not be written; no file is left behind or changed
-/// then.
+/// [`MeshError::NoTriangles`], what [`Mesh::check`] and [`Mesh::check_colors`] find,
+/// `MeshError::Image` (feature `image`), or [`MeshError::Core`] with the path that could not be
+/// written; no file is left behind or changed then.
 ///
 /// # Complexity
 /// O(vertices + triangles + pixels).
@@ -94,6 +94,7 @@ struct Plan<'a> {
 impl<'a> Plan<'a> {
     fn new(mesh: &'a Mesh, path: &Path) -> Result<Self> {
         mesh.check()?;
+        mesh.check_colors()?;
         if mesh.n_triangles() == 0 {
             return Err(MeshError::NoTriangles);
         }

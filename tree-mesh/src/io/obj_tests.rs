@@ -114,6 +114,12 @@ fn failures_leave_no_file() {
     let mut broken = mesh();
     broken.surfaces[2].indices[0] = 9;
     assert!(matches!(write_obj(&broken, &target), Err(MeshError::Dangling { .. })));
+    for color in [f32::NAN, 1.5] {
+        let mut broken = mesh();
+        broken.materials[1].base_color[0] = color;
+        let error = write_obj(&broken, &target).unwrap_err();
+        assert!(matches!(error, MeshError::Material { material: 1, field: "base_color", .. }));
+    }
     for path in [folder.join("none/t.obj"), folder.join("t.mtl"), folder.join(".."), PathBuf::new()]
     {
         assert!(

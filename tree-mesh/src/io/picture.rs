@@ -16,10 +16,10 @@ impl Texture {
     /// [`MeshError::Image`] when it is no such picture.
     pub fn open(path: impl AsRef<Path>, limits: &Limits) -> Result<Self> {
         let path = path.as_ref();
-        let io = |error| CoreError::io(path, error);
-        let n_bytes = std::fs::metadata(path).map_err(io)?.len();
-        limits.check(Resource::InputBytes, n_bytes)?;
-        let bytes = std::fs::read(path).map_err(io)?;
+        let bytes = file::read_bytes(path, limits).map_err(|error| match error {
+            CoreError::Limit(limit) => MeshError::Limit(limit),
+            other => other.into(),
+        })?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         Self::decode(&name, &bytes, limits)
     }
@@ -101,6 +101,14 @@ mod tests {
         limits.input_bytes = 1;
         assert!(matches!(Texture::open(&path, &limits), Err(MeshError::Limit(_))));
         std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_source_without_end_is_refused() {
+        let limits = Limits { input_bytes: 1000, ..Limits::default() };
+        let error = Texture::open("/dev/zero", &limits).unwrap_err();
+        assert!(matches!(error, MeshError::Limit(_)), "{error}");
     }
 
     #[test]
