@@ -127,7 +127,11 @@ mod tests {
             Leaf { node: 0, position: Vec3::ZERO, rotation: Quat::IDENTITY, size: 1.0, kind: 0 };
         let join = |leaf: Leaf| {
             let foliage = Foliage::try_from(vec![leaf]).unwrap();
-            Tree::new(Skeleton::builder(Vec3::ZERO, 1.0).finish(), foliage, Species::default())
+            Tree::new(
+                Skeleton::builder(Vec3::ZERO, 1.0).unwrap().finish(),
+                foliage,
+                Species::default(),
+            )
         };
         assert!(join(leaf).is_ok());
         let far = join(Leaf { node: 1, ..leaf }).unwrap_err();

@@ -8,7 +8,7 @@ use tree_mesh::{Built, Look, MeshParams, build, io};
 
 /// A trunk with whorls of boughs, boughs with twigs: `n` whorls of 5 boughs of 10 twigs.
 fn tree(n: u32, n_leaves: u32) -> Tree {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.4);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.4).expect("a finite root");
     let mut trunk = 0;
     for whorl in 0..n {
         let share = whorl as f32 / n as f32;

@@ -69,7 +69,7 @@ fn dress(look: &mut Look) {
 
 /// A bent trunk with whorls of five boughs and leaves along them.
 fn whorls(n: u32, n_leaves: u32) -> Result<Tree, Box<dyn Error>> {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.25);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.25)?;
     let mut trunk = 0;
     let mut places = Vec::new();
     for whorl in 1..=n {
@@ -105,7 +105,7 @@ fn whorls(n: u32, n_leaves: u32) -> Result<Tree, Box<dyn Error>> {
 /// Everything a skeleton may be and should not: doubled nodes, turns back, steps in radius, no
 /// radius, segments far shorter than wide.
 fn nasty() -> Result<Tree, Box<dyn Error>> {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0)?;
     let mut node = 0;
     for (x, y, radius) in [
         (0.0, 0.0, 0.5),

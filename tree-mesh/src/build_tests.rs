@@ -75,7 +75,7 @@ fn volume(surface: &Surface) -> f32 {
 }
 
 fn chain(points: &[(Vec3, f32)]) -> Skeleton {
-    let mut builder = Skeleton::builder(points[0].0, points[0].1);
+    let mut builder = Skeleton::builder(points[0].0, points[0].1).unwrap();
     for (i, &(position, radius)) in points.iter().enumerate().skip(1) {
         builder.add(i as u32 - 1, position, radius).unwrap();
     }
@@ -135,7 +135,7 @@ fn the_seam_repeats_a_whole_number_of_times_and_v_runs_in_metres() {
 
 #[test]
 fn laterals_start_on_the_parent_axis_as_thin_as_they_are() {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.3);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.3).unwrap();
     let fork = builder.add(0, Vec3::Y * 2.0, 0.25).unwrap();
     builder.add(fork, Vec3::Y * 4.0, 0.2).unwrap();
     builder.add(fork, Vec3::new(1.0, 2.5, 0.0), 0.05).unwrap();
@@ -158,7 +158,8 @@ fn thick_axes_that_end_thin_change_their_count_and_stay_closed() {
 
 #[test]
 fn nothing_but_a_point_has_no_bark() {
-    let built = mesh_of(&bare(Skeleton::builder(Vec3::Y, 0.5).finish()), &MeshParams::default());
+    let built =
+        mesh_of(&bare(Skeleton::builder(Vec3::Y, 0.5).unwrap().finish()), &MeshParams::default());
     assert_eq!(built.report.n_triangles, 0);
     assert_eq!((built.report.n_tubes, built.report.skipped_axes), (0, 1));
 }
@@ -186,7 +187,7 @@ fn leafy(leaves: Vec<Leaf>, n_kinds: usize) -> Tree {
         ..Default::default()
     };
     Tree::new(
-        Skeleton::builder(Vec3::ZERO, 0.1).finish(),
+        Skeleton::builder(Vec3::ZERO, 0.1).unwrap().finish(),
         Foliage::try_from(leaves).unwrap(),
         species,
     )
@@ -244,7 +245,7 @@ fn built_in_looks_know_their_names_and_refuse_others() {
 
 #[test]
 fn a_leaning_trunk_stands_level_on_the_ground() {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.5);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.5).unwrap();
     builder.add(0, Vec3::new(2.0, 3.0, 0.0), 0.4).unwrap();
     let tree = Tree::bare(builder.finish(), Species::default());
     let params = MeshParams { flare: 0.35, ..plain() };
@@ -345,7 +346,7 @@ fn nasty_radius() -> impl Strategy<Value = f32> {
 fn nasty_skeleton() -> impl Strategy<Value = Skeleton> {
     let node = (nasty_step(), nasty_radius(), any::<prop::sample::Index>(), 0..4_u8);
     prop::collection::vec(node, 0..40).prop_map(|nodes| {
-        let mut builder = Skeleton::builder(Vec3::new(0.5, 0.0, -3.0), 0.3);
+        let mut builder = Skeleton::builder(Vec3::new(0.5, 0.0, -3.0), 0.3).unwrap();
         let mut positions = vec![Vec3::new(0.5, 0.0, -3.0)];
         for (step, radius, parent, far) in nodes {
             let parent = if far == 0 { parent.index(positions.len()) } else { positions.len() - 1 };
@@ -404,7 +405,7 @@ proptest! {
 
 /// A tree large enough for many parts of work.
 fn large() -> Tree {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.4);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.4).unwrap();
     let mut leaves = Vec::new();
     for i in 0..3000_u32 {
         let turn = Quat::from_euler(glam::EulerRot::XYZ, i as f32, 1.7 * i as f32, 0.3);

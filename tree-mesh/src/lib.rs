@@ -8,7 +8,7 @@
 //! use tree_core::{Control, Skeleton, Species, Tree, glam::Vec3};
 //! use tree_mesh::{Look, MeshParams, build};
 //!
-//! let mut builder = Skeleton::builder(Vec3::ZERO, 0.2);
+//! let mut builder = Skeleton::builder(Vec3::ZERO, 0.2)?;
 //! builder.add(0, Vec3::Y * 3.0, 0.1)?;
 //! let tree = Tree::bare(builder.finish(), Species::default());
 //! let look = Look::plain(tree.species());

@@ -263,7 +263,7 @@ mod tests {
     }
 
     fn rings(points: &[(Vec3, f32)], params: &MeshParams) -> (Vec<Station>, u32) {
-        let mut builder = Skeleton::builder(points[0].0, points[0].1);
+        let mut builder = Skeleton::builder(points[0].0, points[0].1).unwrap();
         for (i, &(position, radius)) in points.iter().enumerate().skip(1) {
             builder.add(i as u32 - 1, position, radius).unwrap();
         }

@@ -35,7 +35,7 @@ const MAX_RADIUS: f32 = 100.0;
 ///
 /// ```
 /// use tree_core::{Skeleton, allometry::{PipeModel, RadiusRule}, glam::Vec3};
-/// let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+/// let mut builder = Skeleton::builder(Vec3::ZERO, 0.0)?;
 /// let fork = builder.add(0, Vec3::Y, 0.0)?;
 /// builder.add(fork, Vec3::new(0.5, 2.0, 0.0), 0.0)?;
 /// builder.add(fork, Vec3::new(-0.5, 2.0, 0.0), 0.0)?;

@@ -7,11 +7,11 @@ const EXPONENTS: [f32; 5] =
     [1.0, PipeModel::DA_VINCI, PipeModel::MURRAY, PipeModel::MANDELBROT, 10.0];
 
 fn single() -> Skeleton {
-    Skeleton::builder(Vec3::ZERO, 0.0).finish()
+    Skeleton::builder(Vec3::ZERO, 0.0).unwrap().finish()
 }
 
 fn whorl(n_children: u32) -> Skeleton {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0).unwrap();
     let fork = builder.add(0, Vec3::Y, 0.0).unwrap();
     for i in 0..n_children {
         let turn = i as f32 * 0.1;
@@ -22,7 +22,7 @@ fn whorl(n_children: u32) -> Skeleton {
 }
 
 fn chain(n_nodes: u32, step: f32) -> Skeleton {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0).unwrap();
     for i in 1..n_nodes {
         builder.add(i - 1, Vec3::Y * (i as f32 * step), 0.0).unwrap();
     }
@@ -31,7 +31,7 @@ fn chain(n_nodes: u32, step: f32) -> Skeleton {
 
 /// Two children at the given angles to the vertical, the first with a tip more than the second.
 fn fork(angles: [f32; 2]) -> Skeleton {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0).unwrap();
     builder.add(0, Vec3::Y, 0.0).unwrap();
     for (angle, side) in angles.into_iter().zip([1.0, -1.0]) {
         let offset = Vec3::new(side * libm::sinf(angle), libm::cosf(angle), 0.0);
@@ -122,7 +122,7 @@ fn the_trunk_gets_the_radius_asked_for_and_the_rest_keeps_its_proportion() {
 fn xu_and_moulds_rule_by_hand() {
     let rule = TipDistance { scale: 0.1, zeta: 0.5, min_radius: 0.0 };
     // Trunk of 4 m and a lateral of 1 m that starts at 1 m: Gravelius makes it level 1.
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0).unwrap();
     for (parent, position) in [
         (0, Vec3::Y),
         (1, Vec3::Y * 4.0),
@@ -186,7 +186,7 @@ fn a_leader_straight_on_leaves_a_strand_to_every_tip_beside_it() {
 
 #[test]
 fn fork_with_zero_length_child_shares_its_strands() {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0).unwrap();
     for x in [0.0, 1.0, -1.0] {
         builder.add(0, Vec3::new(x, x.abs(), 0.0), 0.0).unwrap();
     }
@@ -228,7 +228,7 @@ fn parameters_out_of_range_are_refused_by_name() {
 #[test]
 fn a_radius_too_large_for_the_skeleton_is_an_error_at_its_node() {
     // The way up and down the whole range of f32, often enough that the sum passes it.
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0).unwrap();
     for i in 0..20 {
         builder.add(i, Vec3::Y * if i % 2 == 0 { f32::MAX } else { f32::MIN }, 0.0).unwrap();
     }

@@ -4,8 +4,8 @@ use super::{NO_PARENT, Skeleton};
 use crate::error::{CoreError, Result, check_finite, check_range};
 use glam::Vec3;
 
-/// Grows a skeleton from its root. Every [`add`](Self::add) is checked, so [`finish`](Self::finish)
-/// has nothing left to refuse but a bad root.
+/// Grows a skeleton from its root. The root and every [`add`](Self::add) are checked, so
+/// [`finish`](Self::finish) has nothing left to refuse.
 #[derive(Clone, Debug)]
 pub struct SkeletonBuilder {
     positions: Vec<Vec3>,
@@ -14,13 +14,18 @@ pub struct SkeletonBuilder {
 }
 
 impl SkeletonBuilder {
-    /// Starts at the root. A root that is not finite becomes the origin with radius 0; use
-    /// [`Skeleton::from_columns`] to have it refused instead.
-    #[must_use]
-    pub fn new(root_position: Vec3, root_radius: f32) -> Self {
-        let position = if root_position.is_finite() { root_position } else { Vec3::ZERO };
-        let radius = if root_radius.is_finite() { root_radius.max(0.0) } else { 0.0 };
-        Self { positions: vec![position], radii: vec![radius], parents: vec![NO_PARENT] }
+    /// Starts at the root.
+    ///
+    /// # Errors
+    /// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`] for its position or radius.
+    pub fn new(root_position: Vec3, root_radius: f32) -> Result<Self> {
+        check_finite("positions", &[root_position])?;
+        check_range("radii", 0, root_radius, 0.0, f32::MAX)?;
+        Ok(Self {
+            positions: vec![root_position],
+            radii: vec![root_radius],
+            parents: vec![NO_PARENT],
+        })
     }
 
     /// Adds a node above `parent` and returns its index.

@@ -29,7 +29,7 @@ pub const NO_PARENT: u32 = u32::MAX;
 ///
 /// ```
 /// use tree_core::{Skeleton, glam::Vec3};
-/// let mut builder = Skeleton::builder(Vec3::ZERO, 0.3);
+/// let mut builder = Skeleton::builder(Vec3::ZERO, 0.3)?;
 /// let fork = builder.add(0, Vec3::Y, 0.2)?;
 /// builder.add(fork, Vec3::new(1.0, 2.0, 0.0), 0.1)?;
 /// builder.add(fork, Vec3::new(-1.0, 2.0, 0.0), 0.1)?;
@@ -77,8 +77,10 @@ impl From<Skeleton> for SkeletonColumns {
 
 impl Skeleton {
     /// Starts a skeleton at its root.
-    #[must_use]
-    pub fn builder(root_position: Vec3, root_radius: f32) -> SkeletonBuilder {
+    ///
+    /// # Errors
+    /// As [`SkeletonBuilder::new`].
+    pub fn builder(root_position: Vec3, root_radius: f32) -> Result<SkeletonBuilder> {
         SkeletonBuilder::new(root_position, root_radius)
     }
 

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 pub(crate) fn any_skeleton(max_nodes: usize) -> impl Strategy<Value = Skeleton> {
     let node = (0.0_f32..1.0, prop_oneof![Just(0.0_f32), -5.0_f32..5.0], 0.0_f32..1.0, 0_u8..4);
     proptest::collection::vec(node, 0..max_nodes).prop_map(|rows| {
-        let mut builder = Skeleton::builder(Vec3::ZERO, 1.0);
+        let mut builder = Skeleton::builder(Vec3::ZERO, 1.0).unwrap();
         for (pick, shift, radius, habit) in rows {
             let last = builder.len() as u32 - 1;
             let parent = match habit {
@@ -22,7 +22,7 @@ pub(crate) fn any_skeleton(max_nodes: usize) -> impl Strategy<Value = Skeleton> 
 }
 
 fn fork() -> Skeleton {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 1.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 1.0).unwrap();
     let top = builder.add(0, Vec3::Y, 0.9).unwrap();
     builder.add(top, Vec3::new(0.0, 3.0, 0.0), 0.5).unwrap();
     builder.add(top, Vec3::new(1.0, 1.0, 0.0), 0.7).unwrap();
@@ -85,16 +85,19 @@ fn a_cycle_in_unordered_rows_is_named() {
 
 #[test]
 fn the_builder_adds_nothing_when_it_refuses() {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 1.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 1.0).unwrap();
     assert!(builder.add(5, Vec3::Y, 1.0).is_err());
     assert!(builder.add(0, Vec3::NAN, 1.0).is_err());
     assert!(builder.add(0, Vec3::Y, f32::NAN).is_err());
     assert_eq!(builder.finish().len(), 1);
+    let bad_root = Skeleton::builder(Vec3::NAN, 1.0).unwrap_err();
+    assert!(matches!(bad_root, CoreError::NotFinite { field: "positions", index: 0 }));
+    assert!(Skeleton::builder(Vec3::ZERO, -1.0).is_err());
 }
 
 #[test]
 fn a_single_root_is_a_skeleton_with_every_view() {
-    let single = Skeleton::builder(Vec3::X, 0.1).finish();
+    let single = Skeleton::builder(Vec3::X, 0.1).unwrap().finish();
     assert!(single.children().is_tip(0));
     assert_eq!(single.axes(Continuation::default()).len(), 1);
     assert_eq!(single.distances_to_tip(), [0.0]);
@@ -122,7 +125,7 @@ fn each_rule_continues_the_axis_by_its_own_measure() {
 #[test]
 fn gravelius_order_counts_from_the_trunk() {
     // A trunk 0-1-2, a lateral 3-4 from 1, and a lateral 5 from 3.
-    let mut builder = Skeleton::builder(Vec3::ZERO, 1.0);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 1.0).unwrap();
     for (parent, radius) in [(0, 0.9), (1, 0.8), (1, 0.5), (3, 0.4), (3, 0.1)] {
         builder.add(parent, Vec3::new(radius, parent as f32, 0.0), radius).unwrap();
     }

@@ -245,7 +245,7 @@ fn scanned_trees_have_the_counts_that_their_source_states() {
 }
 
 fn chain(n_nodes: u32) -> Skeleton {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.5);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.5).unwrap();
     for i in 1..n_nodes {
         builder.add(i - 1, Vec3::Y * i as f32, 0.5).unwrap();
     }

@@ -5,7 +5,7 @@ use tree_core::{Control, Foliage, Leaf, Skeleton, Species, Tree};
 
 /// A little tree with two leaf kinds that share one texture.
 pub(super) fn mesh() -> Mesh {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.3);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.3).unwrap();
     let fork = builder.add(0, Vec3::Y * 2.0, 0.2).unwrap();
     builder.add(fork, Vec3::new(0.3, 4.0, 0.0), 0.01).unwrap();
     builder.add(fork, Vec3::new(1.0, 3.0, 1.0), 0.05).unwrap();

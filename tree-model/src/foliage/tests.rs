@@ -6,7 +6,7 @@ use tree_core::Limits;
 
 /// A straight upright shoot of `length` metres in segments of 5 cm.
 fn shoot(length: f32) -> Skeleton {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.01);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.01).unwrap();
     for i in 1..=(length / 0.05) as u32 {
         builder.add(i - 1, Vec3::Y * (0.05 * i as f32), 0.01).unwrap();
     }
@@ -87,7 +87,7 @@ fn only_the_bearing_zone_bears() {
 fn phototropism_turns_upper_faces_to_the_sky() {
     let facing_up = |phototropism| {
         let params = LeafParams { phototropism, ..calm(Phyllotaxis::default()) };
-        let mut builder = Skeleton::builder(Vec3::ZERO, 0.01);
+        let mut builder = Skeleton::builder(Vec3::ZERO, 0.01).unwrap();
         builder.add(0, Vec3::X * 2.0, 0.01).unwrap();
         let foliage = grow(&builder.finish(), &params);
         let sum: f32 = foliage.rotations().iter().map(|&r| (r * Vec3::Z).y).sum();
@@ -98,9 +98,9 @@ fn phototropism_turns_upper_faces_to_the_sky() {
 
 #[test]
 fn a_lone_node_bears_nothing_and_a_segment_without_length_is_passed_over() {
-    let lone = Skeleton::builder(Vec3::ZERO, 0.1).finish();
+    let lone = Skeleton::builder(Vec3::ZERO, 0.1).unwrap().finish();
     assert!(grow(&lone, &LeafParams::default()).is_empty());
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1).unwrap();
     builder.add(0, Vec3::ZERO, 0.1).unwrap();
     let foliage = grow(&builder.finish(), &LeafParams::default());
     assert_eq!(foliage.len(), 1, "the terminal leaf");
@@ -125,7 +125,7 @@ fn bad_parameters_and_too_many_leaves_are_refused() {
 
 #[test]
 fn short_spacing_on_a_long_shoot_ends_and_keeps_its_number() {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1).unwrap();
     builder.add(0, Vec3::Y * 2060.0, 0.1).unwrap();
     let params = LeafParams { spacing: 1e-3, bearing: 1e6, ..calm(Phyllotaxis::default()) };
     let foliage = grow(&builder.finish(), &params);
@@ -134,7 +134,7 @@ fn short_spacing_on_a_long_shoot_ends_and_keeps_its_number() {
 
 #[test]
 fn nodes_too_far_apart_for_single_precision_are_refused_by_the_limit() {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1);
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1).unwrap();
     builder.add(0, Vec3::Y * 1e20, 0.1).unwrap();
     let params = LeafParams { bearing: 1e6, ..LeafParams::default() };
     let control = Control::default();
