@@ -1,5 +1,7 @@
 //! Bark tubes, leaf cards and writers, in triangles a second, over sizes.
 
+#![allow(clippy::expect_used)]
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use tree_core::glam::{EulerRot, Quat, Vec3};
