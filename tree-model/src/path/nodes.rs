@@ -38,6 +38,21 @@ const MAX_BOX_DARTS_PER_NODE: f32 = 2000.0;
 /// Most cells along one side of a block while darts are thrown; see [`Near`].
 const MAX_NEAR_CELLS: f32 = 24.0;
 
+/// A part of a union counts as thin when it would get fewer nodes than this for each separation of
+/// its length.
+const THIN_NODES: f32 = 3.0;
+
+/// Darts thrown into a thin part for each separation of its length: a hole two separations long
+/// stays with a chance of e to the −24.
+const THIN_DARTS: f32 = 24.0;
+
+/// Longest thin part, in separations, that gets darts of its own: each is compared with all others.
+const MAX_THIN_LENGTH: f32 = 1000.0;
+
+/// Tries to hit a thin part with one dart, and samples that estimate its measure.
+const THIN_ATTEMPTS: u32 = 500;
+const THIN_MEASURE_SAMPLES: u32 = 4000;
+
 /// Samples that estimate the measure of a volume without a closed form.
 const MEASURE_SAMPLES: u32 = 20_000;
 
@@ -101,7 +116,9 @@ pub fn strew(
             * wanted as f32,
         grid: &grid,
     };
-    let points = field.throw_all(forced, seed, control)?;
+    let mut given = forced.to_vec();
+    field.throw_thin_parts(&mut given, seed.stream("thin"));
+    let points = field.throw_all(&given, seed, control)?;
     if points.len() == forced.len() {
         return Err(empty(
             "no dart hit it; is it thinner than a hair, or all inside the obstacle?",
@@ -124,6 +141,33 @@ struct Field<'a> {
 }
 
 impl Field<'_> {
+    /// Adds nodes in the parts of a union that are thinner than a separation, as trunks are beside
+    /// their crowns. By their measure they would get a few darts only, and the graph would fall
+    /// apart; here they get as many as their length asks for.
+    fn throw_thin_parts(&self, given: &mut Vec<Vec3>, seed: Seed) {
+        let parts = match self.volume.solid() {
+            Solid::Union(parts) => parts.as_slice(),
+            _ => std::slice::from_ref(self.volume),
+        };
+        for (number, part) in (0..).zip(parts) {
+            let length = part.bounds().size().length() / self.separation;
+            let measure =
+                part.measure().unwrap_or_else(|| part.estimate_measure(THIN_MEASURE_SAMPLES));
+            let expected = FILL * measure / (self.separation * self.separation * self.separation);
+            if length > MAX_THIN_LENGTH || expected > THIN_NODES * length {
+                continue;
+            }
+            let mut rng = seed.child(number).rng();
+            for _ in 0..(THIN_DARTS * length).ceil() as u32 {
+                let Some(dart) = part.sample(&mut rng, THIN_ATTEMPTS) else { break };
+                let far = |p: &Vec3| p.distance_squared(dart) >= self.separation * self.separation;
+                if given.iter().all(far) && !self.obstacle.is_some_and(|o| o.holds(dart)) {
+                    given.push(dart);
+                }
+            }
+        }
+    }
+
     /// All points, the forced ones first.
     fn throw_all(&self, forced: &[Vec3], seed: Seed, control: &Control) -> Result<Vec<Vec3>> {
         let blocks = self.grid.dims.map(|cells| cells.div_ceil(BLOCK));

@@ -2,11 +2,18 @@
 
 use super::row::{GROUND, LEAVES, LEVEL, Leader, LeafRow, LevelRow, Part, ROW, Row, Shape};
 
+/// Radius of the thin cylinder through the whole height that gives every conifer nodes up to its
+/// top, where the cone itself is too thin for them.
+const STEM: f32 = 0.08;
+
 pub(super) const E: Row = Row {
     name: "e",
     title: "conifer with upswept branches",
     paper_seconds: Some(3.3),
-    base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 11.0, 0.0], radius: 2.2 }],
+    base: &[
+        Part::Cylinder { base: GROUND, top: [0.0, 10.9, 0.0], radius: STEM },
+        Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 11.0, 0.0], radius: 2.2 },
+    ],
     branching: 40,
     surface: true,
     placed: &[[0.0, 10.7, 0.0], [0.2, 10.0, 0.1], [-0.2, 9.5, 0.15], [0.1, 9.0, -0.3]],
@@ -54,7 +61,7 @@ pub(super) const G: Row = Row {
     title: "tall conifer with drooping branches",
     paper_seconds: Some(3.0),
     base: &[
-        Part::Cylinder { base: GROUND, top: [0.0, 2.5, 0.0], radius: 0.2 },
+        Part::Cylinder { base: GROUND, top: [0.0, 14.9, 0.0], radius: STEM },
         Part::Cone { base: [0.0, 2.0, 0.0], top: [0.0, 15.0, 0.0], radius: 2.0 },
     ],
     branching: 32,
@@ -105,7 +112,7 @@ pub(super) const J: Row = Row {
     title: "larch: a cone of cones",
     paper_seconds: Some(3.2),
     base: &[
-        Part::Cylinder { base: GROUND, top: [0.0, 2.0, 0.0], radius: 0.2 },
+        Part::Cylinder { base: GROUND, top: [0.0, 10.4, 0.0], radius: STEM },
         Part::Cone { base: [0.0, 1.5, 0.0], top: [0.0, 10.5, 0.0], radius: 2.6 },
     ],
     branching: 16,
@@ -143,7 +150,10 @@ pub(super) const L: Row = Row {
     name: "l",
     title: "cypress: a slim cone, branches hugging the stem",
     paper_seconds: Some(1.3),
-    base: &[Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 8.0, 0.0], radius: 0.9 }],
+    base: &[
+        Part::Cylinder { base: GROUND, top: [0.0, 7.9, 0.0], radius: STEM },
+        Part::Cone { base: [0.0, -0.01, 0.0], top: [0.0, 8.0, 0.0], radius: 0.9 },
+    ],
     branching: 16,
     surface: true,
     placed: &[[0.0, 7.7, 0.0], [0.1, 7.2, 0.05], [-0.12, 6.7, 0.1], [0.1, 6.2, -0.15]],

@@ -39,7 +39,10 @@ const ROOTED: Row = Row {
 const TAPROOT_BELOW: Row = Row {
     name: "taproot",
     title: "roots",
-    base: &[Part::Ellipsoid { center: [0.0, -1.3, 0.0], radii: [1.5, 1.35, 1.5] }],
+    base: &[
+        Part::Cylinder { base: GROUND, top: [0.0, -2.6, 0.0], radius: 0.08 },
+        Part::Ellipsoid { center: [0.0, -1.3, 0.0], radii: [1.5, 1.35, 1.5] },
+    ],
     branching: 16,
     placed: &[[0.0, -2.6, 0.0]],
     graph_nodes: 1800,

@@ -55,6 +55,18 @@ fn every_preset_grows_a_valid_tree() {
 }
 
 #[test]
+fn presets_hang_together_for_any_seed() {
+    for preset in PRESETS {
+        let params = PathParams { levels: Vec::new(), leaves: None, ..preset.params().unwrap() };
+        for seed in 0..40 {
+            let grown = params.grow(Seed(seed), &control()).unwrap();
+            let base = grown.report.levels[0].graphs;
+            assert!(base.stray_nodes * 50 < base.nodes, "{} {seed}: {base:?}", preset.name());
+        }
+    }
+}
+
+#[test]
 fn a_preset_is_found_by_name_and_a_wrong_name_lists_those_there_are() {
     assert_eq!(Preset::find("c").unwrap().name(), "c");
     let error = Preset::find("z").unwrap_err();
