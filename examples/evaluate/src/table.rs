@@ -1,7 +1,15 @@
 //! Rows of an evaluation, printed as they are measured.
 
 use serde_json::json;
+use std::io::Write;
 use std::process::ExitCode;
+
+/// Prints a line; a reader that has gone away (`| head`) is no reason to panic.
+macro_rules! say {
+    ($($argument:tt)*) => {{
+        let _ = writeln!(std::io::stdout(), $($argument)*);
+    }};
+}
 
 /// What a figure is held against.
 #[derive(Clone, Copy)]
@@ -34,9 +42,15 @@ pub(crate) struct Table {
 impl Table {
     pub(crate) fn new(system: &str, json: bool) -> Self {
         if !json {
-            println!(
+            say!(
                 "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  holds",
-                "case", "metric", "paper", "peer", "ours", "unit", "aim"
+                "case",
+                "metric",
+                "paper",
+                "peer",
+                "ours",
+                "unit",
+                "aim"
             );
         }
         Self { system: system.into(), json, n_missed: 0, n_aims: 0 }
@@ -61,12 +75,12 @@ impl Table {
                 "peer": row.peer, "ours": row.ours, "unit": row.unit,
                 "aim": (!aim.is_empty()).then_some(aim), "holds": holds,
             });
-            println!("{line}");
+            say!("{line}");
             return;
         }
         let optional = |value: Option<f64>| value.map_or(String::new(), figure);
         let holds = holds.map_or("", |holds| if holds { "yes" } else { "NO" });
-        println!(
+        say!(
             "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  {holds}",
             row.case,
             row.metric,
@@ -81,7 +95,7 @@ impl Table {
     /// Fails when any aim was missed.
     pub(crate) fn finish(&self) -> ExitCode {
         if !self.json {
-            println!("{} of {} aims hold", self.n_aims - self.n_missed, self.n_aims);
+            say!("{} of {} aims hold", self.n_aims - self.n_missed, self.n_aims);
         }
         if self.n_missed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
     }
