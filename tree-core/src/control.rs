@@ -24,7 +24,8 @@ pub struct Cancelled;
 pub struct CancelFlag(Arc<AtomicBool>);
 
 impl CancelFlag {
-    /// Asks the work to stop. It returns [`Cancelled`] at its next check, within milliseconds.
+    /// Asks the work to stop. It returns [`Cancelled`] at its next check: mostly within milliseconds,
+    /// at the latest after one pass over the data at hand.
     pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }

@@ -24,6 +24,10 @@
 //!   speaks of connecting them to "the structure obtained before", which is the same tree.
 //! * Beyond the paper: obstacles, painted costs, surface and hand-placed endpoints, endpoints spread
 //!   by best candidates, smoothing, the pipe model for radii, leaves.
+//! * Parts of a volume thinner than the separation (trunks) get nodes by their length, or graphs would
+//!   fall apart there.
+//! * The presets `e`, `f`, `g`, `j`, `l` have a cheap way up the middle, and the conifers among them
+//!   placed endpoints near the top: by plain paths in a cone every branch would start at the ground.
 //!
 //! Cost: linear in the nodes of all graphs together, and the graphs of a level run in parallel.
 
