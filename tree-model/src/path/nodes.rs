@@ -38,6 +38,9 @@ const MAX_BOX_DARTS_PER_NODE: f32 = 2000.0;
 /// Most cells along one side of a block while darts are thrown; see [`Near`].
 const MAX_NEAR_CELLS: f32 = 24.0;
 
+/// Sectors up to this angle, in radians, have a tip too narrow for darts to hit.
+const NARROW_ANGLE: f32 = 0.6;
+
 /// A part of a union counts as thin when it would get fewer nodes than this for each separation of
 /// its length.
 const THIN_NODES: f32 = 3.0;
@@ -117,6 +120,7 @@ pub fn strew(
         grid: &grid,
     };
     let mut given = forced.to_vec();
+    field.line_narrow_tip(&mut given);
     field.throw_thin_parts(&mut given, seed.stream("thin"));
     let points = field.throw_all(&given, seed, control)?;
     if points.len() == forced.len() {
@@ -141,6 +145,22 @@ struct Field<'a> {
 }
 
 impl Field<'_> {
+    /// Lines up nodes on the axis of a narrow sector, from its tip to where it is wide enough for
+    /// chance: darts fall evenly in the volume, and next to none into the tip, where the root is.
+    fn line_narrow_tip(&self, given: &mut Vec<Vec3>) {
+        let Solid::Sector { apex, axis, angle, radius } = *self.volume.solid() else { return };
+        if angle > NARROW_ANGLE {
+            return;
+        }
+        let axis = axis.normalize_or_zero();
+        let end = (self.separation / libm::sinf(angle)).min(radius);
+        // Just above a separation apart: within reach of each other for any linking distance.
+        let step = 1.05 * self.separation;
+        given.extend(
+            (1..).map(|i| i as f32 * step).take_while(|&t| t < end).map(|t| apex + t * axis),
+        );
+    }
+
     /// Adds nodes in the parts of a union that are thinner than a separation, as trunks are beside
     /// their crowns. By their measure they would get a few darts only, and the graph would fall
     /// apart; here they get as many as their length asks for.
