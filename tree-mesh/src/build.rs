@@ -16,6 +16,7 @@ use crate::mesh::{Mesh, Surface};
 use crate::params::MeshParams;
 use crate::spine::Spine;
 use crate::tube::{self, Circles, Count, Scratch};
+use crate::wind;
 use bytemuck::allocation::zeroed_vec;
 use glam::Vec3;
 use rayon::prelude::*;
@@ -109,6 +110,7 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
             .chain(look.leaves.iter().map(|leaf| &leaf.material))
             .cloned()
             .collect(),
+        branches: wind::branches(skeleton, &axes),
     };
     let report = MeshReport {
         n_vertices: mesh.n_vertices(),
@@ -182,6 +184,7 @@ fn new_surface(n_vertices: usize, n_indices: usize, material: usize) -> Surface 
         uvs: zeroed_vec(n_vertices),
         indices: zeroed_vec(n_indices),
         material: material as u32,
+        ..Default::default()
     }
 }
 

@@ -32,6 +32,7 @@ mod params;
 mod spine;
 pub mod texture;
 mod tube;
+pub mod wind;
 
 pub use build::{Built, MeshReport, build};
 pub use error::MeshError;

@@ -1,7 +1,8 @@
 //! Triangles, materials and textures.
 
 use crate::error::{MeshError, Result};
-use glam::{Vec2, Vec3};
+use crate::wind::Branch;
+use glam::{Vec2, Vec3, Vec4};
 use std::sync::Arc;
 use tree_core::Aabb;
 
@@ -17,6 +18,22 @@ pub struct Surface {
     pub normals: Vec<Vec3>,
     /// Texture coordinates, one per vertex. Bark repeats beyond 0 to 1.
     pub uvs: Vec<Vec2>,
+    /// Unit tangents: the direction in which u grows along the surface, and in w the sign that makes
+    /// `w * normal.cross(tangent)` point against v, up the picture (as glTF). Empty when there are none.
+    pub tangents: Vec<Vec4>,
+    /// A second set of texture coordinates, within 0 to 1, in which no two places of the whole mesh
+    /// overlap: for light maps. Empty when there is none.
+    pub uvs2: Vec<Vec2>,
+    /// The branch each vertex moves with, an index into [`Mesh::branches`]. Empty when unknown.
+    pub branches: Vec<u32>,
+    /// Ambient occlusion, 0 (dark) to 1 (open), one per vertex. Empty when not computed.
+    pub occlusion: Vec<f32>,
+    /// For each vertex the first one that stands at the same point of the closed surface: itself,
+    /// unless it is a copy at a seam of the texture. Empty when no vertex is a copy.
+    pub welds: Vec<u32>,
+    /// Leaves: where each leaf is attached. All have the same number of vertices,
+    /// `positions.len() / anchors.len()`, and lie one after the other. Empty for bark.
+    pub anchors: Vec<Vec3>,
     /// Three indices per triangle.
     pub indices: Vec<u32>,
     /// Index into [`Mesh::materials`].
@@ -28,6 +45,12 @@ impl Surface {
     #[must_use]
     pub fn n_triangles(&self) -> usize {
         self.indices.len() / 3
+    }
+
+    /// Vertices of each leaf; `None` when the surface is not made of leaves.
+    #[must_use]
+    pub fn vertices_per_leaf(&self) -> Option<usize> {
+        self.positions.len().checked_div(self.anchors.len())
     }
 }
 
@@ -121,6 +144,8 @@ pub struct Mesh {
     pub surfaces: Vec<Surface>,
     /// What the surfaces look like.
     pub materials: Vec<Material>,
+    /// The branches that vertices move with in the wind, parents first. Empty for imported meshes.
+    pub branches: Vec<Branch>,
 }
 
 impl Mesh {
@@ -156,7 +181,7 @@ impl Mesh {
     /// One pass over all columns.
     pub fn check(&self) -> Result<()> {
         for (number, surface) in self.surfaces.iter().enumerate() {
-            check_surface(number, surface, self.materials.len())?;
+            check_surface(number, surface, self.materials.len(), self.branches.len())?;
         }
         for (number, material) in self.materials.iter().enumerate() {
             check_material(number, material)?;
@@ -220,12 +245,29 @@ fn check_within(material: usize, field: &'static str, found: f32, max: f32) -> R
     Err(MeshError::Material { material, field, found, min: 0.0, max })
 }
 
-fn check_surface(number: usize, surface: &Surface, n_materials: usize) -> Result<()> {
+fn check_surface(
+    number: usize,
+    surface: &Surface,
+    n_materials: usize,
+    n_branches: usize,
+) -> Result<()> {
     let expected = surface.positions.len();
-    for (field, found) in [("normals", surface.normals.len()), ("uvs", surface.uvs.len())] {
-        if found != expected {
-            return Err(MeshError::Length { surface: number, field, found, expected });
+    let length = |field, found, optional: bool| {
+        if found == expected || (optional && found == 0) {
+            return Ok(());
         }
+        Err(MeshError::Length { surface: number, field, found, expected })
+    };
+    length("normals", surface.normals.len(), false)?;
+    length("uvs", surface.uvs.len(), false)?;
+    length("tangents", surface.tangents.len(), true)?;
+    length("uvs2", surface.uvs2.len(), true)?;
+    length("branches", surface.branches.len(), true)?;
+    length("occlusion", surface.occlusion.len(), true)?;
+    length("welds", surface.welds.len(), true)?;
+    if expected.checked_rem(surface.anchors.len()).is_some_and(|rest| rest != 0) {
+        let found = surface.anchors.len();
+        return Err(MeshError::Length { surface: number, field: "anchors", found, expected });
     }
     let bad = |field, row: Option<usize>| match row {
         Some(index) => Err(MeshError::NotFinite { surface: number, field, index }),
@@ -234,100 +276,24 @@ fn check_surface(number: usize, surface: &Surface, n_materials: usize) -> Result
     bad("positions", surface.positions.iter().position(|v| !v.is_finite()))?;
     bad("normals", surface.normals.iter().position(|v| !v.is_finite()))?;
     bad("uvs", surface.uvs.iter().position(|v| !v.is_finite()))?;
+    bad("tangents", surface.tangents.iter().position(|v| !v.is_finite()))?;
+    bad("uvs2", surface.uvs2.iter().position(|v| !v.is_finite()))?;
+    bad("occlusion", surface.occlusion.iter().position(|v| !v.is_finite()))?;
+    bad("anchors", surface.anchors.iter().position(|v| !v.is_finite()))?;
     if !surface.indices.len().is_multiple_of(3) {
         return Err(MeshError::PartialTriangle { surface: number, found: surface.indices.len() });
     }
-    let dangling = |what, found, count| MeshError::Dangling { surface: number, what, found, count };
-    if let Some(&found) = surface.indices.iter().find(|&&i| i as usize >= expected) {
-        return Err(dangling("vertex", found, expected));
-    }
-    if surface.material as usize >= n_materials {
-        return Err(dangling("material", surface.material, n_materials));
-    }
-    Ok(())
+    let exists =
+        |what, rows: &[u32], count: usize| match rows.iter().find(|&&i| i as usize >= count) {
+            Some(&found) => Err(MeshError::Dangling { surface: number, what, found, count }),
+            None => Ok(()),
+        };
+    exists("vertex", &surface.indices, expected)?;
+    exists("welded vertex", &surface.welds, expected)?;
+    exists("branch", &surface.branches, n_branches)?;
+    exists("material", &[surface.material], n_materials)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn triangle() -> Mesh {
-        let surface = Surface {
-            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
-            normals: vec![Vec3::Z; 3],
-            uvs: vec![Vec2::ZERO; 3],
-            indices: vec![0, 1, 2],
-            material: 0,
-        };
-        Mesh { surfaces: vec![surface], materials: vec![Material::default()] }
-    }
-
-    #[test]
-    fn a_triangle_passes_and_is_counted() {
-        let mesh = triangle();
-        mesh.check().unwrap();
-        assert_eq!((mesh.n_vertices(), mesh.n_triangles()), (3, 1));
-        assert_eq!(mesh.bounds().max, Vec3::new(1.0, 1.0, 0.0));
-    }
-
-    #[test]
-    fn each_flaw_has_its_own_error() {
-        let spoil = |change: fn(&mut Mesh)| {
-            let mut mesh = triangle();
-            change(&mut mesh);
-            mesh.check().unwrap_err()
-        };
-        let error = spoil(|m| m.surfaces[0].uvs.truncate(2));
-        assert!(matches!(error, MeshError::Length { field: "uvs", found: 2, expected: 3, .. }));
-        let error = spoil(|m| m.surfaces[0].normals[1] = Vec3::NAN);
-        assert!(matches!(error, MeshError::NotFinite { field: "normals", index: 1, .. }));
-        let error = spoil(|m| m.surfaces[0].indices[2] = 3);
-        assert!(matches!(error, MeshError::Dangling { what: "vertex", found: 3, count: 3, .. }));
-        let error = spoil(|m| m.surfaces[0].material = 1);
-        assert!(matches!(error, MeshError::Dangling { what: "material", found: 1, .. }));
-        let error = spoil(|m| m.surfaces[0].indices.push(0));
-        assert!(matches!(error, MeshError::PartialTriangle { found: 4, .. }));
-        let error = spoil(|m| {
-            let texture = Texture { name: "t".into(), width: 2, height: 2, pixels: vec![0; 15] };
-            m.materials[0].texture = Some(Arc::new(texture));
-        });
-        assert!(matches!(error, MeshError::Texture { found: 15, expected: 16, .. }));
-    }
-
-    #[test]
-    fn a_look_outside_its_range_is_named_by_material_and_field() {
-        type Change = (&'static str, fn(&mut Material));
-        let changes: [Change; 8] = [
-            ("base_color", |m| m.base_color[0] = f32::NAN),
-            ("base_color", |m| m.base_color[1] = f32::INFINITY),
-            ("base_color", |m| m.base_color[2] = -0.1),
-            ("base_color", |m| m.base_color[3] = 1.1),
-            ("roughness", |m| m.roughness = 1.5),
-            ("alpha", |m| m.alpha = Alpha::Mask(f32::NAN)),
-            ("translucency", |m| m.translucency = -1.0),
-            ("translucency", |m| m.translucency = f32::INFINITY),
-        ];
-        for (wanted, change) in changes {
-            let mut mesh = triangle();
-            mesh.materials.push(Material::default());
-            change(&mut mesh.materials[1]);
-            match mesh.check() {
-                Err(MeshError::Material { material: 1, field, .. }) => assert_eq!(field, wanted),
-                other => panic!("{wanted}: {other:?}"),
-            }
-        }
-        let mut bright = triangle();
-        bright.materials[0].base_color[0] = 2.0;
-        bright.check().unwrap();
-        let error = bright.check_colors().unwrap_err();
-        assert!(matches!(error, MeshError::Material { material: 0, found: 2.0, max: 1.0, .. }));
-    }
-
-    #[test]
-    fn sides_whose_product_overflows_are_refused() {
-        for (width, height) in [(u32::MAX, u32::MAX), (1 << 31, 1 << 31), (0, 1)] {
-            let texture = Texture { name: "t".into(), width, height, pixels: Vec::new() };
-            assert!(matches!(texture.check(), Err(MeshError::Texture { found: 0, .. })));
-        }
-    }
-}
+#[path = "mesh_tests.rs"]
+mod tests;

@@ -29,7 +29,7 @@ pub(crate) fn tree(n_triangles: usize) -> Mesh {
             Quat::from_axis_angle(seed::unit_vector(&mut rng), seed::uniform(&mut rng, 0.0, TAU));
         quad(&mut leaves, at, spin, 0.1);
     }
-    Mesh { surfaces: vec![bark, leaves], materials: materials() }
+    Mesh { surfaces: vec![bark, leaves], materials: materials(), ..Default::default() }
 }
 
 const SIDES: u32 = 6;

@@ -19,6 +19,7 @@ pub(super) fn surface(positions: &[Vec3], indices: &[u32], normal: Vec3, materia
         positions: positions.to_vec(),
         indices: indices.to_vec(),
         material,
+        ..Default::default()
     }
 }
 
@@ -29,7 +30,7 @@ pub(super) fn square(z: f32, material: u32) -> Surface {
 }
 
 pub(super) fn mesh(surfaces: Vec<Surface>, materials: Vec<Material>) -> Mesh {
-    Mesh { surfaces, materials }
+    Mesh { surfaces, materials, ..Default::default() }
 }
 
 pub(super) fn sphere(radius: f32, center: Vec3, n: u32) -> Surface {

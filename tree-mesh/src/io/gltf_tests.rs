@@ -92,9 +92,13 @@ fn sized(n: usize) -> Mesh {
         normals: vec![Vec3::Z; n],
         uvs: vec![Vec2::ZERO; n],
         indices: vec![0, 1, n as u32 - 1],
-        material: 0,
+        ..Default::default()
     };
-    Mesh { surfaces: vec![surface], materials: vec![Material::default(), Material::default()] }
+    Mesh {
+        surfaces: vec![surface],
+        materials: vec![Material::default(), Material::default()],
+        ..Default::default()
+    }
 }
 
 #[test]

@@ -8,6 +8,7 @@ fn mesh() -> Mesh {
         uvs: vec![Vec2::ZERO, Vec2::X, Vec2::new(0.25, -1.5)],
         indices: vec![0, 1, 2],
         material,
+        ..Default::default()
     };
     let texture = Arc::new(Texture {
         name: "oak leaf".into(),
@@ -24,6 +25,7 @@ fn mesh() -> Mesh {
     Mesh {
         surfaces: vec![surface(0), Surface { material: 1, ..Default::default() }, surface(1)],
         materials: vec![material(Alpha::Opaque), material(Alpha::Mask(0.5))],
+        ..Default::default()
     }
 }
 

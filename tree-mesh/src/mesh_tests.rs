@@ -1,0 +1,81 @@
+use super::*;
+
+fn triangle() -> Mesh {
+    let surface = Surface {
+        positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+        normals: vec![Vec3::Z; 3],
+        uvs: vec![Vec2::ZERO; 3],
+        indices: vec![0, 1, 2],
+        ..Default::default()
+    };
+    Mesh { surfaces: vec![surface], materials: vec![Material::default()], ..Default::default() }
+}
+
+#[test]
+fn a_triangle_passes_and_is_counted() {
+    let mesh = triangle();
+    mesh.check().unwrap();
+    assert_eq!((mesh.n_vertices(), mesh.n_triangles()), (3, 1));
+    assert_eq!(mesh.bounds().max, Vec3::new(1.0, 1.0, 0.0));
+}
+
+#[test]
+fn each_flaw_has_its_own_error() {
+    let spoil = |change: fn(&mut Mesh)| {
+        let mut mesh = triangle();
+        change(&mut mesh);
+        mesh.check().unwrap_err()
+    };
+    let error = spoil(|m| m.surfaces[0].uvs.truncate(2));
+    assert!(matches!(error, MeshError::Length { field: "uvs", found: 2, expected: 3, .. }));
+    let error = spoil(|m| m.surfaces[0].normals[1] = Vec3::NAN);
+    assert!(matches!(error, MeshError::NotFinite { field: "normals", index: 1, .. }));
+    let error = spoil(|m| m.surfaces[0].indices[2] = 3);
+    assert!(matches!(error, MeshError::Dangling { what: "vertex", found: 3, count: 3, .. }));
+    let error = spoil(|m| m.surfaces[0].material = 1);
+    assert!(matches!(error, MeshError::Dangling { what: "material", found: 1, .. }));
+    let error = spoil(|m| m.surfaces[0].indices.push(0));
+    assert!(matches!(error, MeshError::PartialTriangle { found: 4, .. }));
+    let error = spoil(|m| {
+        let texture = Texture { name: "t".into(), width: 2, height: 2, pixels: vec![0; 15] };
+        m.materials[0].texture = Some(Arc::new(texture));
+    });
+    assert!(matches!(error, MeshError::Texture { found: 15, expected: 16, .. }));
+}
+
+#[test]
+fn a_look_outside_its_range_is_named_by_material_and_field() {
+    type Change = (&'static str, fn(&mut Material));
+    let changes: [Change; 8] = [
+        ("base_color", |m| m.base_color[0] = f32::NAN),
+        ("base_color", |m| m.base_color[1] = f32::INFINITY),
+        ("base_color", |m| m.base_color[2] = -0.1),
+        ("base_color", |m| m.base_color[3] = 1.1),
+        ("roughness", |m| m.roughness = 1.5),
+        ("alpha", |m| m.alpha = Alpha::Mask(f32::NAN)),
+        ("translucency", |m| m.translucency = -1.0),
+        ("translucency", |m| m.translucency = f32::INFINITY),
+    ];
+    for (wanted, change) in changes {
+        let mut mesh = triangle();
+        mesh.materials.push(Material::default());
+        change(&mut mesh.materials[1]);
+        match mesh.check() {
+            Err(MeshError::Material { material: 1, field, .. }) => assert_eq!(field, wanted),
+            other => panic!("{wanted}: {other:?}"),
+        }
+    }
+    let mut bright = triangle();
+    bright.materials[0].base_color[0] = 2.0;
+    bright.check().unwrap();
+    let error = bright.check_colors().unwrap_err();
+    assert!(matches!(error, MeshError::Material { material: 0, found: 2.0, max: 1.0, .. }));
+}
+
+#[test]
+fn sides_whose_product_overflows_are_refused() {
+    for (width, height) in [(u32::MAX, u32::MAX), (1 << 31, 1 << 31), (0, 1)] {
+        let texture = Texture { name: "t".into(), width, height, pixels: Vec::new() };
+        assert!(matches!(texture.check(), Err(MeshError::Texture { found: 0, .. })));
+    }
+}
