@@ -1,37 +1,29 @@
 //! From a tree to a mesh: counts first, then memory, then triangles.
 //!
 //! 1. Parameters, look and extent are checked.
-//! 2. Every axis and every leaf kind is counted exactly ([`crate::tube`], [`crate::leaf`]), and the
-//!    sum held against the limits, before any of it is allocated.
+//! 2. The bark is planned ring by ring ([`crate::bark`]), leaves are counted ([`crate::leaf`]), and the
+//!    sum is held against the limits, before any of it is allocated.
 //! 3. Columns of their final length are cut into parts that threads fill. Where a part lies and what
 //!    is in it depends on the tree alone, so the bytes are the same for any number of threads.
 //!
 //! Cost: O(nodes + leaves + vertices) time; the mesh, 24 bytes an axis and 4 bytes a leaf of memory.
 
-use crate::columns::Columns;
+use crate::bark::{self, Kind, Plan};
 use crate::error::{MeshError, Result};
 use crate::leaf::{self, Card, Crown};
 use crate::look::Look;
 use crate::mesh::{Mesh, Surface};
 use crate::params::MeshParams;
-use crate::spine::Spine;
-use crate::tube::{self, Circles, Count, Scratch};
 use crate::wind;
 use bytemuck::allocation::zeroed_vec;
 use glam::Vec3;
-use rayon::prelude::*;
-use tree_core::{Axes, Control, Resource, Skeleton, Tree};
+use tree_core::{Control, Resource, Tree};
 
 /// Largest coordinate, radius and leaf in metres. At this distance f32 steps are 6 cm; nothing
 /// overflows far beyond.
 const EXTENT_MAX: f32 = 1e6;
 /// Most vertices in a surface; the last index is kept for engines that restart strips with it.
 const VERTICES_MAX: u64 = u32::MAX as u64 - 1;
-/// Axes counted by one piece of work.
-const AXES_PER_COUNT: usize = 256;
-/// Triangles that one piece of work fills, about.
-const TRIANGLES_PER_FILL: u64 = 16_384;
-
 /// A mesh and what became of the tree on the way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Built {
@@ -54,9 +46,14 @@ pub struct MeshReport {
     pub surfaces: Vec<(usize, usize)>,
     /// Tubes drawn.
     pub n_tubes: usize,
-    /// Axes not drawn because all their nodes lie at one place.
+    /// Axes of which so little comes out of the parent's wood that they are drawn as a point.
+    pub n_stubs: usize,
+    /// Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What
+    /// they carry is drawn on the axis below.
     pub skipped_axes: usize,
-    /// Nodes of drawn axes passed over because they lie within a tenth of a radius of the one before.
+    /// Laterals whose base was turned or moved because another one has its place.
+    pub moved_axes: usize,
+    /// Nodes passed over because they lie within a tenth of a radius of the one before.
     pub skipped_nodes: usize,
     /// Leaves of size 0, not drawn.
     pub skipped_leaves: usize,
@@ -78,19 +75,12 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     control.report("plan", 0.0)?;
     let skeleton = tree.skeleton();
     let axes = skeleton.axes(params.continuation);
-    let circles = Circles::new(params);
-    let counts = count_axes(skeleton, &axes, &circles, control)?;
-    let wood = counts.iter().fold(Count::default(), |sum, count| Count {
-        vertices: sum.vertices + count.vertices,
-        triangles: sum.triangles + count.triangles,
-        dropped_nodes: sum.dropped_nodes + count.dropped_nodes,
-        dropped_axes: sum.dropped_axes + count.dropped_axes,
-    });
+    let plan = Plan::new(skeleton, &axes, params, control)?;
     let cards: Vec<Card> = look.leaves.iter().map(|leaf| Card::new(params, leaf.width)).collect();
     let n_leaves = count_leaves(tree);
 
-    let mut triangles = wood.triangles;
-    check_vertices(0, wood.vertices)?;
+    let mut triangles = plan.n_triangles;
+    check_vertices(0, plan.n_vertices)?;
     for (kind, (&n, card)) in n_leaves.iter().zip(&cards).enumerate() {
         check_vertices(kind + 1, n * card.n_vertices() as u64)?;
         triangles += n * card.n_indices() as u64 / 3;
@@ -98,7 +88,14 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     control.limits.check(Resource::Triangles, triangles)?;
 
     control.report("bark", 0.1)?;
-    let mut surfaces = vec![fill_bark(skeleton, &axes, &counts, wood, &circles, control)?];
+    let mut bark = new_surface(plan.n_vertices as usize, 3 * plan.n_triangles as usize, 0);
+    if params.tangents {
+        bark.tangents = zeroed_vec(bark.positions.len());
+    }
+    bark.branches = zeroed_vec(bark.positions.len());
+    bark.welds = zeroed_vec(bark.positions.len());
+    bark::fill(&plan, params, &mut bark, control)?;
+    let mut surfaces = vec![bark];
     control.report("leaves", 0.5)?;
     fill_leaves(tree, &n_leaves, &cards, params, control, &mut surfaces)?;
     control.report("done", 1.0)?;
@@ -112,6 +109,7 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
             .collect(),
         branches: wind::branches(skeleton, &axes),
     };
+    let count_kind = |kind| plan.axes.iter().filter(|axis| axis.kind == kind).count();
     let report = MeshReport {
         n_vertices: mesh.n_vertices(),
         n_triangles: mesh.n_triangles(),
@@ -120,9 +118,11 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
             .iter()
             .map(|surface| (surface.positions.len(), surface.n_triangles()))
             .collect(),
-        n_tubes: axes.len() - wood.dropped_axes as usize,
-        skipped_axes: wood.dropped_axes as usize,
-        skipped_nodes: wood.dropped_nodes as usize,
+        n_tubes: count_kind(Kind::Trunk) + count_kind(Kind::Lateral),
+        n_stubs: count_kind(Kind::Stub),
+        skipped_axes: count_kind(Kind::Skipped),
+        moved_axes: plan.n_moved as usize,
+        skipped_nodes: plan.curves.n_dropped as usize,
         skipped_leaves: tree.foliage().len() - drawn as usize,
     };
     Ok(Built { mesh, report })
@@ -153,28 +153,6 @@ fn check_vertices(surface: usize, found: u64) -> Result<()> {
     Err(MeshError::TooManyVertices { surface, found, max: VERTICES_MAX })
 }
 
-fn count_axes(
-    skeleton: &Skeleton,
-    axes: &Axes,
-    circles: &Circles,
-    control: &Control,
-) -> Result<Vec<Count>> {
-    let mut counts = vec![Count::default(); axes.len()];
-    counts.par_chunks_mut(AXES_PER_COUNT).enumerate().try_for_each_init(
-        Spine::default,
-        |spine, (chunk, counts)| {
-            for (i, count) in counts.iter_mut().enumerate() {
-                control.check()?;
-                if let Some(axis) = axes.get((chunk * AXES_PER_COUNT + i) as u32) {
-                    *count = tube::count(spine, circles, skeleton, axis);
-                }
-            }
-            Ok::<(), MeshError>(())
-        },
-    )?;
-    Ok(counts)
-}
-
 /// A surface of zeros. The system hands out such pages lazily, so each is first touched by the thread
 /// that fills it; writing zeros here cost a fifth more time with two threads.
 fn new_surface(n_vertices: usize, n_indices: usize, material: usize) -> Surface {
@@ -186,50 +164,6 @@ fn new_surface(n_vertices: usize, n_indices: usize, material: usize) -> Surface 
         material: material as u32,
         ..Default::default()
     }
-}
-
-fn fill_bark(
-    skeleton: &Skeleton,
-    axes: &Axes,
-    counts: &[Count],
-    wood: Count,
-    circles: &Circles,
-    control: &Control,
-) -> Result<Surface> {
-    let mut surface = new_surface(wood.vertices as usize, 3 * wood.triangles as usize, 0);
-    let mut rest = Columns {
-        positions: &mut surface.positions,
-        normals: &mut surface.normals,
-        uvs: &mut surface.uvs,
-        indices: &mut surface.indices,
-        ..Default::default()
-    };
-    let mut parts = Vec::new();
-    let mut axis = 0;
-    while axis < counts.len() {
-        let first = axis;
-        let (mut vertices, mut triangles) = (0, 0);
-        while axis < counts.len() && triangles < TRIANGLES_PER_FILL {
-            vertices += counts[axis].vertices;
-            triangles += counts[axis].triangles;
-            axis += 1;
-        }
-        parts.push((first..axis, rest.split(vertices as usize, 3 * triangles as usize)));
-    }
-    parts.into_par_iter().try_for_each_init(Scratch::default, |scratch, (numbers, mut part)| {
-        for number in numbers {
-            control.check()?;
-            let (Some(axis), count) = (axes.get(number as u32), counts[number]) else {
-                continue;
-            };
-            let mut out = part.split(count.vertices as usize, 3 * count.triangles as usize);
-            tube::fill(scratch, circles, skeleton, axis, &mut out, control)?;
-            debug_assert_eq!(out.n_vertices as u64, count.vertices);
-            debug_assert_eq!(out.n_indices as u64, 3 * count.triangles);
-        }
-        Ok::<(), MeshError>(())
-    })?;
-    Ok(surface)
 }
 
 /// Leaves of each kind that can be seen.

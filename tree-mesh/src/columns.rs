@@ -1,6 +1,18 @@
 //! Parts of a surface's columns that threads fill side by side.
 
-use glam::{Vec2, Vec3};
+use crate::mesh::Surface;
+use glam::{Vec2, Vec3, Vec4};
+
+/// One vertex of the bark.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Vertex {
+    pub(crate) position: Vec3,
+    pub(crate) normal: Vec3,
+    pub(crate) tangent: Vec3,
+    pub(crate) uv: Vec2,
+    pub(crate) branch: u32,
+    pub(crate) weld: u32,
+}
 
 /// Part of a surface's columns, filled from front to back.
 #[derive(Debug, Default)]
@@ -8,17 +20,36 @@ pub(crate) struct Columns<'a> {
     pub(crate) positions: &'a mut [Vec3],
     pub(crate) normals: &'a mut [Vec3],
     pub(crate) uvs: &'a mut [Vec2],
-    pub(crate) indices: &'a mut [u32],
+    /// Empty when they are not wanted.
+    tangents: &'a mut [Vec4],
+    branches: &'a mut [u32],
+    welds: &'a mut [u32],
+    indices: &'a mut [u32],
     /// Number in the surface of the first vertex of this part.
-    pub(crate) first_vertex: u32,
+    first_vertex: u32,
     pub(crate) n_vertices: usize,
     pub(crate) n_indices: usize,
 }
 
 impl<'a> Columns<'a> {
+    /// All columns of a surface that a bark has.
+    pub(crate) fn of(surface: &'a mut Surface) -> Self {
+        Self {
+            positions: &mut surface.positions,
+            normals: &mut surface.normals,
+            uvs: &mut surface.uvs,
+            tangents: &mut surface.tangents,
+            branches: &mut surface.branches,
+            welds: &mut surface.welds,
+            indices: &mut surface.indices,
+            ..Default::default()
+        }
+    }
+
     /// Cuts a part off the front of the columns.
     pub(crate) fn split(&mut self, n_vertices: usize, n_indices: usize) -> Columns<'a> {
         fn cut<'a, T>(slice: &mut &'a mut [T], n: usize) -> &'a mut [T] {
+            let n = n.min(slice.len());
             let (front, back) = std::mem::take(slice).split_at_mut(n);
             *slice = back;
             front
@@ -27,6 +58,9 @@ impl<'a> Columns<'a> {
             positions: cut(&mut self.positions, n_vertices),
             normals: cut(&mut self.normals, n_vertices),
             uvs: cut(&mut self.uvs, n_vertices),
+            tangents: cut(&mut self.tangents, n_vertices),
+            branches: cut(&mut self.branches, n_vertices),
+            welds: cut(&mut self.welds, n_vertices),
             indices: cut(&mut self.indices, n_indices),
             first_vertex: self.first_vertex,
             n_vertices: 0,
@@ -37,23 +71,38 @@ impl<'a> Columns<'a> {
     }
 
     /// Adds a vertex.
-    pub(crate) fn vertex(&mut self, position: Vec3, normal: Vec3, uv: Vec2) {
+    pub(crate) fn vertex(&mut self, vertex: Vertex) {
         let i = self.n_vertices;
-        self.positions[i] = position;
-        self.normals[i] = normal;
-        self.uvs[i] = uv;
+        self.positions[i] = vertex.position;
+        self.normals[i] = vertex.normal;
+        self.uvs[i] = vertex.uv;
+        self.branches[i] = vertex.branch;
+        self.welds[i] = vertex.weld;
+        if let Some(tangent) = self.tangents.get_mut(i) {
+            *tangent = vertex.tangent.extend(1.0);
+        }
         self.n_vertices += 1;
     }
 
     /// Adds a triangle of vertices counted from the start of this part.
     pub(crate) fn triangle(&mut self, corners: [u32; 3]) {
+        self.global_triangle(corners.map(|corner| self.first_vertex + corner));
+    }
+
+    /// Adds a triangle of vertices of the surface.
+    pub(crate) fn global_triangle(&mut self, corners: [u32; 3]) {
         let i = self.n_indices;
-        self.indices[i..i + 3].copy_from_slice(&corners.map(|corner| self.first_vertex + corner));
+        self.indices[i..i + 3].copy_from_slice(&corners);
         self.n_indices += 3;
     }
 
     /// Number in this part of the next vertex.
     pub(crate) fn next(&self) -> u32 {
         self.n_vertices as u32
+    }
+
+    /// Number in the surface of a vertex of this part.
+    pub(crate) fn global(&self, vertex: u32) -> u32 {
+        self.first_vertex + vertex
     }
 }

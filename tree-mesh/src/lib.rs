@@ -19,25 +19,22 @@
 //!
 //! Right-handed, +Y up, metres; triangles counter-clockwise seen from outside; texture v downwards.
 
+mod bark;
 mod build;
 mod columns;
 mod error;
-mod flare;
-mod frame;
 pub mod io;
 mod leaf;
 mod look;
 mod mesh;
 mod params;
-mod spine;
 pub mod texture;
-mod tube;
 pub mod wind;
 
 pub use build::{Built, MeshReport, build};
 pub use error::MeshError;
 pub use look::{LeafLook, Look};
 pub use mesh::{Alpha, Material, Mesh, Surface, Texture};
-pub use params::MeshParams;
+pub use params::{CurveFit, ErrorBound, MeshParams};
 pub use tree_core;
 pub use tree_core::glam;

@@ -7,7 +7,7 @@ use tree_core::Continuation;
 ///
 /// ```
 /// use tree_mesh::MeshParams;
-/// let coarse = MeshParams { sides_max: 6, curve_error: 0.02, ..Default::default() };
+/// let coarse = MeshParams { sides_max: 6, error: tree_mesh::ErrorBound::Metres(0.02), ..Default::default() };
 /// assert!(coarse.validate().is_ok());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,14 +18,16 @@ pub struct MeshParams {
     pub sides_min: u32,
     /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
     pub sides_max: u32,
-    /// How far a tube's sides may cut into the round branch, 0.01 mm to 1 m. Default 2 mm. Rules
-    /// the number of sides between the two bounds above.
-    pub side_error: f32,
-    /// Whether axes are rounded between nodes by a spline through the nodes. Default true.
-    pub smooth: bool,
-    /// How far rings may cut the corners of the spline, 0.01 mm to 1 m. Default 5 mm. Straight
-    /// segments get no extra rings.
-    pub curve_error: f32,
+    /// How far the mesh may leave the round, curved branch. Default 3 mm. Rules the number of sides
+    /// between the two bounds above, and the number of rings.
+    pub error: ErrorBound,
+    /// The line drawn through the nodes of an axis. Default [`CurveFit::Through`].
+    pub fit: CurveFit,
+    /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
+    /// bend in the wind.
+    pub strip_max: f32,
+    /// Whether surfaces get tangents, which normal maps need. Default true.
+    pub tangents: bool,
     /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
     pub radius_min: f32,
     /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
@@ -55,15 +57,82 @@ pub struct MeshParams {
     pub leaf_rounding: f32,
 }
 
+/// The line that is drawn through the nodes of an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum CurveFit {
+    /// Straight from node to node.
+    Straight,
+    /// A clamped cubic B-spline through the nodes: what was modelled stays where it is.
+    #[default]
+    Through,
+    /// A clamped cubic B-spline with the nodes as control points: passes near inner nodes, and calms
+    /// what jitters, such as scanned skeletons (Neubert 2012, Eq. 5.14).
+    Near,
+}
+
+/// How far a mesh may leave the exact shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ErrorBound {
+    /// A length, 0.01 mm to 1 m.
+    Metres(f32),
+    /// What a camera sees as so many pixels: the nearer it comes, the finer the mesh.
+    Pixels {
+        /// Width of the error on the screen in pixels, 0.01 to 1000.
+        pixels: f32,
+        /// From the eye to the tree in metres, 0.01 to 1e6.
+        distance: f32,
+        /// Vertical field of view in radians, 0.01 to 3.
+        fov_y: f32,
+        /// Height of the screen in pixels, 1 or more.
+        height: u32,
+    },
+}
+
+impl Default for ErrorBound {
+    fn default() -> Self {
+        Self::Metres(0.003)
+    }
+}
+
+impl ErrorBound {
+    const MIN: f32 = 1e-5;
+    const MAX: f32 = 1.0;
+
+    /// The error as a length, between 0.01 mm and 1 m.
+    #[must_use]
+    pub fn metres(self) -> f32 {
+        let metres = match self {
+            Self::Metres(metres) => metres,
+            Self::Pixels { pixels, distance, fov_y, height } => {
+                pixels * 2.0 * distance * libm::tanf(0.5 * fov_y) / height.max(1) as f32
+            }
+        };
+        metres.clamp(Self::MIN, Self::MAX)
+    }
+
+    fn validate(self) -> Result<()> {
+        match self {
+            Self::Metres(metres) => within("error", metres.into(), 1e-5, 1.0),
+            Self::Pixels { pixels, distance, fov_y, height } => {
+                within("error.pixels", pixels.into(), 0.01, 1000.0)?;
+                within("error.distance", distance.into(), 0.01, 1e6)?;
+                within("error.fov_y", fov_y.into(), 0.01, 3.0)?;
+                within("error.height", height.into(), 1.0, u32::MAX.into())
+            }
+        }
+    }
+}
+
 impl Default for MeshParams {
     fn default() -> Self {
         Self {
             continuation: Continuation::Thickest,
             sides_min: 3,
             sides_max: 20,
-            side_error: 0.002,
-            smooth: true,
-            curve_error: 0.005,
+            error: ErrorBound::default(),
+            fit: CurveFit::default(),
+            strip_max: 1.0,
+            tangents: true,
             radius_min: 0.0005,
             bark_width: 0.5,
             bark_length: 0.5,
@@ -85,12 +154,12 @@ impl MeshParams {
     /// # Errors
     /// [`MeshError::Parameter`], naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
+        self.error.validate()?;
         let sides_max = f64::from(self.sides_max);
         for (field, found, min, max) in [
             ("sides_max", sides_max, 3.0, 128.0),
             ("sides_min", f64::from(self.sides_min), 3.0, sides_max),
-            ("side_error", f64::from(self.side_error), 1e-5, 1.0),
-            ("curve_error", f64::from(self.curve_error), 1e-5, 1.0),
+            ("strip_max", f64::from(self.strip_max), 0.001, 1000.0),
             ("radius_min", f64::from(self.radius_min), 1e-5, 0.1),
             ("bark_width", f64::from(self.bark_width), 0.001, 1000.0),
             ("bark_length", f64::from(self.bark_length), 0.001, 1000.0),
@@ -103,16 +172,19 @@ impl MeshParams {
             ("leaf_bend", f64::from(self.leaf_bend), 0.0, std::f64::consts::FRAC_PI_2),
             ("leaf_rounding", f64::from(self.leaf_rounding), 0.0, 1.0),
         ] {
-            // The bounds are decimals; a field given the same decimal as f32 may lie half a step
-            // outside.
-            let slack = f64::from(f32::EPSILON);
-            let allowed = min * (1.0 - slack)..=max * (1.0 + slack);
-            if !allowed.contains(&found) {
-                return Err(MeshError::Parameter { field, found, min, max });
-            }
+            within(field, found, min, max)?;
         }
         Ok(())
     }
+}
+
+fn within(field: &'static str, found: f64, min: f64, max: f64) -> Result<()> {
+    // The bounds are decimals; a field given the same decimal as f32 may lie half a step outside.
+    let slack = f64::from(f32::EPSILON);
+    if (min * (1.0 - slack)..=max * (1.0 + slack)).contains(&found) {
+        return Ok(());
+    }
+    Err(MeshError::Parameter { field, found, min, max })
 }
 
 #[cfg(test)]
@@ -125,7 +197,7 @@ mod tests {
         let ends = MeshParams {
             sides_min: 3,
             sides_max: 3,
-            side_error: 1e-5,
+            error: ErrorBound::Metres(1e-5),
             radius_min: 0.1,
             leaf_bend: std::f32::consts::FRAC_PI_2,
             flare_lobe_depth: 0.9,
@@ -143,7 +215,12 @@ mod tests {
         };
         assert!(error(|p| p.sides_min = 25).starts_with("sides_min is 25, allowed is 3 to 20"));
         assert!(error(|p| p.sides_max = 2).starts_with("sides_max"));
-        assert!(error(|p| p.curve_error = f32::NAN).starts_with("curve_error"));
+        assert!(error(|p| p.error = ErrorBound::Metres(f32::NAN)).starts_with("error"));
+        let far = ErrorBound::Pixels { pixels: 1.0, distance: -1.0, fov_y: 1.0, height: 1080 };
+        assert!(
+            format!("{:?}", MeshParams { error: far, ..Default::default() }.validate())
+                .contains("error.distance")
+        );
         assert!(error(|p| p.radius_min = 0.0).starts_with("radius_min"));
         assert!(error(|p| p.leaf_bend = 2.0).starts_with("leaf_bend"));
         assert!(error(|p| p.leaf_rounding = -0.1).starts_with("leaf_rounding"));

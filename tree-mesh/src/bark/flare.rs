@@ -4,7 +4,7 @@
 //! F(h) = flare·(1 − h/H)², L lobes and depth D. F and its slope vanish at H, so the flare joins the
 //! trunk without a kink. No source: a shape that looks right and costs one cosine a vertex.
 
-use crate::frame::Frame;
+use super::frame::Frame;
 use crate::params::MeshParams;
 use glam::Vec3;
 
@@ -12,6 +12,9 @@ use glam::Vec3;
 const SIDES_PER_LOBE: u32 = 4;
 /// Depth of lobes, as a share of the radius, under which they need no vertices of their own.
 const LOBE_VISIBLE: f32 = 0.02;
+
+/// Where the flare bends most, as shares of its height.
+const STOPS: [f32; 6] = [0.07, 0.18, 0.32, 0.5, 0.72, 1.0];
 
 /// Height of a unit tangent under which a trunk lies rather than leans, and keeps its own foot.
 const LEVEL_MIN: f32 = 0.5;
@@ -51,6 +54,11 @@ impl Flare {
     /// Whether anything is widened at this height.
     pub(crate) fn acts(&self, along: f32) -> bool {
         self.flare > 0.0 && along < self.height
+    }
+
+    /// Heights at which rings may be needed.
+    pub(crate) fn stops(&self) -> impl Iterator<Item = f32> + '_ {
+        STOPS.iter().map(|share| share * self.height).filter(|&height| height > 0.0)
     }
 
     /// F(h).

@@ -1,0 +1,159 @@
+//! Where a lateral leaves the wood of its parent.
+//!
+//! Neubert (2012, §5.3) cuts both branches of a fork at the smallest sphere outside of which their
+//! tubes do not meet (Eq. 5.25). Here only the lateral is cut, where its ring has come clear of the
+//! parent's wall; the parent goes on and its wall is opened. For straight branches it is the same
+//! cut; this one also holds for bent and tapered branches, and for a thin lateral on a thick trunk,
+//! where the sphere would cut away half of the trunk.
+//!
+//! The lateral's line is walked outwards from the fork. At each step its point is projected onto the
+//! parent's line; a ring of radius r₂ across the direction t, off the parent's line by the vector d,
+//! is clear of radius r₁ when |d| − r₂·√(1 − (t·d/|d|)²) > r₁.
+
+use super::curve::{Curve, Place};
+use super::flare::Flare;
+use glam::Vec3;
+
+/// How far off the wall a collar stands, in radii of the lateral.
+const STANDOFF: f32 = 0.15;
+/// First step of the walk as a share of both radii, and its growth.
+const STEP: f32 = 0.25;
+const GROWTH: f32 = 1.15;
+/// Halvings of the last step.
+const HALVINGS: u32 = 5;
+/// Steps of the projection onto the parent's line.
+const PROJECTIONS: u32 = 3;
+/// A lateral needs this much length outside, in its radii, to get a ring of its own.
+const OUTSIDE_MIN: f32 = 0.25;
+/// Wider than the lateral: the hole it leaves the wall through.
+const COLLAR: f32 = 1.25;
+/// Smallest sine of the angle between branches that a hole is stretched by.
+const SINE_MIN: f32 = 0.25;
+
+/// Where and how a lateral leaves its parent.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Exit {
+    /// Along the lateral: where its first ring stands.
+    pub(crate) start: f32,
+    /// Along the parent: the middle of the hole in its wall.
+    pub(crate) centre: f32,
+    /// Half the height of the hole, along the parent.
+    pub(crate) half_height: f32,
+    /// Half its width, across.
+    pub(crate) half_width: f32,
+    /// From the parent's line towards the hole.
+    pub(crate) out: Vec3,
+    /// Direction of the parent there.
+    pub(crate) up: Vec3,
+    /// So little of the lateral is outside that it gets no ring, only a point.
+    pub(crate) stub: bool,
+}
+
+/// A point of the lateral against the parent.
+struct Gap {
+    /// Above 0: the lateral's ring is clear of the wall.
+    clear: f32,
+    /// Above 0: its middle is.
+    outside: f32,
+    along: f32,
+    offset: Vec3,
+    up: Vec3,
+}
+
+/// The parent's wood.
+pub(crate) struct Host<'a> {
+    pub(crate) curve: Curve<'a>,
+    pub(crate) flare: Flare,
+}
+
+impl Host<'_> {
+    fn gap(&self, place: &Place, mut along: f32) -> Gap {
+        let mut nearest = self.curve.at(along);
+        for _ in 0..PROJECTIONS {
+            let offset = place.station.position - nearest.station.position;
+            let next = (along + offset.dot(nearest.tangent)).clamp(0.0, self.curve.length());
+            let moved = (next - along).abs();
+            along = next;
+            nearest = self.curve.at(along);
+            if moved < 0.05 * nearest.station.radius {
+                break;
+            }
+        }
+        let offset = place.station.position - nearest.station.position;
+        let distance = offset.length();
+        let wall = nearest.station.radius * self.flare.widest(along);
+        let radius = place.station.radius;
+        let cosine = place.tangent.dot(offset) / distance.max(f32::MIN_POSITIVE);
+        let lean = (1.0 - cosine * cosine).max(0.0).sqrt();
+        Gap {
+            clear: distance - wall - radius * (lean + STANDOFF),
+            outside: distance - wall,
+            along,
+            offset,
+            up: nearest.tangent,
+        }
+    }
+
+    /// Walks along `lateral` from its fork, which lies at `fork` on this parent. `None` when all of it
+    /// lies inside the parent's wood.
+    pub(crate) fn exit(&self, fork: f32, lateral: &Curve<'_>) -> Option<Exit> {
+        let length = lateral.length();
+        let widest = self.curve.at(fork).station.radius + lateral.at(0.0).station.radius;
+        let mut step = STEP * widest;
+        let (mut at, mut along) = (0.0, fork);
+        let mut wall: Option<(f32, Gap)> = None;
+        let mut last_inside = (0.0, fork);
+        let clear = loop {
+            let gap = self.gap(&lateral.at(at), along);
+            along = gap.along;
+            if gap.outside > 0.0 && wall.is_none() {
+                wall = Some(self.bisect(lateral, last_inside, at, |gap| gap.outside));
+            }
+            if gap.clear > 0.0 {
+                break Some(self.bisect(lateral, last_inside, at, |gap| gap.clear).0);
+            }
+            if gap.outside <= 0.0 {
+                wall = None;
+            }
+            last_inside = (at, along);
+            if at >= length {
+                break None;
+            }
+            at = (at + step).min(length);
+            step *= GROWTH;
+        };
+        let (crossing, gap) = wall?;
+        let place = lateral.at(crossing);
+        let cosine = place.tangent.dot(gap.up);
+        let sine = (1.0 - cosine * cosine).max(0.0).sqrt().max(SINE_MIN);
+        let half_width = COLLAR * place.station.radius;
+        let start = clear.unwrap_or(length);
+        let room = length - start;
+        Some(Exit {
+            start,
+            centre: gap.along,
+            half_height: half_width / sine,
+            half_width,
+            out: gap.offset,
+            up: gap.up,
+            stub: room < OUTSIDE_MIN * lateral.at(start).station.radius,
+        })
+    }
+
+    /// The first place between `inside` and `outside` where `measure` is above 0, nearly.
+    fn bisect(
+        &self,
+        lateral: &Curve<'_>,
+        inside: (f32, f32),
+        outside: f32,
+        measure: impl Fn(&Gap) -> f32,
+    ) -> (f32, Gap) {
+        let ((mut low, along), mut high) = (inside, outside);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let gap = self.gap(&lateral.at(middle), along);
+            if measure(&gap) > 0.0 { high = middle } else { low = middle }
+        }
+        (high, self.gap(&lateral.at(high), along))
+    }
+}

@@ -1,0 +1,264 @@
+//! Bridges: the wall between a hole in the host and the first ring of a lateral.
+//!
+//! The rim of a hole is the lower side of its columns from left to right, then the upper side from
+//! right to left: counter-clockwise seen from outside, as is the ring. Both are zipped by their angle
+//! about the lateral's axis. Whatever the angles, the zip uses each edge of rim and ring once, so the
+//! surface stays closed. Thick laterals get one more ring on the way, which rounds the inner corner:
+//! the middle of a parabola that leaves the wall along it and arrives along the lateral.
+//!
+//! A bridge wears the host's bark: texture coordinates run from the rim towards the middle of the
+//! hole as far as the way on the bridge is long. The lateral's own bark starts at its first ring.
+
+use super::plan::Kind;
+use super::rings::Ring;
+use super::skin::{Skin, across};
+use crate::columns::{Columns, Vertex};
+use glam::{Vec2, Vec3};
+use std::f32::consts::{PI, TAU};
+
+/// How near to the middle of the hole the host's bark may be drawn together.
+const GATHER: f32 = 0.9;
+/// Smallest cosine between lateral and wall that a ring is projected back onto the wall with.
+const COSINE_MIN: f32 = 0.35;
+
+/// A vertex of a rim.
+#[derive(Clone, Copy, Debug)]
+struct Rim {
+    position: Vec3,
+    normal: Vec3,
+    uv: Vec2,
+    vertex: u32,
+    /// About the lateral's axis, never falling along the rim.
+    angle: f32,
+}
+
+/// Rims, reused from lateral to lateral.
+#[derive(Debug, Default)]
+pub(crate) struct Rims {
+    rims: Vec<Rim>,
+    /// A rim's vertex, normal and so on at the angle of each corner of the ring.
+    feet: Vec<Rim>,
+}
+
+/// Writes the bridge of `lateral` to its host, or the point of a stub.
+pub(crate) fn fill(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &mut Columns<'_>) {
+    let plan = &lateral.plan.axes[lateral.axis as usize];
+    rim(lateral, host, rims, out);
+    let middle = mean(&rims.rims);
+    if plan.kind == Kind::Stub {
+        point(lateral, &middle, rims, out);
+        return;
+    }
+    let Some(ring) = lateral.rings.first() else { return };
+    turn(ring, rims);
+    find_feet(ring, rims);
+    let side = host.shading(plan.hole_ring as usize, plan.hole.column + plan.hole.width / 2).1;
+    let bridge = Bridge { lateral, ring, middle, side };
+    let n = ring.n;
+    let collar = out.next();
+    for k in 0..n {
+        out.vertex(bridge.collar(k, &rims.feet, out.global(ring.first + k)));
+    }
+    let mut inner = collar;
+    if lateral.plan.n_fillets(lateral.axis) > 0 {
+        inner = out.next();
+        for k in 0..n {
+            out.vertex(bridge.fillet(k, &rims.feet, out.global(inner + k)));
+        }
+        for k in 0..n {
+            let (a, b, next) = (inner + k, collar + k, (k + 1) % n);
+            out.triangle([a, inner + next, collar + next]);
+            out.triangle([a, collar + next, b]);
+        }
+    }
+    zip(&rims.rims, out.global(inner), n, out);
+}
+
+/// Finds the rim; draws those of its vertices again that lie beyond the seam.
+fn rim(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &mut Columns<'_>) {
+    let plan = &lateral.plan.axes[lateral.axis as usize];
+    let first_vertex = host.plan.axes[host.axis as usize].first_vertex;
+    rims.rims.clear();
+    for side in 0..2 {
+        let number = plan.hole_ring as usize + side;
+        let Some(ring) = host.rings.get(number) else { return };
+        for step in 0..=plan.hole.width {
+            let step = if side == 0 { step } else { plan.hole.width - step };
+            let column = plan.hole.column + step;
+            let (normal, tangent) = host.shading(number, column);
+            let (position, uv) = (host.corner(ring, column), host.uv(ring, column));
+            let mut vertex = first_vertex + ring.first + column;
+            if column > ring.n {
+                let weld = first_vertex + ring.first + column % ring.n;
+                vertex = out.global(out.next());
+                out.vertex(Vertex { position, normal, tangent, uv, branch: host.axis, weld });
+            }
+            rims.rims.push(Rim { position, normal, uv, vertex, angle: 0.0 });
+        }
+    }
+}
+
+fn mean(rims: &[Rim]) -> Rim {
+    let share = 1.0 / rims.len().max(1) as f32;
+    let nothing =
+        Rim { position: Vec3::ZERO, normal: Vec3::ZERO, uv: Vec2::ZERO, vertex: 0, angle: 0.0 };
+    rims.iter().fold(nothing, |sum, rim| Rim {
+        position: sum.position + rim.position * share,
+        normal: sum.normal + rim.normal * share,
+        uv: sum.uv + rim.uv * share,
+        ..sum
+    })
+}
+
+/// A fan from the rim to the tip.
+fn point(lateral: &Skin<'_>, middle: &Rim, rims: &Rims, out: &mut Columns<'_>) {
+    let Some(curve) = lateral.plan.curves.get(lateral.axis) else { return };
+    let end = curve.at(curve.length());
+    let normal = end.tangent;
+    let apex = out.next();
+    out.vertex(Vertex {
+        position: end.station.position,
+        normal,
+        tangent: normal.any_orthonormal_vector(),
+        uv: middle.uv,
+        branch: lateral.axis,
+        weld: out.global(apex),
+    });
+    for i in 0..rims.rims.len() {
+        let next = (i + 1) % rims.rims.len();
+        out.global_triangle([rims.rims[i].vertex, rims.rims[next].vertex, out.global(apex)]);
+    }
+}
+
+/// Finds the angles of the rim about the ring's axis, and starts it where the ring starts.
+fn turn(ring: &Ring, rims: &mut Rims) {
+    let binormal = ring.frame.binormal();
+    for rim in &mut rims.rims {
+        let arm = rim.position - ring.station.position;
+        rim.angle = libm::atan2f(arm.dot(binormal), arm.dot(ring.frame.normal));
+    }
+    let nearest =
+        |a: &(usize, &Rim), b: &(usize, &Rim)| a.1.angle.abs().total_cmp(&b.1.angle.abs());
+    let start = rims.rims.iter().enumerate().min_by(nearest).map_or(0, |(start, _)| start);
+    rims.rims.rotate_left(start);
+    let mut last = rims.rims.first().map_or(0.0, |rim| rim.angle);
+    let (mut at, most) = (last, last + TAU);
+    for rim in &mut rims.rims {
+        let mut step = rim.angle - last;
+        last = rim.angle;
+        if step > PI {
+            step -= TAU;
+        } else if step < -PI {
+            step += TAU;
+        }
+        // Where the rim turns back, its angle waits.
+        at = (at + step).clamp(at, most);
+        rim.angle = at;
+    }
+}
+
+/// The rim at the angle of each corner of the ring.
+fn find_feet(ring: &Ring, rims: &mut Rims) {
+    let Rims { rims, feet } = rims;
+    feet.clear();
+    let n = rims.len();
+    let mut i = 0;
+    for k in 0..ring.n {
+        let mut angle = TAU * k as f32 / ring.n as f32;
+        if rims.first().is_some_and(|first| angle < first.angle) {
+            angle += TAU;
+            i = 0;
+        }
+        let end = |i: usize| if i + 1 < n { rims[i + 1].angle } else { rims[0].angle + TAU };
+        while i + 1 < n && end(i) <= angle {
+            i += 1;
+        }
+        let (a, b) = (rims[i], rims[(i + 1) % n]);
+        let rest = end(i) - a.angle;
+        let t = if rest > 0.0 { ((angle - a.angle) / rest).clamp(0.0, 1.0) } else { 0.0 };
+        feet.push(Rim {
+            position: a.position.lerp(b.position, t),
+            normal: a.normal.lerp(b.normal, t),
+            uv: a.uv.lerp(b.uv, t),
+            ..a
+        });
+        if angle >= TAU {
+            i = 0;
+        }
+    }
+}
+
+/// What the vertices of one bridge share.
+struct Bridge<'a> {
+    lateral: &'a Skin<'a>,
+    ring: &'a Ring,
+    /// Middle of the hole.
+    middle: Rim,
+    /// Round the host.
+    side: Vec3,
+}
+
+impl Bridge<'_> {
+    fn vertex(&self, position: Vec3, normal: Vec3, uv: Vec2, weld: u32) -> Vertex {
+        Vertex {
+            position,
+            normal,
+            tangent: across(self.side, normal).unwrap_or(normal.any_orthonormal_vector()),
+            uv,
+            branch: self.lateral.axis,
+            weld,
+        }
+    }
+
+    /// The lateral's first ring once more, in the host's bark.
+    fn collar(&self, k: u32, feet: &[Rim], weld: u32) -> Vertex {
+        let foot = feet[k as usize];
+        let position = self.lateral.corner(self.ring, k);
+        let uv = self.uv(&foot, position.distance(foot.position));
+        self.vertex(position, self.lateral.shading(0, k).0, uv, weld)
+    }
+
+    fn fillet(&self, k: u32, feet: &[Rim], weld: u32) -> Vertex {
+        let foot = feet[k as usize];
+        let collar = self.lateral.corner(self.ring, k);
+        let direction = self.ring.frame.tangent;
+        let out = self.middle.normal.try_normalize().unwrap_or(direction);
+        let rise = (collar - self.middle.position).dot(out);
+        let back = rise / direction.dot(out).max(COSINE_MIN);
+        let most = collar.distance(foot.position);
+        let corner = collar - direction * back.clamp(0.0, most);
+        let position = 0.25 * foot.position + 0.5 * corner + 0.25 * collar;
+        let normal = foot.normal + self.lateral.shading(0, k).0;
+        let normal = normal.try_normalize().unwrap_or(out);
+        self.vertex(position, normal, self.uv(&foot, position.distance(foot.position)), weld)
+    }
+
+    /// Texture coordinates at a distance from the rim, on the way to the middle of the hole.
+    fn uv(&self, foot: &Rim, distance: f32) -> Vec2 {
+        let whole = foot.position.distance(self.middle.position).max(f32::MIN_POSITIVE);
+        foot.uv.lerp(self.middle.uv, (distance / whole).min(GATHER))
+    }
+}
+
+/// Joins a rim to a ring of `n` vertices from `first` on, by a strip of as many triangles as both have
+/// vertices. The edge whose middle comes first is taken first.
+fn zip(rims: &[Rim], first: u32, n: u32, out: &mut Columns<'_>) {
+    let n_rims = rims.len();
+    let angle = |i: usize| rims[i % n_rims].angle + if i < n_rims { 0.0 } else { TAU };
+    let (mut i, mut j) = (0, 0);
+    while i < n_rims || j < n {
+        let (a, b) = (rims[i % n_rims].vertex, first + j % n);
+        let rim_middle = angle(i) + angle(i + 1);
+        let ring_middle = TAU * (2 * j + 1) as f32 / n as f32;
+        // Neither may come full circle before the other has started: the first edge would be used twice.
+        let rim_first = (i == 0 && j + 1 == n) || rim_middle < ring_middle;
+        let ring_first = j == 0 && i + 1 == n_rims;
+        if i < n_rims && (j == n || (rim_first && !ring_first)) {
+            out.global_triangle([a, rims[(i + 1) % n_rims].vertex, b]);
+            i += 1;
+        } else {
+            out.global_triangle([a, first + (j + 1) % n, b]);
+            j += 1;
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Corners of regular polygons, and how many a ring gets.
+
+use super::flare::Flare;
+use crate::params::MeshParams;
+use glam::Vec2;
+use std::f32::consts::{PI, TAU};
+
+/// Directions to the corners of regular polygons, so that rings need no sines.
+#[derive(Debug)]
+pub(crate) struct Circles {
+    sides_min: u32,
+    sides_max: u32,
+    error: f32,
+    /// The polygon of n sides starts at `starts[n]`.
+    starts: Vec<usize>,
+    corners: Vec<Vec2>,
+    /// Radii from which a ring has more sides than `sides_min`: `(radius, sides)`, ascending.
+    steps: Vec<(f32, u32)>,
+}
+
+impl Circles {
+    pub(crate) fn new(params: &MeshParams) -> Self {
+        let mut circles = Self {
+            sides_min: params.sides_min,
+            sides_max: params.sides_max,
+            error: params.error.metres(),
+            starts: Vec::new(),
+            corners: Vec::new(),
+            steps: Vec::new(),
+        };
+        for n in 0..=params.sides_max {
+            circles.starts.push(circles.corners.len());
+            if n >= params.sides_min {
+                circles.corners.extend((0..n).map(|k| {
+                    let angle = TAU * k as f32 / n as f32;
+                    Vec2::new(libm::cosf(angle), libm::sinf(angle))
+                }));
+            }
+        }
+        circles.find_steps();
+        circles
+    }
+
+    /// The chord of a regular n-gon lies r·(1 − cos(π/n)) inside the circle, which must stay within
+    /// the error. Counts grow in steps, so that most strips join equal rings.
+    fn find_steps(&mut self) {
+        let mut n = 3;
+        while n < self.sides_max {
+            let radius = self.error / (1.0 - libm::cosf(PI / n as f32));
+            let more = match n {
+                0..=5 => n + 1,
+                6..=11 => n + 2,
+                12..=31 => n + 4,
+                _ => n + 8,
+            };
+            self.steps.push((radius, more.clamp(self.sides_min, self.sides_max)));
+            n = more;
+        }
+    }
+
+    /// How far sides may cut into the round branch, in metres.
+    pub(crate) fn error(&self) -> f32 {
+        self.error
+    }
+
+    /// Corners of the polygon of `n` sides, between the bounds of the parameters.
+    pub(crate) fn corners(&self, n: u32) -> &[Vec2] {
+        let start = self.starts[n as usize];
+        &self.corners[start..start + n as usize]
+    }
+
+    /// How many sides a ring of this radius gets at this height.
+    pub(crate) fn n_sides(&self, radius: f32, along: f32, flare: &Flare) -> u32 {
+        let radius = radius * flare.widest(along);
+        let step = self.steps.partition_point(|&(from, _)| from < radius);
+        let round = match step.checked_sub(1).and_then(|i| self.steps.get(i)) {
+            Some(&(_, n)) => n,
+            None => self.sides_min,
+        };
+        round.max(flare.sides_min(along)).clamp(self.sides_min, self.sides_max)
+    }
+}

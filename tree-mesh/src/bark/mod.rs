@@ -1,0 +1,84 @@
+//! Bark: one closed surface over the wood of the whole tree.
+//!
+//! Neubert 2012, chapter 5, with another way to build forks. Every axis is a tube of rings along a
+//! spline; a lateral stands on a hole in the wall of its parent, and a bridge joins the rim of the hole
+//! to the lateral's first ring. The paper joins all branches of a fork over one sphere cut, which takes
+//! convexity and room; opening the wall takes neither, works for twigs on trunks, and forks and whorls
+//! are but larger and neighbouring holes. The trunk's base and every tip are closed.
+//!
+//! Why the surface is always closed: a tube with a base and a tip is a sphere. A hole is a disc of
+//! triangles, holes share none, and what replaces a disc is a disc: bridge, tube and tip of a lateral.
+//! So the whole is a sphere, whatever the skeleton.
+//!
+//! | file | step |
+//! |---|---|
+//! | [`curve`], [`curves`] | nodes of each axis, cleaned, on a spline with twist-free frames ([`frame`]) |
+//! | [`attach`] | where a lateral comes out of its parent |
+//! | [`storey`] | which part of the wall it gets |
+//! | [`rings`], [`circle`] | where rings stand and how many sides they have |
+//! | [`plan`] | all of that for all axes, and counts |
+//! | [`skin`], [`bridge`], [`flare`] | vertices and triangles |
+
+mod attach;
+mod bridge;
+mod circle;
+mod curve;
+mod curves;
+mod flare;
+mod frame;
+mod plan;
+mod rings;
+mod skin;
+mod storey;
+
+pub(crate) use plan::{Kind, Plan};
+
+use crate::columns::Columns;
+use crate::error::{MeshError, Result};
+use crate::mesh::Surface;
+use crate::params::MeshParams;
+use rayon::prelude::*;
+use tree_core::Control;
+
+/// Triangles that one piece of work fills, about.
+const TRIANGLES_PER_FILL: u64 = 16_384;
+
+/// Fills a surface of the size that was planned.
+///
+/// # Errors
+/// [`Cancelled`](tree_core::Cancelled).
+pub(crate) fn fill(
+    plan: &Plan,
+    params: &MeshParams,
+    surface: &mut Surface,
+    control: &Control,
+) -> Result<()> {
+    let mut rest = Columns::of(surface);
+    let mut parts = Vec::new();
+    let mut axis = 0;
+    while axis < plan.axes.len() {
+        let first = axis;
+        let (mut vertices, mut triangles) = (0, 0);
+        while axis < plan.axes.len() && triangles < TRIANGLES_PER_FILL {
+            vertices += plan.axes[axis].n_vertices as usize;
+            triangles += u64::from(plan.axes[axis].n_triangles);
+            axis += 1;
+        }
+        parts.push((first..axis, rest.split(vertices, 3 * triangles as usize)));
+    }
+    parts.into_par_iter().try_for_each_init(bridge::Rims::default, |rims, (numbers, mut part)| {
+        for number in numbers {
+            control.check()?;
+            let axis = &plan.axes[number];
+            let (vertices, triangles) = (axis.n_vertices as usize, axis.n_triangles as usize);
+            let mut out = part.split(vertices, 3 * triangles);
+            skin::Skin::new(plan, number as u32, params).fill(params, rims, &mut out);
+            debug_assert_eq!(out.n_vertices, vertices);
+            debug_assert_eq!(out.n_indices, 3 * triangles);
+        }
+        Ok::<(), MeshError>(())
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,427 @@
+//! What will be drawn: every ring, every hole, every count, before any vertex exists.
+//!
+//! 1. Lines of all axes ([`Curves`]).
+//! 2. Where each lateral leaves its parent ([`Host::exit`]). One that stays inside its parent's wood
+//!    is not drawn; what it carries is handed to the axis below.
+//! 3. Storeys, holes and rings of each axis ([`Storeys`], [`RingFinder`]).
+//! 4. Counts, and from them the place of every axis in the surface.
+//!
+//! Each step is parallel over axes; only handing on the laterals of axes that are not drawn is not.
+
+use super::attach::{Exit, Host};
+use super::circle::Circles;
+use super::curve::{Curve, carry};
+use super::curves::{AXES_PER_PART, Curves};
+use super::flare::Flare;
+use super::frame::Frame;
+use super::rings::{Fineness, Ring, RingFinder};
+use super::storey::{Hole, Storeys, Wall, Wish};
+use crate::error::Result;
+use crate::params::MeshParams;
+use glam::Vec3;
+use rayon::prelude::*;
+use tree_core::{Axes, Control, Skeleton};
+
+/// Holes keep this share of the wall's length clear of its ends.
+const MARGIN: f32 = 0.02;
+/// No axis.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// How an axis is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Trunk,
+    /// A tube set onto a hole of its host's wall.
+    Lateral,
+    /// A point over a hole: too little of the axis is outside for a ring.
+    Stub,
+    /// Not at all: it has no length, or lies inside its host's wood.
+    Skipped,
+}
+
+/// What is drawn of one axis.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AxisPlan {
+    pub(crate) kind: Kind,
+    /// The axis whose wall this one is set onto.
+    pub(crate) host: u32,
+    /// Number of the host's ring below the hole.
+    pub(crate) hole_ring: u32,
+    pub(crate) hole: Hole,
+    /// First of its rings in the part, and how many.
+    rings: (u32, u32),
+    /// How often the bark's texture goes round.
+    pub(crate) repeats: f32,
+    pub(crate) pointed: bool,
+    pub(crate) first_vertex: u32,
+    pub(crate) n_vertices: u32,
+    pub(crate) n_triangles: u32,
+}
+
+/// The plan of the whole bark.
+#[derive(Debug)]
+pub(crate) struct Plan {
+    pub(crate) axes: Vec<AxisPlan>,
+    /// Rings of the axes of each part.
+    rings: Vec<Vec<Ring>>,
+    pub(crate) curves: Curves,
+    pub(crate) flare: Flare,
+    pub(crate) circles: Circles,
+    pub(crate) n_vertices: u64,
+    pub(crate) n_triangles: u64,
+    pub(crate) n_moved: u64,
+}
+
+impl Plan {
+    /// The rings of an axis, from base to tip.
+    pub(crate) fn rings(&self, axis: u32) -> &[Ring] {
+        let (Some(plan), Some(part)) =
+            (self.axes.get(axis as usize), self.rings.get(axis as usize / AXES_PER_PART))
+        else {
+            return &[];
+        };
+        let (start, len) = plan.rings;
+        part.get(start as usize..(start + len) as usize).unwrap_or(&[])
+    }
+
+    /// The flare of an axis: only a trunk has one.
+    pub(crate) fn flare(&self, axis: u32) -> Flare {
+        if axis == 0 { self.flare } else { Flare::NONE }
+    }
+
+    /// Plans the bark.
+    ///
+    /// # Complexity
+    /// O(nodes + rings), and sorting the laterals of each axis.
+    pub(crate) fn new(
+        skeleton: &Skeleton,
+        axes: &Axes,
+        params: &MeshParams,
+        control: &Control,
+    ) -> Result<Self> {
+        let curves = Curves::draw(skeleton, axes, params, control)?;
+        let flare = flare(skeleton, &curves, params);
+        let circles = Circles::new(params);
+        let exits = find_exits(skeleton, axes, &curves, flare, control)?;
+        let wishes = Wishes::group(&exits);
+        control.check()?;
+
+        let fineness = Fineness { error: params.error.metres(), longest: params.strip_max };
+        let planner = Planner { curves: &curves, circles: &circles, flare, params, fineness };
+        let parts = (0..axes.len().div_ceil(AXES_PER_PART))
+            .into_par_iter()
+            .map_init(Scratch::default, |scratch, part| {
+                control.check()?;
+                let first = part * AXES_PER_PART;
+                let mut out = Part::default();
+                for axis in first..axes.len().min(first + AXES_PER_PART) {
+                    planner.plan(axis as u32, &exits[axis], wishes.of(axis), scratch, &mut out);
+                }
+                Ok(out)
+            })
+            .collect::<Result<Vec<Part>>>()?;
+        Ok(Self::join(parts, curves, flare, circles))
+    }
+
+    /// Puts the parts together, gives laterals their holes, and counts.
+    fn join(parts: Vec<Part>, curves: Curves, flare: Flare, circles: Circles) -> Self {
+        let mut plan = Self {
+            axes: Vec::with_capacity(parts.iter().map(|part| part.axes.len()).sum()),
+            rings: Vec::with_capacity(parts.len()),
+            curves,
+            flare,
+            circles,
+            n_vertices: 0,
+            n_triangles: 0,
+            n_moved: 0,
+        };
+        let mut holes = Vec::with_capacity(parts.len());
+        for part in parts {
+            plan.axes.extend(part.axes);
+            plan.rings.push(part.rings);
+            plan.n_moved += part.n_moved;
+            holes.push(part.holes);
+        }
+        for (hole, ring) in holes.into_iter().flatten() {
+            if let Some(axis) = plan.axes.get_mut(hole.lateral as usize) {
+                (axis.hole, axis.hole_ring) = (hole, ring);
+            }
+        }
+        for axis in 0..plan.axes.len() {
+            let (vertices, triangles) = plan.count(axis as u32);
+            let counted = &mut plan.axes[axis];
+            // Checked against the limits before anything reads it.
+            counted.first_vertex = plan.n_vertices as u32;
+            (counted.n_vertices, counted.n_triangles) = (vertices as u32, triangles as u32);
+            plan.n_vertices += vertices;
+            plan.n_triangles += triangles;
+        }
+        plan
+    }
+
+    /// Vertices and triangles of an axis, its bridge to the host included.
+    fn count(&self, axis: u32) -> (u64, u64) {
+        let plan = &self.axes[axis as usize];
+        let rings = self.rings(axis);
+        let (mut vertices, mut triangles) = (0_u64, 0_u64);
+        for (i, ring) in rings.iter().enumerate() {
+            vertices += u64::from(ring.n + 1);
+            let above = rings.get(i + 1);
+            let strip = |above: &Ring| ring.n + above.n - 2 * ring.mask.count_ones();
+            triangles += u64::from(above.map_or(0, strip));
+        }
+        let sides = |ring: Option<&Ring>| u64::from(ring.map_or(0, |ring| ring.n));
+        let (first, last) = (sides(rings.first()), sides(rings.last()));
+        let rim = u64::from(2 * (plan.hole.width + 1));
+        let copies = u64::from(self.n_copies(axis));
+        match plan.kind {
+            Kind::Trunk => (vertices + last + first + 1, triangles + last + first),
+            Kind::Lateral => {
+                let n_fillets = u64::from(self.n_fillets(axis));
+                (
+                    vertices + last + copies + first * (1 + n_fillets),
+                    triangles + last + rim + first * (1 + 2 * n_fillets),
+                )
+            }
+            Kind::Stub => (copies + 1, rim),
+            Kind::Skipped => (0, 0),
+        }
+    }
+
+    /// Rings between a hole and the collar set on it, which round the inner corner.
+    pub(crate) fn n_fillets(&self, axis: u32) -> u32 {
+        let Some(ring) = self.rings(axis).first() else { return 0 };
+        u32::from(ring.station.radius > FILLET * self.circles.error())
+    }
+
+    /// Vertices of the hole's rim that are drawn again because the hole reaches over the seam.
+    pub(crate) fn n_copies(&self, axis: u32) -> u32 {
+        let plan = &self.axes[axis as usize];
+        let n = self.rings(plan.host).get(plan.hole_ring as usize).map_or(0, |ring| ring.n);
+        2 * (plan.hole.column + plan.hole.width).saturating_sub(n)
+    }
+}
+
+/// Laterals thicker than this many errors get a fillet.
+const FILLET: f32 = 3.0;
+
+/// Only a lone trunk widens: stems and roots that share the ground do not.
+fn flare(skeleton: &Skeleton, curves: &Curves, params: &MeshParams) -> Flare {
+    let alone = skeleton.parents().iter().filter(|&&parent| parent == 0).nth(1).is_none();
+    match curves.get(0).and_then(|trunk| trunk.nodes.first().copied()) {
+        Some(base) if alone && params.flare > 0.0 => Flare::new(params, base.radius),
+        _ => Flare::NONE,
+    }
+}
+
+/// Where a lateral leaves which axis.
+#[derive(Clone, Copy, Debug)]
+struct Leaving {
+    host: u32,
+    exit: Option<Exit>,
+}
+
+impl Leaving {
+    fn carries(&self) -> bool {
+        self.exit.is_some_and(|exit| !exit.stub)
+    }
+}
+
+/// Exits of all laterals; axis 0 has none.
+fn find_exits(
+    skeleton: &Skeleton,
+    axes: &Axes,
+    curves: &Curves,
+    flare: Flare,
+    control: &Control,
+) -> Result<Vec<Leaving>> {
+    let fork_of = |axis: u32| {
+        let first = *axes.get(axis)?.nodes.first()?;
+        skeleton.parent(first)
+    };
+    let leave = |axis: u32, host: u32, fork: f32| -> Option<Exit> {
+        let flare = if host == 0 { flare } else { Flare::NONE };
+        Host { curve: curves.get(host)?, flare }.exit(fork, &curves.get(axis)?)
+    };
+    let mut all = (0..axes.len() as u32)
+        .into_par_iter()
+        .with_min_len(AXES_PER_PART)
+        .map(|axis| {
+            control.check()?;
+            let Some(fork) = fork_of(axis) else { return Ok(Leaving { host: NONE, exit: None }) };
+            let host = axes.axis_of()[fork as usize];
+            Ok(Leaving { host, exit: leave(axis, host, curves.along[fork as usize]) })
+        })
+        .collect::<Result<Vec<_>>>()?;
+    // Parents come first, so one climb over an axis that is not there leads to one that is.
+    for axis in 1..all.len() {
+        let Leaving { mut host, .. } = all[axis];
+        if host == 0 || all[host as usize].carries() {
+            continue;
+        }
+        let mut at = 0.0;
+        while host != 0 && !all[host as usize].carries() {
+            let fork = fork_of(host);
+            let skipped = all[host as usize];
+            at = match (skipped.exit, fork) {
+                (Some(exit), _) => exit.centre,
+                (None, Some(fork)) => curves.along[fork as usize],
+                (None, None) => 0.0,
+            };
+            host = skipped.host;
+        }
+        all[axis] = Leaving { host, exit: leave(axis as u32, host, at) };
+    }
+    Ok(all)
+}
+
+/// Holes wanted in each axis, lowest first.
+struct Wishes {
+    starts: Vec<u32>,
+    wishes: Vec<Wish>,
+}
+
+impl Wishes {
+    fn group(exits: &[Leaving]) -> Self {
+        let mut starts = vec![0_u32; exits.len() + 1];
+        let leaving = || {
+            exits
+                .iter()
+                .enumerate()
+                .filter_map(|(lateral, leaving)| Some((lateral, leaving.host, leaving.exit?)))
+        };
+        for (_, host, _) in leaving() {
+            starts[host as usize + 1] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let nothing =
+            Wish { lateral: 0, centre: 0.0, half_height: 0.0, half_width: 0.0, out: Vec3::ZERO };
+        let mut wishes = vec![nothing; starts.last().copied().unwrap_or(0) as usize];
+        for (lateral, host, exit) in leaving() {
+            let slot = &mut next[host as usize];
+            wishes[*slot as usize] = Wish {
+                lateral: lateral as u32,
+                centre: exit.centre,
+                half_height: exit.half_height,
+                half_width: exit.half_width,
+                out: exit.out,
+            };
+            *slot += 1;
+        }
+        for pair in starts.windows(2) {
+            // Stable: those at one height stay in the order of their numbers.
+            wishes[pair[0] as usize..pair[1] as usize]
+                .sort_by(|a, b| a.centre.total_cmp(&b.centre));
+        }
+        Self { starts, wishes }
+    }
+
+    fn of(&self, axis: usize) -> &[Wish] {
+        &self.wishes[self.starts[axis] as usize..self.starts[axis + 1] as usize]
+    }
+}
+
+/// Plans of some axes.
+#[derive(Default)]
+struct Part {
+    axes: Vec<AxisPlan>,
+    rings: Vec<Ring>,
+    /// Holes in their walls, and the ring below each.
+    holes: Vec<(Hole, u32)>,
+    n_moved: u64,
+}
+
+#[derive(Default)]
+struct Scratch {
+    frames: Vec<Frame>,
+    storeys: Storeys,
+    finder: RingFinder,
+}
+
+struct Planner<'a> {
+    curves: &'a Curves,
+    circles: &'a Circles,
+    flare: Flare,
+    params: &'a MeshParams,
+    fineness: Fineness,
+}
+
+impl Planner<'_> {
+    fn plan(
+        &self,
+        axis: u32,
+        leaving: &Leaving,
+        wishes: &[Wish],
+        scratch: &mut Scratch,
+        out: &mut Part,
+    ) {
+        let mut plan = AxisPlan {
+            kind: match (axis, leaving.exit) {
+                (0, _) => Kind::Trunk,
+                (_, Some(exit)) if exit.stub => Kind::Stub,
+                (_, Some(_)) => Kind::Lateral,
+                (_, None) => Kind::Skipped,
+            },
+            host: leaving.host,
+            hole_ring: 0,
+            hole: Hole::default(),
+            rings: (out.rings.len() as u32, 0),
+            repeats: 1.0,
+            pointed: false,
+            first_vertex: 0,
+            n_vertices: 0,
+            n_triangles: 0,
+        };
+        let curve = self.curves.get(axis).filter(|_| leaving.exit.is_none_or(|exit| !exit.stub));
+        match curve {
+            Some(curve) if plan.kind != Kind::Skipped => {
+                self.draw(axis, leaving.exit, curve, wishes, scratch, &mut plan, out);
+            }
+            None if plan.kind == Kind::Trunk => plan.kind = Kind::Skipped,
+            _ => {}
+        }
+        out.axes.push(plan);
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "one step of plan, cut out for its length")]
+    fn draw(
+        &self,
+        axis: u32,
+        exit: Option<Exit>,
+        curve: Curve<'_>,
+        wishes: &[Wish],
+        scratch: &mut Scratch,
+        plan: &mut AxisPlan,
+        out: &mut Part,
+    ) {
+        // The seam of a lateral lies below it, where it is seen least.
+        let (start, hint) = exit.map_or((0.0, Vec3::X), |exit| (exit.start, -exit.up));
+        scratch.frames.clear();
+        scratch.frames.extend_from_slice(curve.frames);
+        carry(curve.nodes, &mut scratch.frames, hint);
+        let curve = Curve { frames: &scratch.frames, ..curve };
+        let length = curve.length();
+        let wall = Wall {
+            curve,
+            flare: if axis == 0 { self.flare } else { Flare::NONE },
+            circles: self.circles,
+            low: start + MARGIN * (length - start),
+            high: length - MARGIN * (length - start),
+        };
+        scratch.storeys.divide(&wall, wishes);
+        let rings = scratch.finder.find(&wall, start, &scratch.storeys, self.fineness);
+        plan.rings.1 = rings.len() as u32;
+        plan.pointed = curve.pointed;
+        let around = std::f32::consts::TAU * curve.at(start).station.radius;
+        plan.repeats = (around / self.params.bark_width).round().max(1.0);
+        out.rings.extend_from_slice(rings);
+        out.n_moved += u64::from(scratch.storeys.n_moved);
+        let ring_of = &scratch.finder.ring_of_storey;
+        out.holes.extend(
+            scratch.storeys.holes.iter().map(|&hole| (hole, ring_of[hole.storey as usize])),
+        );
+    }
+}
