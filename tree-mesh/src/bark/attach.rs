@@ -26,7 +26,7 @@ const PROJECTIONS: u32 = 3;
 /// A lateral needs this much length outside, in its radii, to get a ring of its own.
 const OUTSIDE_MIN: f32 = 0.25;
 /// Wider than the lateral: the hole it leaves the wall through.
-const COLLAR: f32 = 1.25;
+const COLLAR: f32 = 1.35;
 /// Smallest sine of the angle between branches that a hole is stretched by.
 const SINE_MIN: f32 = 0.25;
 
@@ -127,6 +127,9 @@ impl Host<'_> {
         let cosine = place.tangent.dot(gap.up);
         let sine = (1.0 - cosine * cosine).max(0.0).sqrt().max(SINE_MIN);
         let half_width = COLLAR * place.station.radius;
+        // Out through the base or past the tip the parent has no wall to slant through.
+        let at_end = gap.along <= 0.0 || gap.along >= self.curve.length();
+        let sine = if at_end { 1.0 } else { sine };
         let start = clear.unwrap_or(length);
         let room = length - start;
         Some(Exit {

@@ -3,11 +3,12 @@
 //! The rim of a hole is the lower side of its columns from left to right, then the upper side from
 //! right to left: counter-clockwise seen from outside, as is the ring. Both are zipped by their angle
 //! about the lateral's axis. Whatever the angles, the zip uses each edge of rim and ring once, so the
-//! surface stays closed. Thick laterals get one more ring on the way, which rounds the inner corner:
-//! the middle of a parabola that leaves the wall along it and arrives along the lateral.
+//! surface stays closed. Where a hole is much wider than its lateral, or the lateral is thick, a ring of
+//! feet stands on the wall round the lateral: outside of it the wall goes on as if there were no hole,
+//! inside the bark rises to the lateral.
 //!
-//! A bridge wears the host's bark: texture coordinates run from the rim towards the middle of the
-//! hole as far as the way on the bridge is long. The lateral's own bark starts at its first ring.
+//! A bridge wears the host's bark; inside the feet, texture coordinates run towards the middle as far
+//! as the way is long. The lateral's own bark starts at its first ring.
 
 use super::plan::Kind;
 use super::rings::Ring;
@@ -19,7 +20,9 @@ use std::f32::consts::{PI, TAU};
 /// How near to the middle of the hole the host's bark may be drawn together.
 const GATHER: f32 = 0.9;
 /// Smallest cosine between lateral and wall that a ring is projected back onto the wall with.
-const COSINE_MIN: f32 = 0.35;
+const COSINE_MIN: f32 = 0.2;
+/// Feet stand on the wall at this many radii from the lateral's axis.
+const FOOT: f32 = 1.3;
 
 /// A vertex of a rim.
 #[derive(Clone, Copy, Debug)]
@@ -52,18 +55,26 @@ pub(crate) fn fill(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &m
     let Some(ring) = lateral.rings.first() else { return };
     turn(ring, rims);
     find_feet(ring, rims);
-    let side = host.shading(plan.hole_ring as usize, plan.hole.column + plan.hole.width / 2).1;
-    let bridge = Bridge { lateral, ring, middle, side };
+    let Some(wall) = Wall::of(host, plan.hole_ring as usize, &middle) else { return };
+    let centre = wall.spot(ring.station.position, ring.frame.tangent);
+    let bridge = Bridge { lateral, ring, wall, centre };
     let n = ring.n;
-    let collar = out.next();
+    let (collar, feet) = (out.next(), lateral.plan.has_feet(lateral.axis));
     for k in 0..n {
-        out.vertex(bridge.collar(k, &rims.feet, out.global(ring.first + k)));
+        let rim = &rims.feet[k as usize];
+        let spot = if feet {
+            bridge.foot(k, rim)
+        } else {
+            Spot { position: rim.position, normal: rim.normal, uv: rim.uv }
+        };
+        out.vertex(bridge.collar(k, &spot, out.global(ring.first + k)));
     }
     let mut inner = collar;
-    if lateral.plan.n_fillets(lateral.axis) > 0 {
+    if feet {
         inner = out.next();
         for k in 0..n {
-            out.vertex(bridge.fillet(k, &rims.feet, out.global(inner + k)));
+            let spot = bridge.foot(k, &rims.feet[k as usize]);
+            out.vertex(bridge.vertex(spot.position, spot.normal, spot.uv, out.global(inner + k)));
         }
         for k in 0..n {
             let (a, b, next) = (inner + k, collar + k, (k + 1) % n);
@@ -192,51 +203,129 @@ fn find_feet(ring: &Ring, rims: &mut Rims) {
 struct Bridge<'a> {
     lateral: &'a Skin<'a>,
     ring: &'a Ring,
-    /// Middle of the hole.
-    middle: Rim,
-    /// Round the host.
+    wall: Wall,
+    /// Where the lateral's axis meets the wall.
+    centre: Spot,
+}
+
+/// The host's wall round a hole: a cone.
+struct Wall {
+    /// On its axis, at the height of the hole's middle.
+    axis: Vec3,
+    up: Vec3,
+    /// From the axis to the hole's middle, and round the host from there.
+    out: Vec3,
     side: Vec3,
+    /// At that height, and how fast it grows above.
+    radius: f32,
+    slope: f32,
+    /// Heights of the rings below and above the hole.
+    low: f32,
+    high: f32,
+    /// Texture coordinates in the middle, and how fast they grow by angle and by height.
+    uv: Vec2,
+    rate: Vec2,
+}
+
+/// A place on the wall.
+#[derive(Clone, Copy)]
+struct Spot {
+    position: Vec3,
+    normal: Vec3,
+    uv: Vec2,
+}
+
+impl Wall {
+    fn of(host: &Skin<'_>, hole_ring: usize, middle: &Rim) -> Option<Self> {
+        let (low, high) = (host.rings.get(hole_ring)?, host.rings.get(hole_ring + 1)?);
+        let chord = high.station.position - low.station.position;
+        let up = chord.try_normalize().unwrap_or(low.frame.tangent);
+        let wide = |ring: &Ring| ring.station.radius * host.flare.widest(ring.station.along);
+        let rise = (high.station.along - low.station.along).max(f32::MIN_POSITIVE);
+        let slope = (wide(high) - wide(low)) / rise;
+        let foot = low.station.position;
+        let axis = foot + up * (middle.position - foot).dot(up);
+        let out = across(middle.position - axis, up).unwrap_or(middle.normal);
+        let uv_of = |ring: &Ring, k| host.uv(ring, k);
+        let radius = wide(low) + slope * (axis - foot).dot(up);
+        let rate = Vec2::new(
+            (uv_of(low, low.n).x - uv_of(low, 0).x) / TAU,
+            (uv_of(high, 0).y - uv_of(low, 0).y) / rise,
+        );
+        let (low, high) = ((foot - axis).dot(up), (high.station.position - axis).dot(up));
+        Some(Self {
+            axis,
+            up,
+            out,
+            side: up.cross(out),
+            radius,
+            slope,
+            low,
+            high,
+            uv: middle.uv,
+            rate,
+        })
+    }
+
+    /// Where a line from `position` back along `direction` meets the wall, or comes nearest to it.
+    fn spot(&self, position: Vec3, direction: Vec3) -> Spot {
+        let flat = |v: Vec3| v - self.up * v.dot(self.up);
+        let (arm, way) = (flat(position - self.axis), flat(direction));
+        let squared = way.length_squared().max(COSINE_MIN * COSINE_MIN);
+        let nearest = arm.dot(way) / squared;
+        let off = (arm - way * nearest).length_squared();
+        let (mut hit, mut radius) = (self.axis, self.radius);
+        for _ in 0..2 {
+            let back = nearest - ((radius * radius - off).max(0.0) / squared).sqrt();
+            hit = position - direction * back.max(0.0);
+            // A line that runs along the wall meets it far away: no farther than the hole reaches.
+            let height = (hit - self.axis).dot(self.up);
+            hit += self.up * (height.clamp(self.low, self.high.max(self.low)) - height);
+            radius = (self.radius + self.slope * (hit - self.axis).dot(self.up)).max(0.0);
+        }
+        let radial = flat(hit - self.axis).try_normalize().unwrap_or(self.out);
+        let height = (hit - self.axis).dot(self.up);
+        let angle = libm::atan2f(radial.dot(self.side), radial.dot(self.out));
+        Spot {
+            position: self.axis + self.up * height + radial * radius,
+            normal: radial,
+            uv: self.uv + self.rate * Vec2::new(angle, height),
+        }
+    }
 }
 
 impl Bridge<'_> {
     fn vertex(&self, position: Vec3, normal: Vec3, uv: Vec2, weld: u32) -> Vertex {
+        let side = self.wall.side;
         Vertex {
             position,
             normal,
-            tangent: across(self.side, normal).unwrap_or(normal.any_orthonormal_vector()),
+            tangent: across(side, normal).unwrap_or(normal.any_orthonormal_vector()),
             uv,
             branch: self.lateral.axis,
             weld,
         }
     }
 
-    /// The lateral's first ring once more, in the host's bark.
-    fn collar(&self, k: u32, feet: &[Rim], weld: u32) -> Vertex {
-        let foot = feet[k as usize];
+    /// The lateral's first ring once more, in the host's bark, which is drawn together towards the
+    /// middle as far as the way from the `foot` is long.
+    fn collar(&self, k: u32, foot: &Spot, weld: u32) -> Vertex {
         let position = self.lateral.corner(self.ring, k);
-        let uv = self.uv(&foot, position.distance(foot.position));
+        let whole = foot.position.distance(self.centre.position).max(f32::MIN_POSITIVE);
+        let share = (position.distance(foot.position) / whole).min(GATHER);
+        let uv = foot.uv.lerp(self.centre.uv, share);
         self.vertex(position, self.lateral.shading(0, k).0, uv, weld)
     }
 
-    fn fillet(&self, k: u32, feet: &[Rim], weld: u32) -> Vertex {
-        let foot = feet[k as usize];
-        let collar = self.lateral.corner(self.ring, k);
+    /// On the wall, a little outside of the lateral's ring, but inside the rim.
+    fn foot(&self, k: u32, rim: &Rim) -> Spot {
+        let station = self.ring.station;
+        let arm = self.lateral.corner(self.ring, k) - station.position;
         let direction = self.ring.frame.tangent;
-        let out = self.middle.normal.try_normalize().unwrap_or(direction);
-        let rise = (collar - self.middle.position).dot(out);
-        let back = rise / direction.dot(out).max(COSINE_MIN);
-        let most = collar.distance(foot.position);
-        let corner = collar - direction * back.clamp(0.0, most);
-        let position = 0.25 * foot.position + 0.5 * corner + 0.25 * collar;
-        let normal = foot.normal + self.lateral.shading(0, k).0;
-        let normal = normal.try_normalize().unwrap_or(out);
-        self.vertex(position, normal, self.uv(&foot, position.distance(foot.position)), weld)
-    }
-
-    /// Texture coordinates at a distance from the rim, on the way to the middle of the hole.
-    fn uv(&self, foot: &Rim, distance: f32) -> Vec2 {
-        let whole = foot.position.distance(self.middle.position).max(f32::MIN_POSITIVE);
-        foot.uv.lerp(self.middle.uv, (distance / whole).min(GATHER))
+        let to_rim = rim.position - station.position;
+        let reach = (to_rim - direction * to_rim.dot(direction)).length() / station.radius;
+        let wide = FOOT.min(0.5 * (1.0 + reach)).max(1.0);
+        self.wall.spot(station.position + arm * wide, direction)
     }
 }
 

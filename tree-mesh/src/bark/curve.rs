@@ -103,7 +103,10 @@ impl Curve<'_> {
     pub(crate) fn frame(&self, place: &Place, tangent: Vec3) -> Frame {
         let i = self.segment(place.station.along);
         let step = place.station.position - self.nodes[i].position;
-        self.frames[i].advance(step, tangent)
+        // At a node the step is nothing but rounding, which has any direction.
+        let length = self.nodes[i + 1].along - self.nodes[i].along;
+        let noise = step.length_squared() < NOISE * NOISE * length * length;
+        self.frames[i].advance(if noise { Vec3::ZERO } else { step }, tangent)
     }
 
     /// How many pieces segment `i` is looked at in, so that chords stay within `error` of the line.
@@ -126,6 +129,8 @@ impl Curve<'_> {
     }
 }
 
+/// Steps below this share of a segment are rounding.
+const NOISE: f32 = 1e-3;
 /// Most pieces of one segment, so that one wild bend cannot eat the budget of the whole tree.
 const PIECES_MAX: u32 = 16;
 

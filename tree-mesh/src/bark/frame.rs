@@ -5,8 +5,8 @@
 //! mirrors, (1) one that maps this point onto the next, (2) one that maps the mirrored tangent onto
 //! the next tangent. Fourth-order accurate, O(1) a step, no angle is ever computed.
 //!
-//! Departure: the result is made orthogonal again at every step, and steps without length or exact
-//! turns back, where a mirror is undefined, leave that mirror out.
+//! Departure: the result is made orthogonal again at every step. Without a step both mirrors are left
+//! out, at an exact turn back the second.
 
 use glam::Vec3;
 
@@ -40,18 +40,19 @@ impl Frame {
         self.tangent.cross(self.normal)
     }
 
-    /// The frame after a `step` of the curve, where its unit tangent is `tangent`.
+    /// The frame after a `step` of the curve, where its unit tangent is `tangent`. Without a step the
+    /// frame is only tilted: one mirror alone would turn it over.
     pub(crate) fn advance(&self, step: Vec3, tangent: Vec3) -> Self {
-        let (mut normal, mut carried) = (self.normal, self.tangent);
+        let mut normal = self.normal;
         let squared = step.length_squared();
         if squared > MIRROR_MIN {
             normal -= step * (2.0 / squared * step.dot(normal));
-            carried -= step * (2.0 / squared * step.dot(carried));
-        }
-        let mirror = tangent - carried;
-        let squared = mirror.length_squared();
-        if squared > MIRROR_MIN {
-            normal -= mirror * (2.0 / squared * mirror.dot(normal));
+            let carried = self.tangent - step * (2.0 / squared * step.dot(self.tangent));
+            let mirror = tangent - carried;
+            let squared = mirror.length_squared();
+            if squared > MIRROR_MIN {
+                normal -= mirror * (2.0 / squared * mirror.dot(normal));
+            }
         }
         let across = normal - tangent * tangent.dot(normal);
         let normal = across.try_normalize().unwrap_or_else(|| tangent.any_orthonormal_vector());

@@ -177,10 +177,10 @@ impl Plan {
         match plan.kind {
             Kind::Trunk => (vertices + last + first + 1, triangles + last + first),
             Kind::Lateral => {
-                let n_fillets = u64::from(self.n_fillets(axis));
+                let n_rings = u64::from(self.has_feet(axis));
                 (
-                    vertices + last + copies + first * (1 + n_fillets),
-                    triangles + last + rim + first * (1 + 2 * n_fillets),
+                    vertices + last + copies + first * (1 + n_rings),
+                    triangles + last + rim + first * (1 + 2 * n_rings),
                 )
             }
             Kind::Stub => (copies + 1, rim),
@@ -188,10 +188,22 @@ impl Plan {
         }
     }
 
-    /// Rings between a hole and the collar set on it, which round the inner corner.
-    pub(crate) fn n_fillets(&self, axis: u32) -> u32 {
-        let Some(ring) = self.rings(axis).first() else { return 0 };
-        u32::from(ring.station.radius > FILLET * self.circles.error())
+    /// Whether feet stand round a lateral, on the wall ([`bridge`](super::bridge)).
+    pub(crate) fn has_feet(&self, axis: u32) -> bool {
+        let plan = &self.axes[axis as usize];
+        let host = self.rings(plan.host);
+        let (Some(ring), Some(low), Some(high)) = (
+            self.rings(axis).first(),
+            host.get(plan.hole_ring as usize),
+            host.get(plan.hole_ring as usize + 1),
+        ) else {
+            return false;
+        };
+        let height = high.station.along - low.station.along;
+        let width =
+            std::f32::consts::TAU * low.station.radius * plan.hole.width as f32 / low.n as f32;
+        let radius = ring.station.radius;
+        radius > THICK * self.circles.error() || height.max(width) > WIDE * radius
     }
 
     /// Vertices of the hole's rim that are drawn again because the hole reaches over the seam.
@@ -202,8 +214,10 @@ impl Plan {
     }
 }
 
-/// Laterals thicker than this many errors get a fillet.
-const FILLET: f32 = 3.0;
+/// Laterals thicker than this many errors get feet,
+const THICK: f32 = 3.0;
+/// and those whose hole is higher or wider than this many of their radii.
+const WIDE: f32 = 6.0;
 
 /// Only a lone trunk widens: stems and roots that share the ground do not.
 fn flare(skeleton: &Skeleton, curves: &Curves, params: &MeshParams) -> Flare {

@@ -16,7 +16,7 @@ use glam::Vec3;
 use std::f32::consts::TAU;
 
 /// A hole takes a column of which it covers more than this share.
-const COVER: f32 = 0.35;
+const COVER: f32 = 0.25;
 /// Storeys may grow to this many times the height of their tallest hole by laterals that join.
 const STRETCH: f32 = 1.6;
 /// Two storeys share a ring when the gap between them is below this share of their mean height.
@@ -238,3 +238,7 @@ fn free_columns(mask: u128, column: u32, width: u32, n: u32) -> Option<(u32, u32
             .map(|first| (first, width))
     })
 }
+
+#[cfg(test)]
+#[path = "storey_tests.rs"]
+mod tests;
