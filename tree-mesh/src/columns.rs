@@ -31,6 +31,17 @@ pub(crate) struct Columns<'a> {
     pub(crate) n_indices: usize,
 }
 
+/// Some vertices of a part.
+pub(crate) struct Rows<'a> {
+    pub(crate) positions: &'a mut [Vec3],
+    pub(crate) normals: &'a mut [Vec3],
+    pub(crate) uvs: &'a mut [Vec2],
+    /// Empty when they are not wanted.
+    pub(crate) tangents: &'a mut [Vec4],
+    pub(crate) branches: &'a mut [u32],
+    pub(crate) welds: &'a mut [u32],
+}
+
 impl<'a> Columns<'a> {
     /// All columns of a surface that a bark has.
     pub(crate) fn of(surface: &'a mut Surface) -> Self {
@@ -82,6 +93,29 @@ impl<'a> Columns<'a> {
             *tangent = vertex.tangent.extend(1.0);
         }
         self.n_vertices += 1;
+    }
+
+    /// The next `n` vertices, to be written in any order.
+    pub(crate) fn rows(&mut self, n: usize) -> Rows<'_> {
+        let from = self.n_vertices;
+        let to = from + n;
+        self.n_vertices = to;
+        let with_tangents = if self.tangents.is_empty() { 0..0 } else { from..to };
+        Rows {
+            positions: &mut self.positions[from..to],
+            normals: &mut self.normals[from..to],
+            uvs: &mut self.uvs[from..to],
+            tangents: &mut self.tangents[with_tangents],
+            branches: &mut self.branches[from..to],
+            welds: &mut self.welds[from..to],
+        }
+    }
+
+    /// The corners of the next `n` triangles, as numbers of the surface.
+    pub(crate) fn triangles(&mut self, n: usize) -> &mut [u32] {
+        let from = self.n_indices;
+        self.n_indices += 3 * n;
+        &mut self.indices[from..self.n_indices]
     }
 
     /// Adds a triangle of vertices counted from the start of this part.

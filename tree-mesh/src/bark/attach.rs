@@ -17,12 +17,12 @@ use glam::Vec3;
 /// How far off the wall a collar stands, in radii of the lateral.
 const STANDOFF: f32 = 0.15;
 /// First step of the walk as a share of both radii, and its growth.
-const STEP: f32 = 0.25;
-const GROWTH: f32 = 1.15;
-/// Halvings of the last step.
-const HALVINGS: u32 = 5;
+const STEP: f32 = 0.45;
+const GROWTH: f32 = 1.2;
+/// Steps of the search for the place in between.
+const NARROWINGS: u32 = 3;
 /// Steps of the projection onto the parent's line.
-const PROJECTIONS: u32 = 3;
+const PROJECTIONS: u32 = 2;
 /// A lateral needs this much length outside, in its radii, to get a ring of its own.
 const OUTSIDE_MIN: f32 = 0.25;
 /// Wider than the lateral: the hole it leaves the wall through.
@@ -50,6 +50,7 @@ pub(crate) struct Exit {
 }
 
 /// A point of the lateral against the parent.
+#[derive(Clone, Copy)]
 struct Gap {
     /// Above 0: the lateral's ring is clear of the wall.
     clear: f32,
@@ -101,25 +102,23 @@ impl Host<'_> {
         let widest = self.curve.at(fork).station.radius + lateral.at(0.0).station.radius;
         let mut step = STEP * widest;
         let (mut at, mut along) = (0.0, fork);
+        let mut inside = self.gap(&lateral.at(at), along);
         let mut wall: Option<(f32, Gap)> = None;
-        let mut last_inside = (0.0, fork);
         let clear = loop {
-            let gap = self.gap(&lateral.at(at), along);
-            along = gap.along;
-            if gap.outside > 0.0 && wall.is_none() {
-                wall = Some(self.bisect(lateral, last_inside, at, |gap| gap.outside));
-            }
-            if gap.clear > 0.0 {
-                break Some(self.bisect(lateral, last_inside, at, |gap| gap.clear).0);
-            }
-            if gap.outside <= 0.0 {
-                wall = None;
-            }
-            last_inside = (at, along);
             if at >= length {
                 break None;
             }
-            at = (at + step).min(length);
+            let next = (at + step).min(length);
+            let gap = self.gap(&lateral.at(next), along);
+            if gap.outside <= 0.0 {
+                wall = None;
+            } else if wall.is_none() {
+                wall = Some(self.narrow(lateral, (at, &inside), (next, gap), |gap| gap.outside));
+            }
+            if gap.clear > 0.0 {
+                break Some(self.narrow(lateral, (at, &inside), (next, gap), |gap| gap.clear).0);
+            }
+            (at, along, inside) = (next, gap.along, gap);
             step *= GROWTH;
         };
         let (crossing, gap) = wall?;
@@ -143,20 +142,25 @@ impl Host<'_> {
         })
     }
 
-    /// The first place between `inside` and `outside` where `measure` is above 0, nearly.
-    fn bisect(
+    /// Where between two places `measure` rises above 0, nearly: by false position, which ends on the
+    /// outside.
+    fn narrow(
         &self,
         lateral: &Curve<'_>,
-        inside: (f32, f32),
-        outside: f32,
+        (mut low, inside): (f32, &Gap),
+        (mut high, mut outside): (f32, Gap),
         measure: impl Fn(&Gap) -> f32,
     ) -> (f32, Gap) {
-        let ((mut low, along), mut high) = (inside, outside);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            let gap = self.gap(&lateral.at(middle), along);
-            if measure(&gap) > 0.0 { high = middle } else { low = middle }
+        let mut below = measure(inside).min(0.0);
+        for _ in 0..NARROWINGS {
+            let above = measure(&outside);
+            // A little beyond, so that the outer end comes nearer too.
+            let share = (1.1 * below / (below - above)).clamp(0.05, 0.95);
+            let at = low + (high - low) * share;
+            let gap = self.gap(&lateral.at(at), outside.along);
+            let found = measure(&gap);
+            if found > 0.0 { (high, outside) = (at, gap) } else { (low, below) = (at, found) }
         }
-        (high, self.gap(&lateral.at(high), along))
+        (high, outside)
     }
 }

@@ -73,7 +73,7 @@ impl Curve<'_> {
     }
 
     /// As [`at`](Self::at) on a segment that is known.
-    fn on(&self, i: usize, along: f32) -> Place {
+    pub(crate) fn on(&self, i: usize, along: f32) -> Place {
         let (a, b) = (self.nodes[i], self.nodes[i + 1]);
         let length = b.along - a.along;
         let t = ((along - a.along) / length).clamp(0.0, 1.0);
@@ -100,9 +100,9 @@ impl Curve<'_> {
     }
 
     /// The twist-free frame `along` the line, turned to stand on `tangent`.
-    pub(crate) fn frame(&self, place: &Place, tangent: Vec3) -> Frame {
-        let i = self.segment(place.station.along);
-        let step = place.station.position - self.nodes[i].position;
+    pub(crate) fn frame(&self, station: &Station, tangent: Vec3) -> Frame {
+        let i = self.segment(station.along);
+        let step = station.position - self.nodes[i].position;
         // At a node the step is nothing but rounding, which has any direction.
         let length = self.nodes[i + 1].along - self.nodes[i].along;
         let noise = step.length_squared() < NOISE * NOISE * length * length;

@@ -86,7 +86,7 @@ fn frames_turn_with_the_line_and_never_about_it() {
     let mut last = None;
     for i in 0..=400 {
         let place = curve.at(curve.length() * i as f32 / 400.0);
-        let normal = curve.frame(&place, place.tangent).normal;
+        let normal = curve.frame(&place.station, place.tangent).normal;
         if let Some(before) = last {
             assert!(normal.distance(before) < 0.1, "a jump at {}", place.station.along);
         }

@@ -5,7 +5,7 @@
 //! the error allows. Rings follow twist-free frames; where the line turns sharper than a ring's radius
 //! allows, their planes turn later than the line, so that they do not cut into each other.
 
-use super::curve::{Curve, Station};
+use super::curve::{Curve, Place, Station};
 use super::frame::Frame;
 use super::storey::{Storey, Storeys, Wall};
 use glam::Vec3;
@@ -52,8 +52,7 @@ pub(crate) struct Fineness {
 #[derive(Debug, Default)]
 pub(crate) struct RingFinder {
     stops: Vec<Stop>,
-    samples: Vec<Station>,
-    tangents: Vec<Vec3>,
+    samples: Vec<Place>,
     rings: Vec<Ring>,
     /// For each storey the ring below it.
     pub(crate) ring_of_storey: Vec<u32>,
@@ -69,20 +68,21 @@ impl RingFinder {
         fineness: Fineness,
     ) -> &[Ring] {
         self.rings.clear();
-        self.tangents.clear();
         self.find_stops(&wall.curve, start, &storeys.storeys);
         let end = wall.curve.length();
+        let mut place = wall.curve.at(self.stops.first().map_or(start, |stop| stop.along));
         for i in 0..self.stops.len() {
             let stop = self.stops[i];
-            self.push(wall, stop);
-            let next = self.stops.get(i + 1).map_or(end, |next| next.along);
+            self.push(wall, &place, stop.n, stop.mask);
             let open = i + 1 == self.stops.len();
+            let next = wall.curve.at(self.stops.get(i + 1).map_or(end, |next| next.along));
             if stop.mask == 0 {
-                self.fill(wall, stop.along, next, open, fineness);
+                self.fill(wall, &place, &next, open, fineness);
             }
+            place = next;
         }
         if !wall.curve.pointed {
-            self.push(wall, Stop { along: end, n: None, mask: 0 });
+            self.push(wall, &place, None, 0);
         }
         self.turn(&wall.curve);
         let mut next = 0_u32;
@@ -115,36 +115,42 @@ impl RingFinder {
         }
     }
 
-    fn push(&mut self, wall: &Wall<'_>, stop: Stop) {
-        if stop.mask != 0 {
+    fn push(&mut self, wall: &Wall<'_>, place: &Place, n: Option<u32>, mask: u128) {
+        if mask != 0 {
             self.ring_of_storey.push(self.rings.len() as u32);
         }
-        let place = wall.curve.at(stop.along);
         let station = place.station;
-        let n = || wall.circles.n_sides(station.radius, station.along, &wall.flare);
+        let n_sides = || wall.circles.n_sides(station.radius, station.along, &wall.flare);
         let frame = Frame { tangent: place.tangent, normal: Vec3::ZERO };
-        let n = stop.n.unwrap_or_else(n);
-        self.rings.push(Ring { station, frame, n, first: 0, mask: stop.mask });
+        let n = n.unwrap_or_else(n_sides);
+        self.rings.push(Ring { station, frame, n, first: 0, mask });
     }
 
     /// Rings between two that stand; `open` when the upper one is the tip.
-    fn fill(&mut self, wall: &Wall<'_>, from: f32, to: f32, open: bool, fineness: Fineness) {
-        let curve = &wall.curve;
-        let near = |along: f32| CLEARANCE * curve.at(along).station.radius;
-        let (low, high) = (from + near(from), to - if open { 0.0 } else { near(to) });
+    fn fill(&mut self, wall: &Wall<'_>, from: &Place, to: &Place, open: bool, fineness: Fineness) {
+        let near = |place: &Place| CLEARANCE * place.station.radius;
+        let low = from.station.along + near(from);
+        let high = to.station.along - if open { 0.0 } else { near(to) };
         self.sample(wall, low, high, fineness.error);
-        let end = Station { radius: curve.at(to).station.radius, ..curve.at(to).station };
-        self.samples.push(if open && curve.pointed { Station { radius: 0.0, ..end } } else { end });
-        let mut last = curve.at(from).station;
-        last.radius *= wall.flare.widest(from);
+        let mut end = *to;
+        if open && wall.curve.pointed {
+            end.station.radius = 0.0;
+        }
+        self.samples.push(end);
+        let widened = |mut place: Place| {
+            place.station.radius *= wall.flare.widest(place.station.along);
+            place
+        };
+        let mut last = widened(*from);
         let mut kept = 0;
         while kept < self.samples.len() {
             let mut ahead = kept;
-            while ahead + 1 < self.samples.len()
+            while let Some(next) = self.samples.get(ahead + 1)
                 && ahead - kept < WINDOW
-                && self.samples[ahead + 1].along - last.along < fineness.longest
-                && fits(last, self.samples[ahead + 1], &self.samples[kept..=ahead], fineness.error)
-                && self.turns_little(curve, last, self.samples[ahead + 1])
+                && next.station.along - last.station.along < fineness.longest
+                && (open && ahead + 2 == self.samples.len()
+                    || last.tangent.dot(next.tangent) > TURN_COSINE)
+                && fits(&last.station, next, &self.samples[kept..=ahead], fineness.error)
             {
                 ahead += 1;
             }
@@ -153,14 +159,11 @@ impl RingFinder {
                 break;
             }
             last = self.samples[ahead];
-            self.push(wall, Stop { along: last.along, n: None, mask: 0 });
+            let mut narrow = last;
+            narrow.station.radius /= wall.flare.widest(last.station.along);
+            self.push(wall, &narrow, None, 0);
             kept = ahead + 1;
         }
-    }
-
-    fn turns_little(&self, curve: &Curve<'_>, a: Station, b: Station) -> bool {
-        b.along >= curve.length()
-            || curve.at(a.along).tangent.dot(curve.at(b.along).tangent) > TURN_COSINE
     }
 
     /// Places between `low` and `high` where the line could need a ring.
@@ -178,22 +181,23 @@ impl RingFinder {
             for k in 0..n {
                 let along = a + (b - a) * k as f32 / n as f32;
                 if along > low && along < high {
-                    self.samples.push(curve.at(along).station);
+                    self.samples.push(curve.on(i, along));
                 }
             }
         }
+        if !wall.flare.acts(low) {
+            return;
+        }
         for along in wall.flare.stops() {
             if along > low && along < high {
-                self.samples.push(curve.at(along).station);
+                self.samples.push(curve.at(along));
             }
         }
-        if wall.flare.acts(low) {
-            self.samples.sort_by(|a, b| a.along.total_cmp(&b.along));
-            self.samples.dedup_by(|a, b| a.along - b.along < 0.1 * b.radius);
-            // The flare is not in the radii: widen them for the search.
-            for sample in &mut self.samples {
-                sample.radius *= wall.flare.widest(sample.along);
-            }
+        self.samples.sort_by(|a, b| a.station.along.total_cmp(&b.station.along));
+        self.samples.dedup_by(|a, b| a.station.along - b.station.along < 0.1 * b.station.radius);
+        // The flare is not in the radii: widen them for the search.
+        for sample in &mut self.samples {
+            sample.station.radius *= wall.flare.widest(sample.station.along);
         }
     }
 
@@ -207,8 +211,7 @@ impl RingFinder {
                 let radius = ring.station.radius.max(below.station.radius);
                 tangent = towards(below.frame.tangent, tangent, TURN_RATE * step / radius);
             }
-            let place = curve.at(ring.station.along);
-            self.rings[i].frame = curve.frame(&place, tangent);
+            self.rings[i].frame = curve.frame(&ring.station, tangent);
         }
     }
 }
@@ -223,14 +226,15 @@ fn towards(from: Vec3, to: Vec3, most: f32) -> Vec3 {
 }
 
 /// Whether all of `between` lie within `error` of the straight strip from `a` to `b`.
-fn fits(a: Station, b: Station, between: &[Station], error: f32) -> bool {
-    let chord = b.position - a.position;
-    let squared = chord.length_squared().max(f32::MIN_POSITIVE);
-    between.iter().all(|station| {
-        let arm = station.position - a.position;
-        let t = (arm.dot(chord) / squared).clamp(0.0, 1.0);
-        let off = (arm - chord * t).length();
-        let radius = a.radius + t * (b.radius - a.radius);
-        off + (station.radius - radius).abs() <= error
+fn fits(a: &Station, b: &Place, between: &[Place], error: f32) -> bool {
+    let chord = b.station.position - a.position;
+    let inverse = 1.0 / chord.length_squared().max(f32::MIN_POSITIVE);
+    between.iter().all(|place| {
+        let arm = place.station.position - a.position;
+        let t = (arm.dot(chord) * inverse).clamp(0.0, 1.0);
+        let off = (arm - chord * t).length_squared();
+        let radius = a.radius + t * (b.station.radius - a.radius);
+        let rest = error - (place.station.radius - radius).abs();
+        rest >= 0.0 && off <= rest * rest
     })
 }

@@ -74,12 +74,13 @@ impl<'a> Skin<'a> {
     pub(crate) fn corner(&self, ring: &Ring, k: u32) -> Vec3 {
         let k = k % ring.n;
         let corner = self.plan.circles.corners(ring.n)[k as usize];
-        let mut radius = ring.station.radius;
-        let mut stance = ring.frame;
-        if self.flare.acts(ring.station.along) {
-            stance = self.flare.stance(ring.station.along, &ring.frame);
-            radius *= self.flare.at(ring.station.along, TAU * k as f32 / ring.n as f32).factor;
+        let along = ring.station.along;
+        if !self.flare.acts(along) {
+            return Round::new(ring, 0.0).position(corner);
         }
+        let stance = self.flare.stance(along, &ring.frame);
+        let angle = TAU * k as f32 / ring.n as f32;
+        let radius = ring.station.radius * self.flare.at(along, angle).factor;
         ring.station.position + (stance.normal * corner.x + stance.binormal() * corner.y) * radius
     }
 
@@ -109,22 +110,16 @@ impl<'a> Skin<'a> {
 
     /// Normal and tangent at corner `k` of ring `i`.
     pub(crate) fn shading(&self, i: usize, k: u32) -> (Vec3, Vec3) {
-        let slope = self.slope(i);
-        self.shading_with(&self.rings[i], slope, k)
-    }
-
-    fn shading_with(&self, ring: &Ring, slope: f32, k: u32) -> (Vec3, Vec3) {
+        let (ring, slope) = (&self.rings[i], self.slope(i));
         let corner = self.plan.circles.corners(ring.n)[(k % ring.n) as usize];
-        let binormal = ring.frame.binormal();
-        let outward = ring.frame.normal * corner.x + binormal * corner.y;
-        let sideways = binormal * corner.x - ring.frame.normal * corner.y;
+        let round = Round::new(ring, slope);
         let along = ring.station.along;
+        let sideways = round.tangent(corner);
         if !self.flare.acts(along) {
-            // Length known: outward and tangent are at right angles.
-            let normal = (outward - ring.frame.tangent * slope) / (1.0 + slope * slope).sqrt();
-            return (normal, sideways);
+            return (round.normal(corner), sideways);
         }
         // Gradient of the distance to the surface r(h, θ)·outward.
+        let outward = ring.frame.normal * corner.x + round.binormal * corner.y;
         let wide = self.flare.at(along, TAU * (k % ring.n) as f32 / ring.n as f32);
         let steep = slope * wide.factor + ring.station.radius * wide.by_height;
         let normal =
@@ -136,10 +131,42 @@ impl<'a> Skin<'a> {
 
     fn ring(&self, i: usize, out: &mut Columns<'_>) {
         let ring = &self.rings[i];
+        if self.flare.acts(ring.station.along) {
+            self.flared_ring(i, out);
+            return;
+        }
         let slope = self.slope(i);
+        let n = ring.n as usize;
+        let first = out.global(out.next());
+        let round = Round::new(ring, slope);
+        let uv = self.uv(ring, 0);
+        let u_step = self.repeats / ring.n as f32;
+        let rows = out.rows(n + 1);
+        rows.branches.fill(self.axis);
+        for (k, &corner) in self.plan.circles.corners(ring.n).iter().enumerate() {
+            rows.positions[k] = round.position(corner);
+            rows.normals[k] = round.normal(corner);
+            rows.uvs[k] = Vec2::new(u_step * k as f32, uv.y);
+            rows.welds[k] = first + k as u32;
+        }
+        rows.positions[n] = rows.positions[0];
+        rows.normals[n] = rows.normals[0];
+        rows.uvs[n] = Vec2::new(self.repeats, uv.y);
+        rows.welds[n] = first;
+        if let Some((seam, tangents)) = rows.tangents.split_last_mut() {
+            let corners = self.plan.circles.corners(ring.n);
+            for (tangent, &corner) in tangents.iter_mut().zip(corners) {
+                *tangent = round.tangent(corner).extend(1.0);
+            }
+            *seam = tangents.first().copied().unwrap_or(*seam);
+        }
+    }
+
+    fn flared_ring(&self, i: usize, out: &mut Columns<'_>) {
+        let ring = &self.rings[i];
         let first = out.next();
         for k in 0..=ring.n {
-            let (normal, tangent) = self.shading_with(ring, slope, k);
+            let (normal, tangent) = self.shading(i, k);
             out.vertex(Vertex {
                 position: self.corner(ring, k),
                 normal,
@@ -207,6 +234,42 @@ impl<'a> Skin<'a> {
     }
 }
 
+/// A ring without flare. Bridges ask for the same corners as the ring itself and must get the same bits.
+struct Round {
+    centre: Vec3,
+    radius: f32,
+    normal: Vec3,
+    binormal: Vec3,
+    /// Along the axis, with a length that tilts normals by the slope, and what then makes them unit.
+    tilt: Vec3,
+    unit: f32,
+}
+
+impl Round {
+    fn new(ring: &Ring, slope: f32) -> Self {
+        Self {
+            centre: ring.station.position,
+            radius: ring.station.radius,
+            normal: ring.frame.normal,
+            binormal: ring.frame.binormal(),
+            tilt: ring.frame.tangent * slope,
+            unit: 1.0 / (1.0 + slope * slope).sqrt(),
+        }
+    }
+
+    fn position(&self, corner: Vec2) -> Vec3 {
+        self.centre + (self.normal * corner.x + self.binormal * corner.y) * self.radius
+    }
+
+    fn normal(&self, corner: Vec2) -> Vec3 {
+        (self.normal * corner.x + self.binormal * corner.y - self.tilt) * self.unit
+    }
+
+    fn tangent(&self, corner: Vec2) -> Vec3 {
+        self.binormal * corner.x - self.normal * corner.y
+    }
+}
+
 /// The unit part of `v` across `normal`.
 pub(crate) fn across(v: Vec3, normal: Vec3) -> Option<Vec3> {
     (v - normal * v.dot(normal)).try_normalize()
@@ -215,10 +278,13 @@ pub(crate) fn across(v: Vec3, normal: Vec3) -> Option<Vec3> {
 /// Joins two rings by a strip of `below.n + above.n` triangles, less two for each hole's column.
 fn strip(below: &Ring, above: &Ring, out: &mut Columns<'_>) {
     if below.n == above.n {
-        for k in (0..below.n).filter(|k| below.mask >> k & 1 == 0) {
-            let (a, b) = (below.first + k, above.first + k);
-            out.triangle([a, a + 1, b + 1]);
-            out.triangle([a, b + 1, b]);
+        let (from, to) = (out.global(below.first), out.global(above.first));
+        let free = (0..below.n).filter(|k| below.mask >> k & 1 == 0);
+        let n_free = below.n - below.mask.count_ones();
+        let corners = out.triangles(2 * n_free as usize).chunks_exact_mut(6);
+        for (k, corners) in free.zip(corners) {
+            let (a, b) = (from + k, to + k);
+            corners.copy_from_slice(&[a, a + 1, b + 1, a, b + 1, b]);
         }
         return;
     }

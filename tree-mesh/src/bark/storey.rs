@@ -207,7 +207,7 @@ impl Wall<'_> {
 
     /// The columns that a hole covers, of `n` sides: the first and how many, at most half of them.
     fn columns(&self, wish: &Wish, place: &Place, n: u32) -> (u32, u32) {
-        let frame = self.curve.frame(place, place.tangent);
+        let frame = self.curve.frame(&place.station, place.tangent);
         let angle = libm::atan2f(wish.out.dot(frame.binormal()), wish.out.dot(frame.normal));
         let radius = place.station.radius * self.flare.widest(place.station.along);
         let half = libm::asinf((wish.half_width / radius).min(1.0)) * n as f32 / TAU;
