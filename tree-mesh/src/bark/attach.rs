@@ -25,8 +25,12 @@ const NARROWINGS: u32 = 3;
 const PROJECTIONS: u32 = 2;
 /// A lateral needs this much length outside, in its radii, to get a ring of its own.
 const OUTSIDE_MIN: f32 = 0.25;
-/// Wider than the lateral: the hole it leaves the wall through.
+/// Wider than the lateral: the hole it leaves the wall through;
 const COLLAR: f32 = 1.35;
+/// but not where the lateral leans over the wall, and would cover the rim.
+const LEE: f32 = 1.1;
+/// A lateral that comes back into the wall within this many radii of both has not left it yet.
+const RETURN: f32 = 4.0;
 /// Smallest sine of the angle between branches that a hole is stretched by.
 const SINE_MIN: f32 = 0.25;
 
@@ -37,8 +41,8 @@ pub(crate) struct Exit {
     pub(crate) start: f32,
     /// Along the parent: the middle of the hole in its wall.
     pub(crate) centre: f32,
-    /// Half the height of the hole, along the parent.
-    pub(crate) half_height: f32,
+    /// How far the hole reaches below and above its middle, along the parent.
+    pub(crate) reach: [f32; 2],
     /// Half its width, across.
     pub(crate) half_width: f32,
     /// From the parent's line towards the hole.
@@ -95,6 +99,11 @@ impl Host<'_> {
         }
     }
 
+    /// How far the middle of another axis lies outside of this wood, near `along`.
+    pub(crate) fn distance(&self, place: &Place, along: f32) -> f32 {
+        self.gap(place, along).outside
+    }
+
     /// Walks along `lateral` from its fork, which lies at `fork` on this parent. `None` when all of it
     /// lies inside the parent's wood.
     pub(crate) fn exit(&self, fork: f32, lateral: &Curve<'_>) -> Option<Exit> {
@@ -104,23 +113,23 @@ impl Host<'_> {
         let (mut at, mut along) = (0.0, fork);
         let mut inside = self.gap(&lateral.at(at), along);
         let mut wall: Option<(f32, Gap)> = None;
-        let clear = loop {
-            if at >= length {
-                break None;
-            }
+        let mut clear: Option<f32> = None;
+        while at < length && clear.is_none_or(|clear| at < clear + RETURN * widest) {
             let next = (at + step).min(length);
             let gap = self.gap(&lateral.at(next), along);
             if gap.outside <= 0.0 {
-                wall = None;
+                (wall, clear) = (None, None);
             } else if wall.is_none() {
                 wall = Some(self.narrow(lateral, (at, &inside), (next, gap), |gap| gap.outside));
             }
-            if gap.clear > 0.0 {
-                break Some(self.narrow(lateral, (at, &inside), (next, gap), |gap| gap.clear).0);
+            if gap.clear > 0.0 && clear.is_none() {
+                clear = Some(self.narrow(lateral, (at, &inside), (next, gap), |gap| gap.clear).0);
+            } else if gap.clear < -0.5 * STANDOFF * lateral.at(next).station.radius {
+                clear = None;
             }
             (at, along, inside) = (next, gap.along, gap);
-            step *= GROWTH;
-        };
+            step = (GROWTH * step).min(widest);
+        }
         let (crossing, gap) = wall?;
         let place = lateral.at(crossing);
         let cosine = place.tangent.dot(gap.up);
@@ -134,7 +143,10 @@ impl Host<'_> {
         Some(Exit {
             start,
             centre: gap.along,
-            half_height: half_width / sine,
+            reach: [cosine, -cosine].map(|lean| {
+                let wide = COLLAR + (LEE - COLLAR) * (-3.0 * lean).clamp(0.0, 1.0);
+                wide * place.station.radius / sine
+            }),
             half_width,
             out: gap.offset,
             up: gap.up,

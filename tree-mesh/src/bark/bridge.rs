@@ -23,6 +23,8 @@ const GATHER: f32 = 0.9;
 const COSINE_MIN: f32 = 0.2;
 /// Feet stand on the wall at this many radii from the lateral's axis.
 const FOOT: f32 = 1.3;
+/// Where the rim is nearer than that, they stand at this share of the way to it.
+const CROWDED: f32 = 0.85;
 
 /// A vertex of a rim.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +65,7 @@ pub(crate) fn fill(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &m
     for k in 0..n {
         let rim = &rims.feet[k as usize];
         let spot = if feet {
-            bridge.foot(k, rim)
+            bridge.foot(rim)
         } else {
             Spot { position: rim.position, normal: rim.normal, uv: rim.uv }
         };
@@ -73,7 +75,7 @@ pub(crate) fn fill(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &m
     if feet {
         inner = out.next();
         for k in 0..n {
-            let spot = bridge.foot(k, &rims.feet[k as usize]);
+            let spot = bridge.foot(&rims.feet[k as usize]);
             out.vertex(bridge.vertex(spot.position, spot.normal, spot.uv, out.global(inner + k)));
         }
         for k in 0..n {
@@ -152,19 +154,42 @@ fn turn(ring: &Ring, rims: &mut Rims) {
         |a: &(usize, &Rim), b: &(usize, &Rim)| a.1.angle.abs().total_cmp(&b.1.angle.abs());
     let start = rims.rims.iter().enumerate().min_by(nearest).map_or(0, |(start, _)| start);
     rims.rims.rotate_left(start);
-    let mut last = rims.rims.first().map_or(0.0, |rim| rim.angle);
-    let (mut at, most) = (last, last + TAU);
+    let from = rims.rims.first().map_or(0.0, |rim| rim.angle);
+    let (mut last, mut at, mut turned) = (from, from, 0.0);
     for rim in &mut rims.rims {
-        let mut step = rim.angle - last;
-        last = rim.angle;
-        if step > PI {
-            step -= TAU;
-        } else if step < -PI {
-            step += TAU;
-        }
+        let step = wrapped(rim.angle - last);
+        (last, turned) = (rim.angle, turned + step);
         // Where the rim turns back, its angle waits.
-        at = (at + step).clamp(at, most);
+        at = (at + step).clamp(at, from + TAU);
         rim.angle = at;
+    }
+    if turned + wrapped(from - last) < PI {
+        by_length(&mut rims.rims, from);
+    }
+}
+
+/// An angle between -π and π.
+fn wrapped(angle: f32) -> f32 {
+    if angle > PI {
+        angle - TAU
+    } else if angle < -PI {
+        angle + TAU
+    } else {
+        angle
+    }
+}
+
+/// A rim that does not go round the lateral, because the lateral had to be moved, is shared out by
+/// its length.
+fn by_length(rims: &mut [Rim], from: f32) {
+    let n = rims.len();
+    let step = |i: usize| rims[i].position.distance(rims[(i + 1) % n].position);
+    let steps: f32 = (0..n).map(step).sum();
+    let mut at = from;
+    for i in 0..n {
+        let share = rims[i].position.distance(rims[(i + 1) % n].position) / steps;
+        rims[i].angle = at;
+        at += if share.is_finite() { TAU * share } else { TAU / n as f32 };
     }
 }
 
@@ -283,11 +308,18 @@ impl Wall {
             hit += self.up * (height.clamp(self.low, self.high.max(self.low)) - height);
             radius = (self.radius + self.slope * (hit - self.axis).dot(self.up)).max(0.0);
         }
-        let radial = flat(hit - self.axis).try_normalize().unwrap_or(self.out);
-        let height = (hit - self.axis).dot(self.up);
+        self.upon(hit)
+    }
+
+    /// The place on the wall straight out from the axis, at the height of `position`.
+    fn upon(&self, position: Vec3) -> Spot {
+        let height = (position - self.axis).dot(self.up);
+        let middle = self.axis + self.up * height;
+        let radial = (position - middle).try_normalize().unwrap_or(self.out);
+        let radius = (self.radius + self.slope * height).max(0.0);
         let angle = libm::atan2f(radial.dot(self.side), radial.dot(self.out));
         Spot {
-            position: self.axis + self.up * height + radial * radius,
+            position: middle + radial * radius,
             normal: radial,
             uv: self.uv + self.rate * Vec2::new(angle, height),
         }
@@ -317,15 +349,15 @@ impl Bridge<'_> {
         self.vertex(position, self.lateral.shading(0, k).0, uv, weld)
     }
 
-    /// On the wall, a little outside of the lateral's ring, but inside the rim.
-    fn foot(&self, k: u32, rim: &Rim) -> Spot {
+    /// On the wall, a little outside of the lateral's ring, on the way from its middle to the rim.
+    fn foot(&self, rim: &Rim) -> Spot {
         let station = self.ring.station;
-        let arm = self.lateral.corner(self.ring, k) - station.position;
         let direction = self.ring.frame.tangent;
         let to_rim = rim.position - station.position;
-        let reach = (to_rim - direction * to_rim.dot(direction)).length() / station.radius;
-        let wide = FOOT.min(0.5 * (1.0 + reach)).max(1.0);
-        self.wall.spot(station.position + arm * wide, direction)
+        let reach = (to_rim - direction * to_rim.dot(direction)).length();
+        let share = station.radius / reach.max(f32::MIN_POSITIVE);
+        let share = if share < CROWDED { (FOOT * share).min(0.5 * (1.0 + share)) } else { CROWDED };
+        self.wall.upon(self.centre.position.lerp(rim.position, share))
     }
 }
 

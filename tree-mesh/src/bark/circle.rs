@@ -58,6 +58,11 @@ impl Circles {
         }
     }
 
+    /// Most sides of a ring.
+    pub(crate) fn sides_max(&self) -> u32 {
+        self.sides_max
+    }
+
     /// How far sides may cut into the round branch, in metres.
     pub(crate) fn error(&self) -> f32 {
         self.error

@@ -13,7 +13,7 @@
 //! | file | step |
 //! |---|---|
 //! | [`curve`], [`curves`] | nodes of each axis, cleaned, on a spline with twist-free frames ([`frame`]) |
-//! | [`attach`] | where a lateral comes out of its parent |
+//! | [`attach`], [`hosts`] | where a lateral comes out of which axis |
 //! | [`storey`] | which part of the wall it gets |
 //! | [`rings`], [`circle`] | where rings stand and how many sides they have |
 //! | [`plan`] | all of that for all axes, and counts |
@@ -26,6 +26,7 @@ mod curve;
 mod curves;
 mod flare;
 mod frame;
+mod hosts;
 mod plan;
 mod rings;
 mod skin;
@@ -55,24 +56,25 @@ pub(crate) fn fill(
 ) -> Result<()> {
     let mut rest = Columns::of(surface);
     let mut parts = Vec::new();
-    let mut axis = 0;
-    while axis < plan.axes.len() {
-        let first = axis;
+    let mut next = 0;
+    while next < plan.order.len() {
+        let first = next;
         let (mut vertices, mut triangles) = (0, 0);
-        while axis < plan.axes.len() && triangles < TRIANGLES_PER_FILL {
-            vertices += plan.axes[axis].n_vertices as usize;
-            triangles += u64::from(plan.axes[axis].n_triangles);
-            axis += 1;
+        while next < plan.order.len() && triangles < TRIANGLES_PER_FILL {
+            let axis = &plan.axes[plan.order[next] as usize];
+            vertices += axis.n_vertices as usize;
+            triangles += u64::from(axis.n_triangles);
+            next += 1;
         }
-        parts.push((first..axis, rest.split(vertices, 3 * triangles as usize)));
+        parts.push((first..next, rest.split(vertices, 3 * triangles as usize)));
     }
-    parts.into_par_iter().try_for_each_init(bridge::Rims::default, |rims, (numbers, mut part)| {
-        for number in numbers {
+    parts.into_par_iter().try_for_each_init(bridge::Rims::default, |rims, (places, mut part)| {
+        for &number in &plan.order[places] {
             control.check()?;
-            let axis = &plan.axes[number];
+            let axis = &plan.axes[number as usize];
             let (vertices, triangles) = (axis.n_vertices as usize, axis.n_triangles as usize);
             let mut out = part.split(vertices, 3 * triangles);
-            skin::Skin::new(plan, number as u32, params).fill(params, rims, &mut out);
+            skin::Skin::new(plan, number, params).fill(params, rims, &mut out);
             debug_assert_eq!(out.n_vertices, vertices);
             debug_assert_eq!(out.n_indices, 3 * triangles);
         }

@@ -1,19 +1,19 @@
 //! What will be drawn: every ring, every hole, every count, before any vertex exists.
 //!
 //! 1. Lines of all axes ([`Curves`]).
-//! 2. Where each lateral leaves its parent ([`Host::exit`]). One that stays inside its parent's wood
-//!    is not drawn; what it carries is handed to the axis below.
+//! 2. Where each lateral leaves which axis ([`Forest`]).
 //! 3. Storeys, holes and rings of each axis ([`Storeys`], [`RingFinder`]).
 //! 4. Counts, and from them the place of every axis in the surface.
 //!
-//! Each step is parallel over axes; only handing on the laterals of axes that are not drawn is not.
+//! Each step is parallel over axes, but for a few sequential sums.
 
-use super::attach::{Exit, Host};
+use super::attach::Exit;
 use super::circle::Circles;
 use super::curve::{Curve, carry};
 use super::curves::{AXES_PER_PART, Curves};
 use super::flare::Flare;
 use super::frame::Frame;
+use super::hosts::{Forest, Leaving, Wishes};
 use super::rings::{Fineness, Ring, RingFinder};
 use super::storey::{Hole, Storeys, Wall, Wish};
 use crate::error::Result;
@@ -62,6 +62,8 @@ pub(crate) struct AxisPlan {
 #[derive(Debug)]
 pub(crate) struct Plan {
     pub(crate) axes: Vec<AxisPlan>,
+    /// The axes in the order they lie in the surface: hosts before what stands on them.
+    pub(crate) order: Vec<u32>,
     /// Rings of the axes of each part.
     rings: Vec<Vec<Ring>>,
     pub(crate) curves: Curves,
@@ -102,7 +104,8 @@ impl Plan {
         let curves = Curves::draw(skeleton, axes, params, control)?;
         let flare = flare(skeleton, &curves, params);
         let circles = Circles::new(params);
-        let exits = find_exits(skeleton, axes, &curves, flare, control)?;
+        let forest = Forest { skeleton, axes, curves: &curves, flare };
+        let exits = forest.leave_all(control)?;
         let wishes = Wishes::group(&exits);
         control.check()?;
 
@@ -127,6 +130,7 @@ impl Plan {
     fn join(parts: Vec<Part>, curves: Curves, flare: Flare, circles: Circles) -> Self {
         let mut plan = Self {
             axes: Vec::with_capacity(parts.iter().map(|part| part.axes.len()).sum()),
+            order: Vec::new(),
             rings: Vec::with_capacity(parts.len()),
             curves,
             flare,
@@ -147,9 +151,11 @@ impl Plan {
                 (axis.hole, axis.hole_ring) = (hole, ring);
             }
         }
-        for axis in 0..plan.axes.len() {
-            let (vertices, triangles) = plan.count(axis as u32);
-            let counted = &mut plan.axes[axis];
+        plan.order = hosts_first(&plan.axes);
+        for i in 0..plan.order.len() {
+            let axis = plan.order[i];
+            let (vertices, triangles) = plan.count(axis);
+            let counted = &mut plan.axes[axis as usize];
             // Checked against the limits before anything reads it.
             counted.first_vertex = plan.n_vertices as u32;
             (counted.n_vertices, counted.n_triangles) = (vertices as u32, triangles as u32);
@@ -214,6 +220,32 @@ impl Plan {
     }
 }
 
+/// Axes so that each comes after its host, and near to it.
+fn hosts_first(axes: &[AxisPlan]) -> Vec<u32> {
+    let mut starts = vec![0_u32; axes.len() + 2];
+    let drawn = |axis: &AxisPlan| axis.host != NONE;
+    for axis in axes.iter().filter(|axis| drawn(axis)) {
+        starts[axis.host as usize + 2] += 1;
+    }
+    for i in 1..starts.len() {
+        starts[i] += starts[i - 1];
+    }
+    let mut children = vec![0_u32; starts[axes.len() + 1] as usize];
+    for (number, axis) in axes.iter().enumerate().filter(|(_, axis)| drawn(axis)) {
+        let slot = &mut starts[axis.host as usize + 1];
+        children[*slot as usize] = number as u32;
+        *slot += 1;
+    }
+    let mut order = Vec::with_capacity(axes.len());
+    let mut open = vec![0_u32];
+    while let Some(axis) = open.pop() {
+        order.push(axis);
+        let (from, to) = (starts[axis as usize], starts[axis as usize + 1]);
+        open.extend(children[from as usize..to as usize].iter().rev());
+    }
+    order
+}
+
 /// Laterals thicker than this many errors get feet,
 const THICK: f32 = 3.0;
 /// and those whose hole is higher or wider than this many of their radii.
@@ -225,116 +257,6 @@ fn flare(skeleton: &Skeleton, curves: &Curves, params: &MeshParams) -> Flare {
     match curves.get(0).and_then(|trunk| trunk.nodes.first().copied()) {
         Some(base) if alone && params.flare > 0.0 => Flare::new(params, base.radius),
         _ => Flare::NONE,
-    }
-}
-
-/// Where a lateral leaves which axis.
-#[derive(Clone, Copy, Debug)]
-struct Leaving {
-    host: u32,
-    exit: Option<Exit>,
-}
-
-impl Leaving {
-    fn carries(&self) -> bool {
-        self.exit.is_some_and(|exit| !exit.stub)
-    }
-}
-
-/// Exits of all laterals; axis 0 has none.
-fn find_exits(
-    skeleton: &Skeleton,
-    axes: &Axes,
-    curves: &Curves,
-    flare: Flare,
-    control: &Control,
-) -> Result<Vec<Leaving>> {
-    let fork_of = |axis: u32| {
-        let first = *axes.get(axis)?.nodes.first()?;
-        skeleton.parent(first)
-    };
-    let leave = |axis: u32, host: u32, fork: f32| -> Option<Exit> {
-        let flare = if host == 0 { flare } else { Flare::NONE };
-        Host { curve: curves.get(host)?, flare }.exit(fork, &curves.get(axis)?)
-    };
-    let mut all = (0..axes.len() as u32)
-        .into_par_iter()
-        .with_min_len(AXES_PER_PART)
-        .map(|axis| {
-            control.check()?;
-            let Some(fork) = fork_of(axis) else { return Ok(Leaving { host: NONE, exit: None }) };
-            let host = axes.axis_of()[fork as usize];
-            Ok(Leaving { host, exit: leave(axis, host, curves.along[fork as usize]) })
-        })
-        .collect::<Result<Vec<_>>>()?;
-    // Parents come first, so one climb over an axis that is not there leads to one that is.
-    for axis in 1..all.len() {
-        let Leaving { mut host, .. } = all[axis];
-        if host == 0 || all[host as usize].carries() {
-            continue;
-        }
-        let mut at = 0.0;
-        while host != 0 && !all[host as usize].carries() {
-            let fork = fork_of(host);
-            let skipped = all[host as usize];
-            at = match (skipped.exit, fork) {
-                (Some(exit), _) => exit.centre,
-                (None, Some(fork)) => curves.along[fork as usize],
-                (None, None) => 0.0,
-            };
-            host = skipped.host;
-        }
-        all[axis] = Leaving { host, exit: leave(axis as u32, host, at) };
-    }
-    Ok(all)
-}
-
-/// Holes wanted in each axis, lowest first.
-struct Wishes {
-    starts: Vec<u32>,
-    wishes: Vec<Wish>,
-}
-
-impl Wishes {
-    fn group(exits: &[Leaving]) -> Self {
-        let mut starts = vec![0_u32; exits.len() + 1];
-        let leaving = || {
-            exits
-                .iter()
-                .enumerate()
-                .filter_map(|(lateral, leaving)| Some((lateral, leaving.host, leaving.exit?)))
-        };
-        for (_, host, _) in leaving() {
-            starts[host as usize + 1] += 1;
-        }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut next = starts.clone();
-        let nothing =
-            Wish { lateral: 0, centre: 0.0, half_height: 0.0, half_width: 0.0, out: Vec3::ZERO };
-        let mut wishes = vec![nothing; starts.last().copied().unwrap_or(0) as usize];
-        for (lateral, host, exit) in leaving() {
-            let slot = &mut next[host as usize];
-            wishes[*slot as usize] = Wish {
-                lateral: lateral as u32,
-                centre: exit.centre,
-                half_height: exit.half_height,
-                half_width: exit.half_width,
-                out: exit.out,
-            };
-            *slot += 1;
-        }
-        for pair in starts.windows(2) {
-            // Stable: those at one height stay in the order of their numbers.
-            wishes[pair[0] as usize..pair[1] as usize]
-                .sort_by(|a, b| a.centre.total_cmp(&b.centre));
-        }
-        Self { starts, wishes }
-    }
-
-    fn of(&self, axis: usize) -> &[Wish] {
-        &self.wishes[self.starts[axis] as usize..self.starts[axis + 1] as usize]
     }
 }
 

@@ -17,6 +17,8 @@ use std::f32::consts::TAU;
 
 /// A hole takes a column of which it covers more than this share.
 const COVER: f32 = 0.25;
+/// Fewest sides of a storey, where the parameters allow them: a third of a ring is too coarse a hole.
+const SIDES_MIN: u32 = 6;
 /// Storeys may grow to this many times the height of their tallest hole by laterals that join.
 const STRETCH: f32 = 1.6;
 /// Two storeys share a ring when the gap between them is below this share of their mean height.
@@ -31,7 +33,8 @@ const SQUARE: f32 = 0.35;
 pub(crate) struct Wish {
     pub(crate) lateral: u32,
     pub(crate) centre: f32,
-    pub(crate) half_height: f32,
+    /// How far it reaches below and above its middle.
+    pub(crate) reach: [f32; 2],
     pub(crate) half_width: f32,
     pub(crate) out: Vec3,
 }
@@ -94,9 +97,10 @@ impl Storeys {
         let place = wall.curve.at(centre);
         let radius = place.station.radius * wall.flare.widest(centre);
         let square = SQUARE * TAU * radius / wall.n_sides(&place) as f32;
-        let half = wish.half_height.max(square).max(HEIGHT_MIN * radius);
+        let [down, up] = wish.reach.map(|reach| reach.max(square).max(HEIGHT_MIN * radius));
+        let half = 0.5 * (down + up);
         let below = self.storeys.len().checked_sub(2).map_or(wall.low, |i| self.storeys[i].high);
-        let (low, high) = (centre - half, centre + half);
+        let (low, high) = (centre - down, centre + up);
         let Some(last) = self.storeys.last_mut().filter(|last| low < last.high) else {
             self.start(wall, wish, &place, low, high);
             return;
@@ -201,8 +205,10 @@ impl Storeys {
 }
 
 impl Wall<'_> {
+    /// Sides of a storey.
     fn n_sides(&self, place: &Place) -> u32 {
-        self.circles.n_sides(place.station.radius, place.station.along, &self.flare)
+        let n = self.circles.n_sides(place.station.radius, place.station.along, &self.flare);
+        n.max(SIDES_MIN).min(self.circles.sides_max())
     }
 
     /// The columns that a hole covers, of `n` sides: the first and how many, at most half of them.

@@ -54,7 +54,7 @@ impl Pole {
 
 fn wish(lateral: u32, centre: f32, radius: f32, angle: f32) -> Wish {
     let out = Vec3::new(libm::cosf(angle), 0.0, -libm::sinf(angle));
-    Wish { lateral, centre, half_height: radius, half_width: radius, out }
+    Wish { lateral, centre, reach: [radius; 2], half_width: radius, out }
 }
 
 #[test]
