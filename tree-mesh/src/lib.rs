@@ -21,6 +21,7 @@
 
 mod build;
 mod columns;
+pub mod displace;
 mod error;
 mod flare;
 mod frame;
@@ -30,7 +31,9 @@ mod look;
 mod mesh;
 mod params;
 mod spine;
+pub mod subdivide;
 pub mod texture;
+pub mod topology;
 mod tube;
 pub mod wind;
 
