@@ -35,7 +35,8 @@ const ROUNDS: u32 = 2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Displacement {
-    /// Height of ridges and depth of furrows, 0 to 10 m. Default 1 cm.
+    /// Height of the highest ridges and depth of the deepest furrows, 0 to 10 m; most points move less
+    /// than half as far. Default 1 cm.
     pub amplitude: f32,
     /// Wavelength across the branch, 0.1 mm to 100 m. Default 8 cm.
     pub scale: f32,

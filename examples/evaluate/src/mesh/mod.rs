@@ -7,6 +7,7 @@ mod shape;
 #[path = "../../../../tests/common/skeletons.rs"]
 mod skeletons;
 mod speed;
+mod tools;
 
 use crate::table::Table;
 use std::error::Error;
@@ -18,6 +19,7 @@ pub(crate) use speed::build_case;
 /// All of it; see the rows.
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
     speed::evaluate(table)?;
+    tools::evaluate(table)?;
     shape::evaluate(table)?;
     outline::evaluate(table)
 }

@@ -12,8 +12,8 @@ use tree_mesh::{Look, Mesh, MeshParams, build};
 use tree_model::path::Preset;
 
 /// Errors in metres, coarse to fine; the last is the reference.
-const ERRORS: [f32; 9] = [0.1, 0.05, 0.025, 0.012, 0.006, 0.003, 0.0015, 0.0007, 0.0001];
-const YAWS: [f32; 3] = [0.3, 1.4, 2.5];
+const ERRORS: [f32; 9] = [0.03, 0.01, 0.004, 0.0015, 0.0007, 0.0003, 0.00015, 0.00007, 0.00002];
+const YAWS: [f32; 2] = [0.3, 1.9];
 /// Pixels of a side; with 4 × 4 samples each a sample is about a millimetre of a tree of 10 m.
 const PIXELS: u32 = 2048;
 /// Shares of the silhouette at which triangles are compared.
@@ -26,7 +26,7 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
         let skeleton = grown.tree.skeleton();
         let ours = curve(|error| bark(skeleton, error))?;
         let theirs = curve(|error| Ok(plain::tubes(skeleton, error)))?;
-        let case = format!("{name}: {}", preset.title());
+        let case = format!("preset {name}; plain tubes");
         for wanted in WANTED {
             let metric = format!("triangles, {} % of outline", 100.0 * wanted);
             let (Some(ours), Some(theirs)) = (needed(&ours, wanted), needed(&theirs, wanted))

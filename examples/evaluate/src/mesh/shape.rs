@@ -49,7 +49,7 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     for preset in PRESETS {
         let grown = preset.params()?.grow(Seed(3), &Control::default())?;
         let dense = CONIFERS.contains(&preset.name());
-        let case = format!("{}: {}", preset.name(), preset.title());
+        let case = format!("preset {}", preset.name());
         let kind = if dense { Kind::Dense } else { Kind::Tame };
         rows(table, &case, kind, &Sum::of([grown.tree.skeleton().clone()])?);
     }
