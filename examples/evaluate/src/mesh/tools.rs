@@ -9,9 +9,9 @@ use tree_mesh::subdivide::{SubdivideParams, subdivide};
 use tree_mesh::topology::{examine, self_intersections};
 
 /// Whorls of the tree: about a million triangles by default.
-const WHORLS: u32 = 700;
+const WHORLS: u32 = 280;
 /// Whorls of the tree that is subdivided twice.
-const COARSE: u32 = 45;
+const COARSE: u32 = 18;
 
 pub(super) fn evaluate(table: &mut Table) -> Outcome {
     let control = Control::default();
