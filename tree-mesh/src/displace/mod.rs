@@ -6,7 +6,7 @@
 //!    point's [`Branch`], from its radius at the pivot to nothing at the tip. Where branches meet the
 //!    limit is evened out downwards over the neighbours, so that the relief of a bough fades towards
 //!    its twigs.
-//! 3. In and out is gradient noise of several octaves ([`noise`]) at the place of the point in metres,
+//! 3. In and out is gradient noise of several octaves (Perlin 2002) at the place of the point in metres,
 //!    longer along the branch than across: bark is fissured along the branch.
 //! 4. Normals follow: the gradient of the height along the surface tilts them. Its change from branch to
 //!    branch and the bend of the surface are left out, so this holds for relief lower than the radius.
