@@ -51,6 +51,22 @@ pub enum MeshError {
         /// Number of indices.
         found: usize,
     },
+    /// A vertex is welded to a later one.
+    #[error("surface {surface}: welds[{index}] is {found}, must be {index} itself or less")]
+    Weld {
+        /// Number of the surface.
+        surface: usize,
+        /// Row in its welds.
+        index: usize,
+        /// The vertex it is welded to.
+        found: u32,
+    },
+    /// Leaves cannot be subdivided: their vertices lie in groups of equal size.
+    #[error("the surface consists of {found} leaves, only bark can be subdivided")]
+    Leaves {
+        /// Number of leaves.
+        found: usize,
+    },
     /// A material's look lies outside its range, or is not finite.
     #[error("material {material}: {field} is {found}, allowed is {min} to {max:?}")]
     Material {

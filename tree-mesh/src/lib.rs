@@ -22,13 +22,16 @@
 mod bark;
 mod build;
 mod columns;
+pub mod displace;
 mod error;
 pub mod io;
 mod leaf;
 mod look;
 mod mesh;
 mod params;
+pub mod subdivide;
 pub mod texture;
+pub mod topology;
 pub mod wind;
 
 pub use build::{Built, MeshReport, build};

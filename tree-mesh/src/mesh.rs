@@ -245,7 +245,7 @@ fn check_within(material: usize, field: &'static str, found: f32, max: f32) -> R
     Err(MeshError::Material { material, field, found, min: 0.0, max })
 }
 
-fn check_surface(
+pub(crate) fn check_surface(
     number: usize,
     surface: &Surface,
     n_materials: usize,

@@ -4,6 +4,7 @@
 //! `cargo run --release -p evaluate -- SYSTEM [--json]`
 
 mod measure;
+mod mesh;
 mod path;
 mod table;
 
@@ -13,14 +14,14 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 1] = [("path", path::evaluate)];
+const SYSTEMS: [(&str, Evaluation); 2] = [("path", path::evaluate), ("mesh", mesh::evaluate)];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if let [flag, case] = arguments.as_slice()
         && flag == measure::MEMORY_FLAG
     {
-        let done = path::grow_case(case);
+        let done = path::grow_case(case).and_then(|()| mesh::build_case(case));
         measure::print_peak();
         return if done.is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }

@@ -1,0 +1,3 @@
+//! Shared by the scenario tests; `examples/evaluate` takes `skeletons` too.
+
+pub(crate) mod skeletons;
