@@ -3,6 +3,7 @@ use crate::ModelError;
 use glam::Vec3;
 use std::f32::consts::TAU;
 use tree_core::Limits;
+use tree_core::{Control, Foliage, Seed, Skeleton};
 
 /// A straight upright shoot of `length` metres in segments of 5 cm.
 fn shoot(length: f32) -> Skeleton {
