@@ -110,8 +110,8 @@ fn look(species: &Species) -> Result<Look, Box<dyn Error>> {
             "needle" => LeafShape {
                 outline: vec![
                     [0.0, 0.0, 1.0],
-                    [0.022, 0.06, 0.0],
-                    [0.024, 0.75, 0.0],
+                    [0.03, 0.06, 0.0],
+                    [0.032, 0.75, 0.0],
                     [0.0, 1.0, 1.0],
                 ]
                 .into(),
@@ -147,7 +147,7 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
         leaf: "beech",
         twigs: None,
         leaves: None,
-        pitch: 0.25,
+        pitch: 0.4,
     };
     let leaves = LeafParams { jitter: 0.15, bearing: 0.35, ..LeafParams::DEFAULT };
     let arranged = |name, arrangement| Scene {
@@ -165,12 +165,13 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
     };
     let bare = |name, branching, twigs: TwigParams| Scene {
         name,
-        shoot: (0.8, 0.007, 0.9, 0.3),
-        twigs: Some(TwigParams { branching, bearing: 0.7, ..twigs }),
+        shoot: (0.7, 0.006, 0.75, 0.35),
+        twigs: Some(TwigParams { branching, bearing: 0.65, ..twigs }),
         pitch: 0.1,
         ..plain_copy(&plain)
     };
     let weeping = species("willow")?;
+    let twigs = TwigParams { per_metre: 20.0, tip_radius: 0.0012, ..TwigParams::DEFAULT };
     Ok(vec![
         Scene {
             shoot: spray,
@@ -233,21 +234,26 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
             pitch: 0.1,
             ..plain_copy(&plain)
         },
-        bare("monopodial", Branching::Monopodial, TwigParams::DEFAULT),
-        bare(
-            "sympodial",
-            Branching::zigzag(0.7),
-            TwigParams {
-                jitter: 0.1,
-                internode: 0.04,
-                arrangement: Phyllotaxis::Distichous,
-                ..TwigParams::DEFAULT
-            },
-        ),
+        bare("monopodial", Branching::Monopodial, twigs.clone()),
+        Scene {
+            // From above: the zig-zag is level.
+            pitch: 1.2,
+            shoot: (0.5, 0.005, 1.3, 0.1),
+            ..bare(
+                "sympodial",
+                Branching::zigzag(0.7),
+                TwigParams {
+                    jitter: 0.1,
+                    internode: 0.04,
+                    arrangement: Phyllotaxis::Distichous,
+                    ..twigs.clone()
+                },
+            )
+        },
         bare(
             "helicoid",
             Branching::helicoid(2, 0.45),
-            TwigParams { levels: 1, phototropism: 0.0, ..TwigParams::DEFAULT },
+            TwigParams { levels: 1, phototropism: 0.0, ..twigs.clone() },
         ),
         Scene {
             leaf: "linden",
@@ -265,7 +271,7 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
         bare(
             "upright",
             Branching::Monopodial,
-            TwigParams { gravitropism: -9.0, angle: 1.1, stiffness: 20.0, ..TwigParams::DEFAULT },
+            TwigParams { gravitropism: -9.0, angle: 1.1, stiffness: 20.0, ..twigs.clone() },
         ),
         bare(
             "bushy",
@@ -273,16 +279,16 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
             TwigParams {
                 levels: 3,
                 lateral: 0.6,
-                per_metre: 14.0,
+                per_metre: 25.0,
                 internode: 0.025,
                 jitter: 0.5,
-                ..TwigParams::DEFAULT
+                ..twigs.clone()
             },
         ),
         bare(
             "drooping",
             Branching::Monopodial,
-            TwigParams { stiffness: 0.4, length: 0.45, phototropism: 0.0, ..TwigParams::DEFAULT },
+            TwigParams { stiffness: 0.4, length: 0.45, phototropism: 0.0, ..twigs.clone() },
         ),
     ])
 }

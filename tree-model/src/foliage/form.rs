@@ -130,7 +130,7 @@ impl LeafForm {
             Self::Palmate(leaf) => {
                 check("leaves.form.leaflets", leaf.leaflets, 2, 64)?;
                 check("leaves.form.spread", leaf.spread, 0.0, TAU)?;
-                check("leaves.form.outer", leaf.outer, 0.01, 1.0)?;
+                check("leaves.form.outer", leaf.outer, 0.01_f32, 1.0)?;
                 check("leaves.form.droop", leaf.droop, -PI / 2.0, PI / 2.0)
             }
             Self::Fascicle { needles, spread } => {
@@ -256,12 +256,12 @@ impl Pinnate {
             check(format!("leaves.form.angle[{i}]"), angle, 0.0, PI)?;
         }
         for (i, size) in self.profile.into_iter().enumerate() {
-            check(format!("leaves.form.profile[{i}]"), size, 0.01, 1.0)?;
+            check(format!("leaves.form.profile[{i}]"), size, 0.01_f32, 1.0)?;
         }
         check("leaves.form.fold", self.fold, -PI / 2.0, PI / 2.0)?;
         check("leaves.form.petiolule", self.petiolule, 0.0, 2.0)?;
         check("leaves.form.pinna_pairs", self.pinna_pairs, 0, 50)?;
-        check("leaves.form.pinna", self.pinna, 0.01, 2.0)
+        check("leaves.form.pinna", self.pinna, 0.01_f32, 2.0)
     }
 
     fn lay(&self, layout: &mut Layout) {

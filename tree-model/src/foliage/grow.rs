@@ -142,18 +142,18 @@ fn grow(
     };
     let n_blades = u64::from(params.form.n_leaflets());
     let per_site = u64::from(params.arrangement.per_node()).saturating_mul(n_blades);
-    let most_sites = walk.most_sites();
-    control.limits.check(Resource::Leaves, most_sites)?;
+    let n_sites = walk.n_sites();
+    control.limits.check(Resource::Leaves, n_sites)?;
     let budget = Budget {
         control,
         resource: Resource::Leaves,
         used: AtomicU64::new(0),
-        most: most_sites.saturating_mul(per_site).saturating_mul(walk.most_each()),
+        most: n_sites.saturating_mul(per_site).saturating_mul(walk.most_each()),
     };
     let layout = params.form.layout();
     let light = params.light.normalize_or(glam::Vec3::Y);
     let bearer = Bearer { params, layout: &layout, light };
-    let (parts, tally) = walk.parts(seed, control, |sites| {
+    let (parts, tally) = walk.parts(seed, &budget, |sites| {
         let n_terminal = sites.iter().filter(|site| site.terminal).count() as u64;
         let asked = (sites.len() as u64 - n_terminal) * per_site + n_terminal * n_blades;
         budget.ask(asked)?;

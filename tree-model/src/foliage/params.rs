@@ -86,11 +86,11 @@ impl LeafParams {
     pub fn validate(&self, n_kinds: usize) -> Result<()> {
         self.arrangement.validate("leaves.arrangement")?;
         self.form.validate()?;
-        check("leaves.spacing", self.spacing, 1e-4, 1e6)?;
+        check("leaves.spacing", self.spacing, 1e-4_f32, 1e6)?;
         check("leaves.bearing", self.bearing, 0.0, 1e6)?;
-        check("leaves.size", self.size, 1e-6, 1e6)?;
-        check("leaves.size_variation", self.size_variation, 0.0, 0.9)?;
-        check("leaves.size_gradient", self.size_gradient, -0.9, 0.9)?;
+        check("leaves.size", self.size, 1e-6_f32, 1e6)?;
+        check("leaves.size_variation", self.size_variation, 0.0, 0.9_f32)?;
+        check("leaves.size_gradient", self.size_gradient, -0.9_f32, 0.9_f32)?;
         check("leaves.petiole", self.petiole, 0.0, 100.0)?;
         check("leaves.petiole_radius", self.petiole_radius, 0.0, 0.5)?;
         check("leaves.pitch", self.pitch, 0.0, PI)?;

@@ -4,7 +4,7 @@
 //! stream of its own, so that thinning one out changes no other.
 
 use super::Phyllotaxis;
-use crate::error::Result;
+use crate::error::{ModelError, Result};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::f32::consts::TAU;
@@ -83,14 +83,19 @@ impl Budget<'_> {
     /// Asks for `more`.
     pub(super) fn ask(&self, more: u64) -> Result<()> {
         self.control.check()?;
-        // Rows are named by 32 bits.
-        let cap = self.control.limits.cap(self.resource).min(u64::from(NO_PARENT) - 1);
         let before = self.used.fetch_add(more, Ordering::Relaxed);
-        if before.saturating_add(more) > cap {
-            let requested = self.most.max(cap.saturating_add(1));
-            return Err(LimitError { resource: self.resource, requested, cap }.into());
-        }
-        Ok(())
+        if before.saturating_add(more) > self.cap() { Err(self.refusal()) } else { Ok(()) }
+    }
+
+    fn cap(&self) -> u64 {
+        // Rows are named by 32 bits.
+        self.control.limits.cap(self.resource).min(u64::from(NO_PARENT) - 1)
+    }
+
+    fn refusal(&self) -> ModelError {
+        let cap = self.cap();
+        let requested = self.most.max(cap.saturating_add(1));
+        LimitError { resource: self.resource, requested, cap }.into()
     }
 }
 
@@ -107,8 +112,8 @@ pub(super) struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// An upper bound on the number of places at density 1.
-    pub(super) fn most_sites(&self) -> u64 {
+    /// About how many places there are at density 1.
+    pub(super) fn n_sites(&self) -> u64 {
         let positions = self.skeleton.positions();
         let along: f64 = self
             .skeleton
@@ -116,12 +121,12 @@ impl Walk<'_> {
             .filter(|&(_, node)| self.to_tip[node as usize] < self.bearing)
             .map(|(a, b)| {
                 let [a, b] = [a, b].map(|node| positions[node as usize].as_dvec3());
-                // One more for each segment makes up for rounding.
-                a.distance(b) / f64::from(self.spacing) + 1.0
+                a.distance(b) / f64::from(self.spacing)
             })
             .sum();
         // A cast from float saturates.
-        (along as u64).saturating_add(self.axes.len() as u64)
+        let tips = if self.terminal { self.axes.len() as u64 } else { 0 };
+        (along as u64).saturating_add(tips)
     }
 
     /// The most that one place at density 1 may become.
@@ -134,7 +139,7 @@ impl Walk<'_> {
     pub(super) fn parts<T: Send>(
         &self,
         seed: Seed,
-        control: &Control,
+        budget: &Budget<'_>,
         make: impl Fn(&[Site]) -> Result<T> + Sync,
     ) -> Result<(Vec<T>, Tally)> {
         let n_axes = self.axes.len() as u32;
@@ -145,7 +150,7 @@ impl Walk<'_> {
                 let (mut sites, mut tally) = (Vec::new(), Tally::default());
                 for number in start..(start + CHUNK as u32).min(n_axes) {
                     if let Some(axis) = self.axes.get(number) {
-                        self.axis(axis, seed, control, &mut sites, &mut tally)?;
+                        self.axis(axis, seed, budget, &mut sites, &mut tally)?;
                     }
                 }
                 Ok((make(&sites)?, tally))
@@ -165,7 +170,7 @@ impl Walk<'_> {
         &self,
         axis: Axis<'_>,
         seed: Seed,
-        control: &Control,
+        budget: &Budget<'_>,
         sites: &mut Vec<Site>,
         tally: &mut Tally,
     ) -> Result<()> {
@@ -183,7 +188,7 @@ impl Walk<'_> {
         // Distance along the shoot until the next place.
         let mut ahead = uniform(&mut rng, 0.3, 1.0) * self.spacing;
         for &node in axis.nodes {
-            control.check()?;
+            budget.control.check()?;
             let Some(below) = self.skeleton.parent(node) else {
                 continue;
             };
@@ -212,6 +217,9 @@ impl Walk<'_> {
                 let at = Site { node, below, share, point, radius, age, ..course.site() };
                 sites.push(at);
                 tally.sites += 1;
+                if tally.sites > budget.cap() {
+                    return Err(budget.refusal());
+                }
             }
             ahead = (ahead + n_steps as f32 * step - length).max(0.0);
         }

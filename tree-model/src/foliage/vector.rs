@@ -31,6 +31,16 @@ pub(super) fn turn_toward(from: Vec3, target: Vec3, amount: f32) -> Vec3 {
     (turned / sum).try_normalize().unwrap_or(from)
 }
 
+/// The shortest turn from one unit vector to another. Unlike glam's it does not take small angles, of
+/// which a shoot has many, for none.
+pub(super) fn arc(from: Vec3, to: Vec3) -> Quat {
+    let half = 1.0 + from.dot(to);
+    if half < 1e-6 {
+        return Quat::from_rotation_arc(from, to);
+    }
+    Quat::from_vec4(from.cross(to).extend(half)).normalize()
+}
+
 /// The frame with +Y along `along` and +Z as near to `up` as that allows.
 pub(super) fn frame(along: Vec3, up: Vec3) -> Quat {
     let face = across(up, along).unwrap_or_else(|| along.any_orthonormal_vector());

@@ -92,7 +92,7 @@ pub fn grow_twigs_in(
     grow(skeleton, params, Some(density), seed, control)
 }
 
-/// Twigs of one part of the work; parents count from `OLD` on for new nodes.
+/// Twigs of one part of the work.
 #[derive(Default)]
 struct Part {
     positions: Vec<Vec3>,
@@ -130,13 +130,13 @@ fn grow(
         density,
     };
     let n_old = skeleton.len() as u64;
-    let most = n_old.saturating_add(walk.most_sites());
-    control.limits.check(Resource::Nodes, most)?;
+    let n_sites = walk.n_sites();
+    control.limits.check(Resource::Nodes, n_old.max(n_sites))?;
     let used = AtomicU64::new(n_old);
-    let most = most.saturating_mul(walk.most_each());
+    let most = n_old.saturating_add(n_sites.saturating_mul(walk.most_each()));
     let budget = Budget { control, resource: Resource::Nodes, used, most };
     let axis_of = axes.axis_of();
-    let (parts, tally) = walk.parts(seed, control, |sites| {
+    let (parts, tally) = walk.parts(seed, &budget, |sites| {
         // A segment at an axis's base starts on another axis: its twigs go to its own upper node.
         let host = |site: &Site| {
             let own = axis_of.get(site.below as usize) == axis_of.get(site.node as usize);

@@ -151,23 +151,23 @@ impl TwigParams {
         }
         self.arrangement.validate("twigs.arrangement")?;
         check("twigs.levels", self.levels, 1, 3)?;
-        check("twigs.per_metre", self.per_metre, 1e-3, 1e4)?;
+        check("twigs.per_metre", self.per_metre, 1e-3_f32, 1e4)?;
         check("twigs.bearing", self.bearing, 0.0, 1e6)?;
         check("twigs.crowd", self.crowd, 1, 64)?;
-        check("twigs.length", self.length, 1e-5, 1e6)?;
-        check("twigs.length_variation", self.length_variation, 0.0, 0.9)?;
+        check("twigs.length", self.length, 1e-5_f32, 1e6)?;
+        check("twigs.length_variation", self.length_variation, 0.0, 0.9_f32)?;
         check("twigs.taper", self.taper, -1.0, 1.0)?;
         check("twigs.terminal", self.terminal, 0.0, 1.0)?;
         check("twigs.lateral", self.lateral, 0.0, 1.0)?;
-        check("twigs.internode", self.internode, 1e-5, 1e6)?;
+        check("twigs.internode", self.internode, 1e-5_f32, 1e6)?;
         check("twigs.angle", self.angle, 0.0, PI)?;
         check("twigs.jitter", self.jitter, 0.0, PI)?;
-        check("twigs.stiffness", self.stiffness, 1e-4, 1e6)?;
+        check("twigs.stiffness", self.stiffness, 1e-4_f32, 1e6)?;
         check("twigs.load", self.load, 0.0, 1000.0)?;
         check("twigs.gravitropism", self.gravitropism, -1000.0, 1000.0)?;
         check("twigs.phototropism", self.phototropism, -1000.0, 1000.0)?;
         check_light("twigs.light", self.light)?;
-        check("twigs.tip_radius", self.tip_radius, 1e-6, 100.0)?;
+        check("twigs.tip_radius", self.tip_radius, 1e-6_f32, 100.0)?;
         check("twigs.radius_taper", self.radius_taper, 0.0, 1.0)?;
         check("twigs.pipe_exponent", self.pipe_exponent, 1.0, 10.0)?;
         check("twigs.radius_share", self.radius_share, 0.0, 1.0)

@@ -23,6 +23,8 @@ pub(super) struct Internode {
     /// Turn of its frame (+Y along, +Z the upper side) against the one below, or for the first one
     /// its frame in the tree.
     pub(super) turn: Quat,
+    /// A further turn in that frame once it is levelled: of a module against the last.
+    pub(super) swing: Quat,
     /// Whether it starts an axis, so that its frame is levelled.
     pub(super) starts: bool,
 }
@@ -111,13 +113,19 @@ impl<'a> Planner<'a> {
         let mut below = shoot.below;
         for k in 0..n {
             let turn = if k == 0 { shoot.turn } else { self.wander(rng) };
-            let turn = turn * modules.turn(k);
-            self.internodes.push(Internode { below, length, turn, starts: k == 0 });
+            let swing = modules.turn(k);
+            self.internodes.push(Internode { below, length, turn, swing, starts: k == 0 });
             let node = self.internodes.len() as u32 - 1;
             if modules.ends(k + 1, n) && modules.stub > 0.0 {
                 let length = length * modules.stub;
                 let turn = Quat::IDENTITY;
-                self.internodes.push(Internode { below: Some(node), length, turn, starts: false });
+                self.internodes.push(Internode {
+                    below: Some(node),
+                    length,
+                    turn,
+                    swing: turn,
+                    starts: false,
+                });
             }
             below = Some(node);
             if bears && k + 1 < n {

@@ -20,7 +20,7 @@ pub fn refine(
     spacing: f32,
     control: &Control,
 ) -> Result<Reordered> {
-    check("spacing", spacing, 1e-5, 1e6)?;
+    check("spacing", spacing, 1e-5_f32, 1e6)?;
     check("bearing", bearing, 0.0, 1e6)?;
     let to_tip = skeleton.distances_to_tip();
     let (positions, radii) = (skeleton.positions(), skeleton.radii());

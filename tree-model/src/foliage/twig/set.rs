@@ -13,7 +13,7 @@
 
 use super::params::TwigParams;
 use super::plan::{Internode, level};
-use crate::foliage::vector::turn_toward;
+use crate::foliage::vector::{arc, turn_toward};
 use glam::{Quat, Vec3};
 use std::f64::consts::PI;
 
@@ -134,6 +134,7 @@ impl Setter {
             if internode.starts {
                 rotation = level(rotation);
             }
+            rotation *= internode.swing;
             let length = f64::from(internode.length);
             let radius = scale * (state.radius + 0.5 * f64::from(params.radius_taper) * length);
             let own = length * (WOOD_DENSITY * PI * radius * radius + f64::from(params.load));
@@ -145,7 +146,7 @@ impl Setter {
             let straight = rotation * Vec3::Y;
             let turned = turn_toward(straight, Vec3::NEG_Y, down);
             let turned = turn_toward(turned, light, params.phototropism * internode.length);
-            rotation = (Quat::from_rotation_arc(straight, turned) * rotation).normalize();
+            rotation = (arc(straight, turned) * rotation).normalize();
             // A first internode starts on the host's axis and must come out of its wood.
             let inside =
                 if internode.below.is_none() { host_radius.min(THICKEST_HOST) } else { 0.0 };
