@@ -115,7 +115,7 @@ pub fn grow_leaves_with_stalks(
         let Leaves { foliage, report } = leaves;
         return Ok(StalkedLeaves { skeleton: skeleton.clone(), foliage, report });
     }
-    add_stalks(skeleton, params, &layout, leaves, &wholes, control)
+    add_stalks(skeleton, params, &layout, &leaves, &wholes, control)
 }
 
 /// Leaves, and if they are wanted the leaves as wholes.
@@ -195,7 +195,7 @@ fn add_stalks(
     skeleton: &Skeleton,
     params: &LeafParams,
     layout: &Layout,
-    leaves: Leaves,
+    leaves: &Leaves,
     wholes: &[Whole],
     control: &Control,
 ) -> Result<StalkedLeaves> {

@@ -350,6 +350,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
             lateral: 0.4,
             angle: 0.95,
             jitter: 0.1,
+            stiffness: 10.0,
             phototropism: 0.0,
             ..TWIGS
         },
