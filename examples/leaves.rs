@@ -1,5 +1,6 @@
 //! Close-ups of shoots, one for each arrangement and form of leaves and each habit of twigs:
-//! `out/leaves_NAME.png`, and all of them on one sheet, `out/leaves.png`.
+//! `out/leaves_NAME.png`, and all of them on one sheet, `out/leaves.png`. `out/leaves_habits.png` has
+//! one tree with six kinds of twigs, as Neubert's Fig. 5.9.
 //!
 //! `cargo run --release --example leaves -- [FOLDER] [TILE_PX] [NAME]`
 
@@ -14,8 +15,9 @@ use tree_mesh::texture::{LeafShape, leaf_shape, leaf_with};
 use tree_mesh::{Alpha, LeafLook, Look, Material, MeshParams};
 use tree_model::foliage::{
     Branching, LeafParams, Phyllotaxis, SpeciesPreset, TwigParams, grow_leaves_with_stalks,
-    grow_twigs,
+    grow_twigs, refine,
 };
+use tree_model::path::PathParams;
 
 /// Pictures in a row.
 const COLUMNS: u32 = 4;
@@ -50,7 +52,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if only.is_none() {
         let path = folder.join("leaves.png");
-        sheet(&pictures, tile)?.save(&path)?;
+        sheet(&pictures, COLUMNS, tile)?.save(&path)?;
+        println!("{}", path.display());
+        let path = folder.join("leaves_habits.png");
+        sheet(&habits(tile)?, 3, tile)?.save(&path)?;
         println!("{}", path.display());
     }
     Ok(())
@@ -79,9 +84,14 @@ fn draw(scene: &Scene, tile: u32) -> Result<Picture, Box<dyn Error>> {
         None => Tree::bare(skeleton, species),
     };
     println!("{}: {} twig nodes, {} blades", scene.name, twig_nodes, tree.foliage().len());
-    let look = look(tree.species())?;
-    let mesh = tree_mesh::build(&tree, &look, &MeshParams::default(), &control)?.mesh;
-    let framing = Framing { yaw: 0.25, pitch: scene.pitch, margin: 0.05, ..Framing::default() };
+    picture(&tree, &look(tree.species())?, scene.pitch, tile)
+}
+
+/// A tree on grey paper, seen from `pitch` above.
+fn picture(tree: &Tree, look: &Look, pitch: f32, tile: u32) -> Result<Picture, Box<dyn Error>> {
+    let control = Control::default();
+    let mesh = tree_mesh::build(tree, look, &MeshParams::default(), &control)?.mesh;
+    let framing = Framing { yaw: 0.25, pitch, margin: 0.05, ..Framing::default() };
     let view = View { width: tile, height: tile, samples: 3, camera: Camera::Framed(framing) };
     let style = Style { ground: None, ..Style::studio() };
     Ok(preview::render(&mesh, &view, &style, &control)?)
@@ -297,14 +307,47 @@ fn plain_copy(scene: &Scene) -> Scene {
     Scene { twigs: scene.twigs.clone(), leaves: scene.leaves.clone(), ..*scene }
 }
 
+/// One tree with twigs that differ in little: bushy, upright, hanging, weeping, zig-zag, flat.
+fn habits(tile: u32) -> Result<Vec<Picture>, Box<dyn Error>> {
+    let (control, seed) = (Control::default(), Seed(3));
+    let oak = PathParams { leaves: None, ..PathParams::oak()? };
+    let oak = oak.grow(seed, &control)?.tree.into_parts();
+    let twigs = TwigParams {
+        per_metre: 7.0,
+        bearing: 0.8,
+        length: 0.8,
+        internode: 0.1,
+        tip_radius: 0.0015,
+        load: 0.0,
+        ..TwigParams::DEFAULT
+    };
+    let limp = TwigParams { length: 1.1, lateral: 0.3, phototropism: 0.0, ..twigs.clone() };
+    let all = [
+        TwigParams { length: 0.5, angle: 1.1, jitter: 0.5, lateral: 0.7, ..twigs.clone() },
+        TwigParams { gravitropism: -4.0, stiffness: 30.0, angle: 1.0, ..twigs.clone() },
+        TwigParams { stiffness: 0.1, ..limp.clone() },
+        TwigParams { stiffness: 0.02, levels: 1, per_metre: 12.0, length: 1.6, ..limp },
+        TwigParams { branching: Branching::zigzag(0.8), jitter: 0.1, ..twigs.clone() },
+        TwigParams { arrangement: Phyllotaxis::Distichous, jitter: 0.05, ..twigs },
+    ];
+    let fine = refine(&oak.skeleton, 0.8, 0.15, &control)?.skeleton;
+    all.iter()
+        .map(|params| {
+            let grown = grow_twigs(&fine, params, seed, &control)?;
+            let tree = Tree::bare(grown.skeleton, oak.species.clone());
+            picture(&tree, &look(tree.species())?, 0.05, tile)
+        })
+        .collect()
+}
+
 /// Pictures side by side.
-fn sheet(pictures: &[Picture], tile: u32) -> Result<RgbaImage, Box<dyn Error>> {
-    let rows = (pictures.len() as u32).div_ceil(COLUMNS);
-    let mut sheet = RgbaImage::new(COLUMNS * tile, rows * tile);
+fn sheet(pictures: &[Picture], columns: u32, tile: u32) -> Result<RgbaImage, Box<dyn Error>> {
+    let rows = (pictures.len() as u32).div_ceil(columns);
+    let mut sheet = RgbaImage::new(columns * tile, rows * tile);
     for (i, picture) in (0_u32..).zip(pictures) {
         let image = RgbaImage::from_raw(picture.width, picture.height, picture.pixels.clone())
             .ok_or("a picture with too few pixels")?;
-        let (x, y) = (i % COLUMNS * tile, i / COLUMNS * tile);
+        let (x, y) = (i % columns * tile, i / columns * tile);
         imageops::replace(&mut sheet, &image, i64::from(x), i64::from(y));
     }
     Ok(sheet)

@@ -49,6 +49,9 @@ pub struct LeafReport {
 
 /// Grows leaves on `skeleton`.
 ///
+/// Leaflets of a compound leaf name the shoot's node, so that a mesher that draws petioles leads each to
+/// the shoot; [`grow_leaves_with_stalks`] gives them their rachis.
+///
 /// # Errors
 /// [`ModelError::Parameter`](crate::ModelError::Parameter) or
 /// [`ModelError::NotFinite`](crate::ModelError::NotFinite) for parameters out of range, where a kind
