@@ -8,7 +8,7 @@ use image::{RgbaImage, imageops};
 use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
-use tree_core::glam::Vec3;
+use tree_core::glam::{Vec2, Vec3};
 use tree_core::{Control, Seed, Skeleton, Species, Tree};
 use tree_lod::preview::{self, Camera, Framing, Picture, Style, View};
 use tree_mesh::texture::{LeafShape, leaf_shape, leaf_with};
@@ -104,8 +104,8 @@ fn shoot((length, radius, lean, bend): (f32, f32, f32, f32)) -> Result<Skeleton,
     let mut at = Vec3::ZERO;
     for i in 1..=n {
         let share = i as f32 / n as f32;
-        let (sin, cos) = (lean - bend * share).sin_cos();
-        at += Vec3::new(sin, cos, 0.0) * (length / n as f32);
+        let along = Vec2::from_angle(lean - bend * share);
+        at += Vec3::new(along.y, along.x, 0.0) * (length / n as f32);
         builder.add(i - 1, at, radius * (1.0 - 0.75 * share))?;
     }
     Ok(builder.finish())
@@ -233,7 +233,6 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
             twigs: Some(species("spruce")?.twigs.clone()),
             leaves: leaves_of("spruce")?,
             pitch: 0.6,
-            ..plain_copy(&plain)
         },
         Scene {
             name: "frond",
