@@ -3,13 +3,19 @@
 use crate::error::{CoreError, Result, check_finite, check_range};
 use glam::{Quat, Vec3};
 
-/// One leaf, as it goes into and comes out of a [`Foliage`].
+/// One leaf, as it goes into and comes out of a [`Foliage`]: one blade (lamina). Each leaflet of a
+/// compound leaf and each needle of a fascicle is a leaf of its own.
+///
+/// The petiole is not stored. It runs from the point of the bearing segment (from the parent of
+/// [`node`](Self::node) to `node`) that is nearest to [`position`](Self::position), out to `position`;
+/// who draws leaves may draw it, and the part of it that is inside the wood does not show. Where
+/// petioles and rachises are branches of the skeleton, `node` is the stalk's, and nothing is left to draw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Leaf {
     /// Skeleton node that bears the leaf.
     pub node: u32,
-    /// Where the leaf is attached, in metres (the base of the petiole).
+    /// Base of the blade in metres: where the petiole ends, off the shoot by the petiole's length.
     pub position: Vec3,
     /// Turns the leaf's own frame into the tree's. In its own frame a leaf starts at the origin,
     /// its midrib runs along +Y and its upper face looks along +Z.
@@ -111,7 +117,7 @@ impl Foliage {
         &self.nodes
     }
 
-    /// Where each leaf is attached, in metres.
+    /// The base of each leaf's blade, in metres.
     #[must_use]
     pub fn positions(&self) -> &[Vec3] {
         &self.positions

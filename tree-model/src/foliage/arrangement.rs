@@ -1,5 +1,6 @@
 //! Phyllotaxis: how leaves are arranged on a shoot.
 
+use crate::error::{Result, check};
 use std::f32::consts::{FRAC_PI_2, PI};
 
 /// The golden angle, 137.508°: the usual divergence of spiral leaves.
@@ -29,11 +30,14 @@ pub enum Phyllotaxis {
 
 impl Default for Phyllotaxis {
     fn default() -> Self {
-        Self::Spiral { divergence: GOLDEN_ANGLE }
+        Self::GOLDEN
     }
 }
 
 impl Phyllotaxis {
+    /// A spiral at the golden angle, the default.
+    pub const GOLDEN: Self = Self::Spiral { divergence: GOLDEN_ANGLE };
+
     /// Leaves at one node.
     #[must_use]
     pub fn per_node(self) -> u32 {
@@ -53,6 +57,22 @@ impl Phyllotaxis {
             Self::Opposite => 0.0,
             Self::Decussate => FRAC_PI_2,
             Self::Whorled { count } => PI / count.max(1) as f32,
+        }
+    }
+
+    /// Whether all leaves lie in one plane.
+    pub(crate) const fn is_flat(self) -> bool {
+        matches!(self, Self::Distichous | Self::Opposite)
+    }
+
+    /// Checks its numbers; `field` is what it is called by.
+    pub(crate) fn validate(self, field: &str) -> Result<()> {
+        match self {
+            Self::Spiral { divergence } => {
+                check(format!("{field}.divergence"), divergence, -2.0 * PI, 2.0 * PI)
+            }
+            Self::Whorled { count } => check(format!("{field}.count"), count, 3, 64),
+            _ => Ok(()),
         }
     }
 }

@@ -1,8 +1,16 @@
+//! Arrangement and bearing of simple leaves; what the other files share.
+
+mod density;
+mod forms;
+mod robust;
+mod twigs;
+
 use super::*;
 use crate::ModelError;
 use glam::Vec3;
 use std::f32::consts::TAU;
 use tree_core::Limits;
+use tree_core::{Control, Foliage, Seed, Skeleton};
 
 /// A straight upright shoot of `length` metres in segments of 5 cm.
 fn shoot(length: f32) -> Skeleton {
@@ -45,8 +53,11 @@ fn each_arrangement_turns_by_its_divergence() {
         (Phyllotaxis::Decussate, TAU / 4.0),
         (Phyllotaxis::Whorled { count: 3 }, TAU / 6.0),
     ];
-    for (arrangement, divergence) in cases {
-        let foliage = grow(&shoot(2.0), &calm(arrangement));
+    for ((arrangement, divergence), petiole) in
+        cases.into_iter().flat_map(|case| [(case, 0.0), (case, 1.5)])
+    {
+        let params = LeafParams { petiole, ..calm(arrangement) };
+        let foliage = grow(&shoot(2.0), &params);
         let per_node = arrangement.per_node() as usize;
         let angles = angles(&foliage);
         for pair in angles.chunks(per_node).collect::<Vec<_>>().windows(2) {
