@@ -42,17 +42,18 @@ pub struct MeshParams {
     pub flare_lobes: u32,
     /// How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
     pub flare_lobe_depth: f32,
-    /// Factor on the length of every leaf card, 0.01 to 100. Default 1.
+    /// Factor on the length of every leaf, 0.01 to 100. Default 1.
     pub leaf_scale: f32,
-    /// Factor on the width of every leaf card, 0.01 to 100. Default 1: the card has the width of
-    /// its [`LeafLook`](crate::LeafLook).
+    /// Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its
+    /// [`LeafLook`](crate::LeafLook) says.
     pub leaf_width: f32,
-    /// Bends leaf cards down at half their length, 0 to π/2. Default 0: flat, two triangles a leaf;
-    /// four otherwise.
-    pub leaf_bend: f32,
-    /// How far leaf normals turn from the card's own towards the outside of the crown, 0 to 1.
+    /// How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
     /// Default 0.6: soft light over the whole crown.
     pub leaf_rounding: f32,
+    /// Whether vertices get tangents, 16 bytes each. Default true.
+    pub tangents: bool,
+    /// Whether vertices get texture coordinates for a light map, 8 bytes each. Default false.
+    pub lightmap: bool,
 }
 
 impl Default for MeshParams {
@@ -73,8 +74,9 @@ impl Default for MeshParams {
             flare_lobe_depth: 0.5,
             leaf_scale: 1.0,
             leaf_width: 1.0,
-            leaf_bend: 0.0,
             leaf_rounding: 0.6,
+            tangents: true,
+            lightmap: false,
         }
     }
 }
@@ -100,7 +102,6 @@ impl MeshParams {
             ("flare_lobe_depth", f64::from(self.flare_lobe_depth), 0.0, 0.9),
             ("leaf_scale", f64::from(self.leaf_scale), 0.01, 100.0),
             ("leaf_width", f64::from(self.leaf_width), 0.01, 100.0),
-            ("leaf_bend", f64::from(self.leaf_bend), 0.0, std::f64::consts::FRAC_PI_2),
             ("leaf_rounding", f64::from(self.leaf_rounding), 0.0, 1.0),
         ] {
             // The bounds are decimals; a field given the same decimal as f32 may lie half a step
@@ -127,7 +128,7 @@ mod tests {
             sides_max: 3,
             side_error: 1e-5,
             radius_min: 0.1,
-            leaf_bend: std::f32::consts::FRAC_PI_2,
+            leaf_rounding: 1.0,
             flare_lobe_depth: 0.9,
             ..Default::default()
         };
@@ -145,7 +146,6 @@ mod tests {
         assert!(error(|p| p.sides_max = 2).starts_with("sides_max"));
         assert!(error(|p| p.curve_error = f32::NAN).starts_with("curve_error"));
         assert!(error(|p| p.radius_min = 0.0).starts_with("radius_min"));
-        assert!(error(|p| p.leaf_bend = 2.0).starts_with("leaf_bend"));
         assert!(error(|p| p.leaf_rounding = -0.1).starts_with("leaf_rounding"));
     }
 }
