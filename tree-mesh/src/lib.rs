@@ -24,6 +24,7 @@ mod columns;
 mod error;
 mod flare;
 mod frame;
+pub mod instance;
 pub mod io;
 mod leaf;
 mod lightmap;

@@ -10,6 +10,7 @@ use glam::Vec2;
 pub(crate) const BARK: (f32, f32) = (0.0, 0.5);
 /// Lower and upper end in v of what leaves may use.
 const LEAVES: (f32, f32) = (0.5, 1.0);
+const _: () = assert!(BARK.1 <= LEAVES.0, "bark and leaves do not overlap");
 /// Empty share on each side of a leaf's cell.
 const MARGIN: f64 = 0.06;
 
