@@ -11,8 +11,11 @@ use tree_model::path::Preset;
 /// Views round the tree.
 const VIEWS: u32 = 4;
 
+/// The preset with leaves eight times as near to each other: a hundred thousand single ones.
 fn grow(preset: &str) -> Tree {
-    let params = Preset::find(preset).unwrap().params().unwrap();
+    let mut params = Preset::find(preset).unwrap().params().unwrap();
+    let leaves = params.leaves.as_mut().unwrap();
+    (leaves.spacing, leaves.size) = (leaves.spacing / 8.0, leaves.size / 3.0);
     params.grow(Seed(3), &Control::default()).unwrap().tree
 }
 
@@ -60,6 +63,7 @@ fn a_leafy_tree_of_thirty_twigs_is_ten_times_smaller_and_keeps_its_outline() {
     let flat = made.flatten(&Control::default()).unwrap();
     let outline = agreement(&plain, &flat);
     let (leaves, drawn) = report.n_leaves;
+    assert!(leaves > 90_000, "{leaves}");
     println!("{report:?}, {} bytes plain, silhouettes agree to {outline:.3}", bytes(&plain));
     assert!(report.n_twigs <= 30);
     assert!(report.ratio >= 10.0 && bytes(&plain) >= 10 * report.bytes);

@@ -93,8 +93,8 @@ fn leaves(c: &mut Criterion) {
     let look = Look::plain(tree.species());
     let mut group = c.benchmark_group("leaves");
     group.sample_size(10);
-    let full = MeshParams { lightmap: true, ..Default::default() };
-    let lean = MeshParams { tangents: false, leaf_rounding: 0.0, ..Default::default() };
+    let full = MeshParams { tangents: true, lightmap: true, ..Default::default() };
+    let lean = MeshParams { leaf_rounding: 0.0, ..Default::default() };
     for (name, n_threads, params) in [
         ("default", 1, MeshParams::default()),
         ("default", 2, MeshParams::default()),

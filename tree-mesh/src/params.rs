@@ -50,7 +50,9 @@ pub struct MeshParams {
     /// How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
     /// Default 0.6: soft light over the whole crown.
     pub leaf_rounding: f32,
-    /// Whether vertices get tangents, 16 bytes each. Default true.
+    /// Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default false:
+    /// built-in materials have none, and with tangents ten million triangles of leaf cards would take
+    /// more than a gigabyte.
     pub tangents: bool,
     /// Whether vertices get texture coordinates for a light map, 8 bytes each. Default false.
     pub lightmap: bool,
@@ -75,7 +77,7 @@ impl Default for MeshParams {
             leaf_scale: 1.0,
             leaf_width: 1.0,
             leaf_rounding: 0.6,
-            tangents: true,
+            tangents: false,
             lightmap: false,
         }
     }

@@ -5,7 +5,8 @@
 //!    a descriptor: leaves, thickness, spread, direction against gravity.
 //! 3. [`cluster`]: occurrences are grouped; of each group the one nearest to its mean becomes a twig.
 //! 4. [`parts`]: base and twigs become meshes; every occurrence is replaced by its group's twig.
-//! 5. The length is raised until the whole is as much smaller than the flattened tree as asked.
+//! 5. Several lengths and numbers are tried; of those that make the whole as much smaller than the
+//!    flattened tree as asked, the truest is taken.
 //!
 //! [`InstancedTree::flatten`] makes one plain mesh again.
 
@@ -23,7 +24,9 @@ use glam::{Quat, Vec3};
 use tree_core::{Control, Seed, Tree};
 
 /// Lengths of subtrees that are tried, as share of the longest path through the tree.
-const REACHES: [f32; 9] = [0.02, 0.03, 0.045, 0.065, 0.09, 0.13, 0.18, 0.25, 0.35];
+const REACHES: [f32; 9] = [0.03, 0.045, 0.065, 0.09, 0.13, 0.18, 0.25, 0.35, 0.5];
+/// Numbers of twigs that are tried, as share of the most, until one is small enough.
+const NUMBERS: [f32; 6] = [1.0, 0.7, 0.5, 0.35, 0.2, 0.1];
 /// Bytes of an instance: translation, rotation and scale as glTF stores them, and its branch.
 const INSTANCE_BYTES: u64 = 12 + 16 + 12 + 4;
 
@@ -32,8 +35,8 @@ const INSTANCE_BYTES: u64 = 12 + 16 + 12 + 4;
 pub struct TwigParams {
     /// Most unique twigs, 1 to 1000. Default 30.
     pub twigs_max: u32,
-    /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 12.
-    /// Twigs are kept as short, and so as many, as this allows. Small trees may not reach it: see
+    /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 10.
+    /// The truest way that reaches it is taken. Small trees may not reach it: see
     /// [`TwigReport::ratio`].
     pub ratio: f32,
     /// Length of twigs in metres along the longest path in them, 0.001 to 1000, if it shall not be
@@ -45,7 +48,7 @@ pub struct TwigParams {
 
 impl Default for TwigParams {
     fn default() -> Self {
-        Self { twigs_max: 30, ratio: 12.0, reach: None, seed: Seed(0) }
+        Self { twigs_max: 30, ratio: 10.0, reach: None, seed: Seed(0) }
     }
 }
 
@@ -123,8 +126,8 @@ pub struct TwigReport {
 /// As [`build`](crate::build), and [`MeshError::Parameter`] for the twigs' parameters.
 ///
 /// # Complexity
-/// For each length tried (at most nine): O(nodes + leaves), the base mesh, and
-/// O(occurrences × twigs) for the groups; parallel inside.
+/// For each length tried (nine): O(nodes + leaves) and the base mesh; for each number of twigs (six
+/// at most) O(occurrences × twigs) for the groups, and the twigs' meshes. Parallel inside.
 pub fn twigs(
     tree: &Tree,
     look: &Look,
@@ -143,36 +146,54 @@ pub fn twigs(
         Some(reach) => vec![reach],
         None => REACHES.iter().map(|share| share * longest).collect(),
     };
+    let scene = Scene { tree, look, params: &params };
     let mut best: Option<InstancedTree> = None;
     for (i, &reach) in reaches.iter().enumerate() {
         control.report("twigs", i as f32 / reaches.len() as f32)?;
-        let made = with_reach(tree, look, &params, twig_params, (reach, &to_tip), control)?;
-        if best.as_ref().is_none_or(|best| made.report.ratio > best.report.ratio) {
-            best = Some(made);
+        let cut = cut::Cut::new(tree, &to_tip, reach);
+        let base = parts::base(scene, &cut, control)?;
+        let bytes_most = |made: &InstancedTree| made.report.bytes_flat as f32 / twig_params.ratio;
+        if best.as_ref().is_some_and(|best| bytes(&base.mesh) as f32 > bytes_most(best)) {
+            // The base alone is too large, whatever the twigs are.
+            continue;
         }
-        if best.as_ref().is_some_and(|best| best.report.ratio >= twig_params.ratio) {
-            break;
+        let forms = describe::describe(tree, &cut);
+        for share in NUMBERS {
+            let n_max = ((twig_params.twigs_max as f32 * share) as usize).max(1);
+            let groups = cluster::group(&forms, n_max, twig_params.seed, control)?;
+            let mut made = parts::assemble(scene, &base, &cut, &forms, &groups, control)?;
+            made.report = TwigReport { reach, ..report(&made, tree, &forms, &groups) };
+            let reached = made.report.ratio >= twig_params.ratio;
+            if best
+                .as_ref()
+                .is_none_or(|best| better(&made.report, &best.report, twig_params.ratio))
+            {
+                best = Some(made);
+            }
+            if reached {
+                break;
+            }
         }
     }
     control.report("done", 1.0)?;
     Ok(best.unwrap_or_default())
 }
 
-fn with_reach(
-    tree: &Tree,
-    look: &Look,
-    params: &MeshParams,
-    twig_params: &TwigParams,
-    (reach, to_tip): (f32, &[f32]),
-    control: &Control,
-) -> Result<InstancedTree> {
-    let cut = cut::Cut::new(tree, to_tip, reach);
-    let forms = describe::describe(tree, &cut);
-    let groups = cluster::group(&forms, twig_params.twigs_max as usize, twig_params.seed, control)?;
-    let mut made = parts::assemble(tree, look, params, &cut, &forms, &groups, control)?;
-    made.report = report(&made, tree, &forms, &groups);
-    made.report.reach = reach;
-    Ok(made)
+/// What is meshed, and how.
+#[derive(Clone, Copy)]
+struct Scene<'a> {
+    tree: &'a Tree,
+    look: &'a Look,
+    params: &'a MeshParams,
+}
+
+/// Small enough comes first; of two that are, the truer one; of two that are not, the smaller.
+fn better(a: &TwigReport, b: &TwigReport, ratio: f32) -> bool {
+    match (a.ratio >= ratio, b.ratio >= ratio) {
+        (true, true) => a.deviation < b.deviation,
+        (false, false) => a.ratio > b.ratio,
+        (a, _) => a,
+    }
 }
 
 fn report(
@@ -201,12 +222,12 @@ fn report(
     TwigReport {
         n_twigs: made.twigs.len(),
         n_instances,
-        reach: 0.0,
         bytes: bytes_all,
         bytes_flat,
         ratio: (bytes_flat as f64 / bytes_all.max(1) as f64) as f32,
         n_leaves: (tree.foliage().len() as u64, n_leaves(&made.base) + repeated(n_leaves)),
         deviation: if weight > 0.0 { libm::sqrt(sum / weight) as f32 } else { 0.0 },
+        ..Default::default()
     }
 }
 

@@ -3,52 +3,69 @@
 use super::cluster::Groups;
 use super::cut::{BASE, Cut};
 use super::describe::Form;
-use super::{InstancedTree, Twig};
+use super::{InstancedTree, Scene, Twig};
 use crate::build::build;
 use crate::error::Result;
-use crate::look::Look;
+use crate::mesh::Mesh;
 use crate::params::MeshParams;
 use glam::Vec3;
 use tree_core::{Control, Foliage, Leaf, Skeleton, Tree};
 
-/// Meshes of base and twigs, and the instances; without a report.
+/// What is left of the tree without its occurrences.
+pub(super) struct Base {
+    pub(super) mesh: Mesh,
+    /// Branch of each node of the whole tree that is part of the base; 0 for others.
+    branch_of: Vec<u32>,
+}
+
+/// The base as a mesh.
+pub(super) fn base(scene: Scene<'_>, cut: &Cut, control: &Control) -> Result<Base> {
+    let (tree, numbers) = base_tree(scene.tree, cut)?;
+    let mesh = build(&tree, scene.look, scene.params, &quiet(control))?.mesh;
+    let axes = tree.skeleton().axes(scene.params.continuation);
+    let branch = |&number: &u32| axes.axis_of().get(number as usize).copied().unwrap_or(0);
+    Ok(Base { mesh, branch_of: numbers.iter().map(branch).collect() })
+}
+
+/// Callbacks hear of the whole, not of its parts.
+fn quiet(control: &Control) -> Control {
+    control.clone().with_progress(|_| {})
+}
+
+/// Base, twigs and instances; without a report.
 pub(super) fn assemble(
-    tree: &Tree,
-    look: &Look,
-    params: &MeshParams,
+    scene: Scene<'_>,
+    base: &Base,
     cut: &Cut,
     forms: &[Form],
     groups: &Groups,
     control: &Control,
 ) -> Result<InstancedTree> {
-    // Callbacks hear of the whole, not of its parts.
-    let quiet = control.clone().with_progress(|_| {});
-    let (base, numbers) = base(tree, cut)?;
-    let mesh = build(&base, look, params, &quiet)?.mesh;
-    let flat = MeshParams { flare: 0.0, ..*params };
+    let Scene { tree, look, params } = scene;
+    let params = MeshParams { flare: 0.0, ..*params };
     let axes = tree.skeleton().axes(params.continuation);
     let mut twigs = Vec::with_capacity(groups.medoids.len());
     for &medoid in &groups.medoids {
         control.check()?;
         let twig = twig(tree, cut, forms, medoid as usize, axes.axis_of())?;
-        twigs.push(Twig { mesh: build(&twig, look, &flat, &quiet)?.mesh, ..Twig::default() });
+        let mesh = build(&twig, look, &params, &quiet(control))?.mesh;
+        twigs.push(Twig { mesh, ..Twig::default() });
     }
-    let base_axes = base.skeleton().axes(params.continuation);
     for (number, (form, &group)) in forms.iter().zip(&groups.of).enumerate() {
         let medoid = groups.medoids.get(group as usize).and_then(|&m| forms.get(m as usize));
         if let (Some(twig), Some(medoid)) = (twigs.get_mut(group as usize), medoid) {
-            let bearer = numbers[cut.bearer(tree.skeleton(), number) as usize];
+            let bearer = cut.bearer(tree.skeleton(), number);
             twig.translations.push(form.origin);
             twig.rotations.push(form.rotation);
             twig.scales.push(Vec3::splat(form.size / medoid.size));
-            twig.branches.push(base_axes.axis_of().get(bearer as usize).copied().unwrap_or(0));
+            twig.branches.push(base.branch_of.get(bearer as usize).copied().unwrap_or(0));
         }
     }
-    Ok(InstancedTree { base: mesh, twigs, ..Default::default() })
+    Ok(InstancedTree { base: base.mesh.clone(), twigs, ..Default::default() })
 }
 
 /// The tree without occurrences, and the new number of each node.
-fn base(tree: &Tree, cut: &Cut) -> Result<(Tree, Vec<u32>)> {
+fn base_tree(tree: &Tree, cut: &Cut) -> Result<(Tree, Vec<u32>)> {
     let skeleton = tree.skeleton();
     let mut numbers = vec![0_u32; skeleton.len()];
     let mut builder = Skeleton::builder(skeleton.positions()[0], skeleton.radii()[0])?;

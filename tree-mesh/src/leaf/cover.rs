@@ -95,8 +95,9 @@ impl Cover {
         reach
     }
 
-    /// The right half along the margin itself: the mean of both sides, neither wider nor narrower.
-    pub(crate) fn half_margin(&self) -> Vec<Vec2> {
+    /// The right side of the margin itself, from the middle: the mean of both sides, neither wider nor
+    /// narrower.
+    pub(crate) fn margin(&self) -> Vec<Vec2> {
         let width = |span: &(f32, f32)| (0.5 * (span.1 - span.0)).clamp(0.0, 0.5);
         let n = self.spans.len();
         let middles = (0..n).map(|k| (k, k as f32 + 0.5));
@@ -106,7 +107,7 @@ impl Cover {
             let width = self.spans.get(band).map_or(0.0, width);
             Vec2::new(width, self.low + height * self.step)
         });
-        close(chain.collect())
+        chain.collect()
     }
 }
 

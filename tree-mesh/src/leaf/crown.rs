@@ -7,14 +7,14 @@
 //!    of few leaves, the ellipsoid that fills their bounds says more.
 //!
 //! Cost: O(leaves), counted in parallel (whole numbers, so the order does not matter), and at most
-//! 34³ cells.
+//! 28³ cells.
 
 use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::Aabb;
 
 /// Most cells along the longest side of the crown.
-const CELLS_MAX: f32 = 28.0;
+const CELLS_MAX: f32 = 20.0;
 /// Fewest; flat crowns are solid that way.
 const CELLS_MIN: f32 = 4.0;
 /// Empty cells on every side, for the blur to run out.
@@ -179,7 +179,8 @@ impl Crown {
         outward
     }
 
-    /// The unit vector that points out of the crown at a place; zero when there is no crown.
+    /// Points out of the crown at a place. At most of unit length, shorter where directions nearby
+    /// disagree; zero when there is no crown.
     #[inline]
     pub(crate) fn outward(&self, place: Vec3) -> Vec3 {
         if self.outward.is_empty() {
@@ -198,6 +199,6 @@ impl Crown {
         let (a, b) = (pair(first), pair(first + up));
         let (c, d) = (pair(first + deep), pair(first + up + deep));
         let (front, back) = (a + (b - a) * share.y, c + (d - c) * share.y);
-        (front + (back - front) * share.z).normalize_or_zero()
+        front + (back - front) * share.z
     }
 }

@@ -179,8 +179,8 @@ fn shapes(scene: Scene<'_>, prototype: &Prototype, part: &mut Part<'_>) {
     }
 }
 
-/// A unit normal between the leaf's own and the crown's (of length `rounding`), the latter on the side
-/// of its sheet. Both halves of a sum of one have a squared length of at least one half.
+/// A unit normal between the leaf's own and the crown's (at most of length `rounding`), the latter on
+/// the side of its sheet.
 #[inline]
 fn soften(own: Vec3, side: Vec3, outward: Vec3, rounding: f32) -> Vec3 {
     if outward == Vec3::ZERO {

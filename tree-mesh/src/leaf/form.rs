@@ -25,7 +25,7 @@ pub enum LeafForm {
     /// outside, drawn without a mask. For close views and for renderers that pay for masks. Leaves are
     /// taken to be alike left and right. Pictures as above stay cards.
     Modelled {
-        /// Most vertices of the polygon, 4 to 64. 12 gives up to 24 triangles when
+        /// Most vertices of the polygon, 4 to 64. 12 gives up to 20 triangles when
         /// folded or bent.
         vertices_max: u32,
     },

@@ -163,7 +163,7 @@ pub(crate) fn model(look: &LeafLook) -> Result<LeafModel> {
     let reach = cover.reach();
     let side = |reach_of: &[f32]| chain::around(&reach.heights, reach_of, vertices_max / 2, 0.5);
     let (drawn, mesh) = if modelled {
-        let half = ring::thin(cover.half_margin(), vertices_max / 2 + 2);
+        let half = cover::close(ring::thin(cover.margin(), vertices_max / 2));
         (2.0 * ring::area(&half), sheet::ladder(&half, look.width, curve))
     } else if curve.is_flat() {
         let left = side(&reach.left).into_iter().rev().map(|p| Vec2::new(0.5 - p.x, p.y));
