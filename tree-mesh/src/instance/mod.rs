@@ -35,7 +35,8 @@ const INSTANCE_BYTES: u64 = 12 + 16 + 12 + 4;
 pub struct TwigParams {
     /// Most unique twigs, 1 to 1000. Default 30.
     pub twigs_max: u32,
-    /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 10.
+    /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
+    /// and some room, for flattened twigs may weigh a little more than those they stand for.
     /// The truest way that reaches it is taken. Small trees may not reach it: see
     /// [`TwigReport::ratio`].
     pub ratio: f32,
@@ -48,7 +49,7 @@ pub struct TwigParams {
 
 impl Default for TwigParams {
     fn default() -> Self {
-        Self { twigs_max: 30, ratio: 10.0, reach: None, seed: Seed(0) }
+        Self { twigs_max: 30, ratio: 11.0, reach: None, seed: Seed(0) }
     }
 }
 
