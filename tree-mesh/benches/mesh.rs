@@ -1,4 +1,4 @@
-//! Bark tubes, leaf cards and writers, in triangles a second, over sizes.
+//! Bark tubes, leaves and writers, in triangles a second, over sizes.
 
 #![allow(clippy::expect_used)]
 
@@ -87,6 +87,30 @@ fn cards(c: &mut Criterion) {
     group.finish();
 }
 
+/// One thread, and the columns and shapes that cost more or less.
+fn leaves(c: &mut Criterion) {
+    let tree = tree(0, 1_300_000);
+    let look = Look::plain(tree.species());
+    let mut group = c.benchmark_group("leaves");
+    group.sample_size(10);
+    let full = MeshParams { tangents: true, lightmap: true, ..Default::default() };
+    let lean = MeshParams { leaf_rounding: 0.0, ..Default::default() };
+    for (name, n_threads, params) in [
+        ("default", 1, MeshParams::default()),
+        ("default", 2, MeshParams::default()),
+        ("all columns", 1, full),
+        ("lean", 1, lean),
+    ] {
+        let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build() else {
+            continue;
+        };
+        group.bench_function(BenchmarkId::new(name, n_threads), |b| {
+            b.iter(|| pool.install(|| build(&tree, &look, &params, &Control::default())));
+        });
+    }
+    group.finish();
+}
+
 fn writers(c: &mut Criterion) {
     let mesh = built(&tree(0, 250_000)).mesh;
     let mut group = c.benchmark_group("write");
@@ -104,5 +128,5 @@ fn writers(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, tubes, cards, writers);
+criterion_group!(benches, tubes, cards, leaves, writers);
 criterion_main!(benches);

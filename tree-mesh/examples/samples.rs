@@ -17,10 +17,9 @@ use tree_mesh::{Alpha, Look, MeshParams, Texture, build};
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "samples".into()));
     std::fs::create_dir_all(&folder)?;
-    let bent = MeshParams { leaf_bend: 0.6, ..Default::default() };
     for (name, tree, params) in [
         ("small", whorls(4, 200)?, MeshParams::default()),
-        ("bent", whorls(4, 200)?, bent),
+        ("bent", whorls(4, 200)?, MeshParams::default()),
         ("large", whorls(60, 40_000)?, MeshParams::default()),
         ("nasty", nasty()?, MeshParams::default()),
     ] {
@@ -28,6 +27,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             let mut look = Look::plain(tree.species());
             if textured {
                 dress(&mut look);
+            }
+            if name == "bent" {
+                look.leaves.iter_mut().for_each(|leaf| leaf.bend = 0.6);
             }
             let built = build(&tree, &look, &params, &Control::default())?;
             let stem = format!("{name}{}", if textured { "_textured" } else { "" });

@@ -10,7 +10,7 @@
 
 use crate::bark::{self, Kind, Plan};
 use crate::error::{MeshError, Result};
-use crate::leaf::{self, Card, Crown};
+use crate::leaf::Leaves;
 use crate::look::Look;
 use crate::mesh::{Mesh, Surface};
 use crate::params::MeshParams;
@@ -57,6 +57,9 @@ pub struct MeshReport {
     pub skipped_nodes: usize,
     /// Leaves of size 0, not drawn.
     pub skipped_leaves: usize,
+    /// Leaf kinds whose picture could not be outlined as their look asks (it has no mask, or nothing
+    /// of it is visible): drawn as cards.
+    pub leaf_fallbacks: Vec<u32>,
 }
 
 /// Builds bark tubes and leaf cards.
@@ -76,14 +79,13 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     let skeleton = tree.skeleton();
     let axes = skeleton.axes(params.continuation);
     let plan = Plan::new(skeleton, &axes, params, control)?;
-    let cards: Vec<Card> = look.leaves.iter().map(|leaf| Card::new(params, leaf.width)).collect();
-    let n_leaves = count_leaves(tree);
+    let leaves = Leaves::new(tree, look, params)?;
 
     let mut triangles = plan.n_triangles;
     check_vertices(0, plan.n_vertices)?;
-    for (kind, (&n, card)) in n_leaves.iter().zip(&cards).enumerate() {
-        check_vertices(kind + 1, n * card.n_vertices() as u64)?;
-        triangles += n * card.n_indices() as u64 / 3;
+    for (kind, (n_vertices, n_triangles)) in leaves.sizes().enumerate() {
+        check_vertices(kind + 1, n_vertices)?;
+        triangles = triangles.saturating_add(n_triangles);
     }
     control.limits.check(Resource::Triangles, triangles)?;
 
@@ -97,16 +99,12 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     bark::fill(&plan, params, &mut bark, control)?;
     let mut surfaces = vec![bark];
     control.report("leaves", 0.5)?;
-    fill_leaves(tree, &n_leaves, &cards, params, control, &mut surfaces)?;
+    leaves.fill(tree, &axes, params, control, &mut surfaces)?;
     control.report("done", 1.0)?;
 
-    let drawn: u64 = n_leaves.iter().sum();
     let mesh = Mesh {
         surfaces,
-        materials: std::iter::once(&look.bark)
-            .chain(look.leaves.iter().map(|leaf| &leaf.material))
-            .cloned()
-            .collect(),
+        materials: std::iter::once(look.bark.clone()).chain(leaves.materials(look)).collect(),
         branches: wind::branches(skeleton, &axes),
     };
     let count_kind = |kind| plan.axes.iter().filter(|axis| axis.kind == kind).count();
@@ -123,7 +121,8 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
         skipped_axes: count_kind(Kind::Skipped),
         moved_axes: plan.n_moved as usize,
         skipped_nodes: plan.curves.n_dropped as usize,
-        skipped_leaves: tree.foliage().len() - drawn as usize,
+        skipped_leaves: tree.foliage().len() - leaves.len(),
+        leaf_fallbacks: leaves.fallbacks(),
     };
     Ok(Built { mesh, report })
 }
@@ -164,51 +163,6 @@ fn new_surface(n_vertices: usize, n_indices: usize, material: usize) -> Surface 
         material: material as u32,
         ..Default::default()
     }
-}
-
-/// Leaves of each kind that can be seen.
-fn count_leaves(tree: &Tree) -> Vec<u64> {
-    let mut counts = vec![0; tree.species().leaf_kinds.len()];
-    let foliage = tree.foliage();
-    for (&kind, &size) in foliage.kinds().iter().zip(foliage.sizes()) {
-        if size > 0.0
-            && let Some(count) = counts.get_mut(usize::from(kind))
-        {
-            *count += 1;
-        }
-    }
-    counts
-}
-
-fn fill_leaves(
-    tree: &Tree,
-    n_leaves: &[u64],
-    cards: &[Card],
-    params: &MeshParams,
-    control: &Control,
-    surfaces: &mut Vec<Surface>,
-) -> Result<()> {
-    let foliage = tree.foliage();
-    let crown = Crown::of(foliage);
-    let mut of_kind: Vec<Vec<u32>> =
-        n_leaves.iter().map(|&n| Vec::with_capacity(n as usize)).collect();
-    let rows = foliage.kinds().iter().zip(foliage.sizes()).enumerate();
-    for (leaf, (&kind, &size)) in rows {
-        if size > 0.0
-            && let Some(leaves) = of_kind.get_mut(usize::from(kind))
-        {
-            leaves.push(leaf as u32);
-        }
-    }
-    for (kind, (leaves, &card)) in of_kind.iter().zip(cards).enumerate() {
-        control.check()?;
-        let (n_vertices, n_indices) =
-            (leaves.len() * card.n_vertices(), leaves.len() * card.n_indices());
-        let mut surface = new_surface(n_vertices, n_indices, kind + 1);
-        leaf::fill(foliage, leaves, card, crown, params.leaf_rounding, &mut surface, control)?;
-        surfaces.push(surface);
-    }
-    Ok(())
 }
 
 #[cfg(test)]

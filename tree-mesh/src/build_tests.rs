@@ -78,8 +78,10 @@ fn leaves_are_grouped_by_kind_and_those_without_size_are_left_out() {
     assert_eq!(built.report.skipped_leaves, 1);
     assert_eq!(built.mesh.surfaces[3].material, 3);
     assert_eq!(built.mesh.surfaces[3].positions[4].x, 3.95);
-    let bent = MeshParams { leaf_bend: 0.5, ..plain() };
-    let built = mesh_of(&tree, &bent);
+    let mut look = Look::plain(tree.species());
+    look.leaves[2].bend = 0.5;
+    let built = build(&tree, &look, &plain(), &Control::default()).unwrap();
+    check(&built);
     assert_eq!(built.report.surfaces[3], (12, 8));
     assert!(built.mesh.surfaces[3].positions[4].z < -0.02, "bent down");
 }

@@ -137,6 +137,14 @@ pub enum MeshError {
         /// Leaf kinds of the species.
         expected: usize,
     },
+    /// A leaf of your own cannot be drawn.
+    #[error("leaf mesh: {problem} (row {index})")]
+    LeafMesh {
+        /// What is wrong.
+        problem: &'static str,
+        /// Row at fault, or a number of rows.
+        index: usize,
+    },
     /// A surface would have more vertices than 32-bit indices can name.
     #[error("surface {surface} would have {found} vertices, 32-bit indices reach {max}")]
     TooManyVertices {

@@ -24,8 +24,10 @@ mod build;
 mod columns;
 pub mod displace;
 mod error;
+pub mod instance;
 pub mod io;
 mod leaf;
+mod lightmap;
 mod look;
 mod mesh;
 mod params;
@@ -36,6 +38,7 @@ pub mod wind;
 
 pub use build::{Built, MeshReport, build};
 pub use error::MeshError;
+pub use leaf::{LeafForm, LeafMesh, LeafModel};
 pub use look::{LeafLook, Look};
 pub use mesh::{Alpha, Material, Mesh, Surface, Texture};
 pub use params::{CurveFit, ErrorBound, MeshParams};

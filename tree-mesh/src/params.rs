@@ -26,8 +26,6 @@ pub struct MeshParams {
     /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
     /// bend in the wind.
     pub strip_max: f32,
-    /// Whether surfaces get tangents, which normal maps need. Default true.
-    pub tangents: bool,
     /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
     pub radius_min: f32,
     /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
@@ -44,17 +42,20 @@ pub struct MeshParams {
     pub flare_lobes: u32,
     /// How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
     pub flare_lobe_depth: f32,
-    /// Factor on the length of every leaf card, 0.01 to 100. Default 1.
+    /// Factor on the length of every leaf, 0.01 to 100. Default 1.
     pub leaf_scale: f32,
-    /// Factor on the width of every leaf card, 0.01 to 100. Default 1: the card has the width of
-    /// its [`LeafLook`](crate::LeafLook).
+    /// Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its
+    /// [`LeafLook`](crate::LeafLook) says.
     pub leaf_width: f32,
-    /// Bends leaf cards down at half their length, 0 to π/2. Default 0: flat, two triangles a leaf;
-    /// four otherwise.
-    pub leaf_bend: f32,
-    /// How far leaf normals turn from the card's own towards the outside of the crown, 0 to 1.
+    /// How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
     /// Default 0.6: soft light over the whole crown.
     pub leaf_rounding: f32,
+    /// Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default false:
+    /// built-in materials have none, and with tangents ten million triangles of leaf cards would take
+    /// more than a gigabyte.
+    pub tangents: bool,
+    /// Whether vertices get texture coordinates for a light map, 8 bytes each. Default false.
+    pub lightmap: bool,
 }
 
 /// The line that is drawn through the nodes of an axis.
@@ -132,7 +133,6 @@ impl Default for MeshParams {
             error: ErrorBound::default(),
             fit: CurveFit::default(),
             strip_max: 1.0,
-            tangents: true,
             radius_min: 0.0005,
             bark_width: 0.5,
             bark_length: 0.5,
@@ -142,8 +142,9 @@ impl Default for MeshParams {
             flare_lobe_depth: 0.5,
             leaf_scale: 1.0,
             leaf_width: 1.0,
-            leaf_bend: 0.0,
             leaf_rounding: 0.6,
+            tangents: false,
+            lightmap: false,
         }
     }
 }
@@ -169,7 +170,6 @@ impl MeshParams {
             ("flare_lobe_depth", f64::from(self.flare_lobe_depth), 0.0, 0.9),
             ("leaf_scale", f64::from(self.leaf_scale), 0.01, 100.0),
             ("leaf_width", f64::from(self.leaf_width), 0.01, 100.0),
-            ("leaf_bend", f64::from(self.leaf_bend), 0.0, std::f64::consts::FRAC_PI_2),
             ("leaf_rounding", f64::from(self.leaf_rounding), 0.0, 1.0),
         ] {
             within(field, found, min, max)?;
@@ -199,7 +199,7 @@ mod tests {
             sides_max: 3,
             error: ErrorBound::Metres(1e-5),
             radius_min: 0.1,
-            leaf_bend: std::f32::consts::FRAC_PI_2,
+            leaf_rounding: 1.0,
             flare_lobe_depth: 0.9,
             ..Default::default()
         };
@@ -222,7 +222,6 @@ mod tests {
                 .contains("error.distance")
         );
         assert!(error(|p| p.radius_min = 0.0).starts_with("radius_min"));
-        assert!(error(|p| p.leaf_bend = 2.0).starts_with("leaf_bend"));
         assert!(error(|p| p.leaf_rounding = -0.1).starts_with("leaf_rounding"));
     }
 }
