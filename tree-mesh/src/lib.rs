@@ -20,7 +20,9 @@
 //! Right-handed, +Y up, metres; triangles counter-clockwise seen from outside; texture v downwards.
 
 mod build;
+pub mod collide;
 mod columns;
+pub mod convert;
 mod error;
 mod flare;
 mod frame;
@@ -28,7 +30,11 @@ pub mod io;
 mod leaf;
 mod look;
 mod mesh;
+pub mod occlusion;
+pub mod pack;
 mod params;
+#[cfg(test)]
+mod sample;
 mod spine;
 pub mod texture;
 mod tube;
