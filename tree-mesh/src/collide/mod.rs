@@ -2,16 +2,16 @@
 //!
 //! 1. Segments whose wood is thicker than a radius are gathered as frusta, with the axis they lie on
 //!    (`wood`). Runs of them along an axis are cut into links, short where an axis bends.
-//! 2. Twigs at the end of the hierarchy are left out, the least volume first, for as long as the share
-//!    asked for remains.
-//! 3. Links that touch (along an axis, or at a fork) are merged, two at a time: always those two
-//!    whose common capsule adds least volume, until the number allowed is reached and
-//!    merging saves no volume any more (`merge`). A capsule
-//!    is fitted so that all its wood lies inside (`fit`). So however few are allowed, the share holds;
-//!    what suffers is how tight they are, and the report says how tight.
+//! 2. Links that touch (along an axis, or at a fork) are merged two at a time, always those whose common
+//!    capsule adds least volume, for as long as it is tight (`merge`). A capsule is fitted so that all
+//!    its wood lies inside (`fit`).
+//! 3. The capsules with least wood are left out, for as long as the share asked for remains, and the
+//!    others merged down to the number allowed. So however few are allowed, the share holds; what
+//!    suffers is how tight they are, and the report says how tight: thinner wood needs more of them.
 //! 4. The share is then measured, by points spread through the wood (`measure`).
 //!
-//! Cost: O(segments + links · (log links + forks)) time, and measuring: segments × capsules.
+//! Cost: O(segments + links · (log links + forks)) time, at most 1024 links; measuring: segments ×
+//! capsules.
 
 mod fit;
 mod measure;
@@ -62,8 +62,9 @@ impl Capsule {
 pub struct CapsuleParams {
     /// Most capsules, 1 to 4096. Default 32.
     pub count_max: u32,
-    /// Wood thinner than this is passed over, in metres, 0 to 10. Default 0.03. When nothing is as
-    /// thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
+    /// Wood thinner than this is passed over, in metres, 0 to 10. Default 0.05. Of the path presets 32
+    /// capsules have 1.4 to 3.4 times the volume of the wood above 5 cm (the broad oak 6.5), but up to
+    /// 47 times that above 3 cm: boughs by the dozen must share them. When nothing is as thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
     pub radius_min: f32,
     /// Share of the volume of the other wood that must lie inside, 0 to 1. Default 0.95.
     pub share: f32,
@@ -142,8 +143,8 @@ pub fn capsules(
         return Ok(Capsules { capsules: Vec::new(), report });
     }
     control.report("capsules", 0.1)?;
-    let kept = wood.prune(&wood.links(), f64::from(params.share));
-    let capsules = merge::down_to(&wood, &kept, params.count_max as usize, control)?;
+    let (links, budget) = (wood.links(), wood.budget(params.share));
+    let capsules = merge::down_to(&wood, &links, params.count_max as usize, budget, control)?;
     control.report("measure", 0.8)?;
     let held = measure::held(&wood.frusta, &capsules, control)?;
     let volume = wood.volume();

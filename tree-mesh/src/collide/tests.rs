@@ -64,6 +64,18 @@ fn stems_that_share_only_the_root_are_merged_in_the_end() {
 }
 
 #[test]
+fn thousands_of_boughs_on_one_node_are_folded_and_still_held() {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.5).unwrap();
+    let top = builder.add(0, Vec3::Y * 3.0, 0.4).unwrap();
+    for i in 0..3000 {
+        let (sin, cos) = libm::sincosf(0.7 * i as f32);
+        builder.add(top, Vec3::new(2.0 * cos, 3.5 + 1e-3 * i as f32, 2.0 * sin), 0.05).unwrap();
+    }
+    let made = make(&builder.finish(), &CapsuleParams::default());
+    assert!(made.capsules.len() <= 32 && made.report.is_enough, "{:?}", made.report);
+}
+
+#[test]
 fn bad_requests_are_refused() {
     let skeleton = sample::skeleton(1);
     for params in [

@@ -2,10 +2,15 @@
 
 use super::CapsuleParams;
 use glam::Vec3;
+use std::collections::BTreeSet;
+use std::ops::Range;
 use tree_core::Skeleton;
 
 /// Links an axis is cut into, at most. What is finer is merged again anyhow.
 const LINKS_PER_AXIS: usize = 16;
+/// Links that merging starts with, at most, but for stems apart at the ground: it compares every link
+/// with all that touch it.
+const LINKS_MAX: usize = 1024;
 /// Share of the volume held in reserve: capsules are fitted with rounding, shares are measured at points.
 const RESERVE: f64 = 0.003;
 /// No link.
@@ -42,11 +47,11 @@ pub(super) struct Wood {
     runs: Vec<(usize, usize, usize)>,
 }
 
-/// A stretch of one run.
-#[derive(Clone, Copy, Debug)]
+/// A stretch of one run, and what was folded into it.
+#[derive(Clone, Debug)]
 pub(super) struct Link {
-    pub(super) first: usize,
-    pub(super) end: usize,
+    /// Its frusta.
+    pub(super) parts: Vec<Range<usize>>,
     /// The link below, on the same axis or the one that carries it; itself when there is none.
     pub(super) below: usize,
     pub(super) volume: f64,
@@ -103,7 +108,7 @@ impl Wood {
     }
 
     /// Cuts every run into links of about equal length, parents first.
-    pub(super) fn links(&self) -> Vec<Link> {
+    fn cut(&self) -> Vec<Link> {
         let mut links: Vec<Link> = Vec::new();
         let mut link_of = vec![NONE; self.frusta.len()];
         for &(first, end, rests_on) in &self.runs {
@@ -121,7 +126,11 @@ impl Wood {
                     let own = links.len();
                     link_of[start..=number].fill(own);
                     let rests = if below == NONE { own } else { below };
-                    links.push(Link { first: start, end: number + 1, below: rests, volume });
+                    links.push(Link {
+                        parts: std::iter::once(start..number + 1).collect(),
+                        below: rests,
+                        volume,
+                    });
                     (below, start, length) = (own, number + 1, 0.0);
                 }
             }
@@ -129,44 +138,64 @@ impl Wood {
         links
     }
 
-    /// Leaves out links at the ends of the hierarchy, the least volume first, while `share` remains.
-    pub(super) fn prune(&self, links: &[Link], share: f64) -> Vec<Link> {
-        let total: f64 = links.iter().map(|link| link.volume).sum();
-        let mut budget = total * (1.0 - share - RESERVE);
+    /// Links to begin with: should there be too many, those with least volume at the ends of the
+    /// hierarchy are folded into those they rest on.
+    pub(super) fn links(&self) -> Vec<Link> {
+        let mut links = self.cut();
         let mut resting = vec![0_u32; links.len()];
         for (number, link) in links.iter().enumerate() {
             if link.below != number {
                 resting[link.below] += 1;
             }
         }
-        let key = |number: usize| (links[number].volume.to_bits(), number);
-        let mut ends: std::collections::BTreeSet<(u64, usize)> =
-            (0..links.len()).filter(|&number| resting[number] == 0).map(key).collect();
+        let key = |number: usize, link: &Link| (link.volume.to_bits(), number);
+        let all = links.iter().enumerate().filter(|&(number, _)| resting[number] == 0);
+        let mut ends: BTreeSet<(u64, usize)> =
+            all.map(|(number, link)| key(number, link)).collect();
         let mut gone = vec![false; links.len()];
-        while let Some((_, number)) = ends.pop_first() {
-            let link = links[number];
-            if link.volume > budget {
-                break;
-            }
-            budget -= link.volume;
-            gone[number] = true;
-            if link.below != number {
-                resting[link.below] -= 1;
-                if resting[link.below] == 0 {
-                    ends.insert(key(link.below));
-                }
-            }
-        }
-        // Numbers below are those of the links that stay: what something rests on is never left out.
-        let mut numbers = vec![0; links.len()];
-        let mut kept = Vec::new();
-        for (number, link) in links.iter().enumerate() {
-            if gone[number] {
+        let mut left = links.len();
+        while left > LINKS_MAX {
+            let Some((_, number)) = ends.pop_first() else { break };
+            let below = links[number].below;
+            if below == number {
                 continue;
             }
-            numbers[number] = kept.len();
-            kept.push(Link { below: numbers[link.below], ..*link });
+            let parts = std::mem::take(&mut links[number].parts);
+            links[below].parts.extend(parts);
+            links[below].volume += links[number].volume;
+            gone[number] = true;
+            left -= 1;
+            resting[below] -= 1;
+            if resting[below] == 0 {
+                ends.insert(key(below, &links[below]));
+            }
         }
-        kept
+        renumber(links, &gone)
     }
+
+    /// Volume that may be left out while this share is held.
+    pub(super) fn budget(&self, share: f32) -> f64 {
+        self.volume() * (1.0 - f64::from(share) - RESERVE).max(0.0)
+    }
+
+    /// The ends of a link's frusta, each once.
+    pub(super) fn balls(&self, link: &Link) -> Vec<(Vec3, f32)> {
+        let parts = link.parts.iter().filter_map(|part| self.frusta.get(part.clone()));
+        let mut balls: Vec<_> = parts.flatten().flat_map(Frustum::balls).collect();
+        balls.dedup();
+        balls
+    }
+}
+
+/// The links that stay, by their new numbers. What something rests on always stays.
+fn renumber(links: Vec<Link>, gone: &[bool]) -> Vec<Link> {
+    let mut numbers = vec![0; links.len()];
+    let mut kept: Vec<Link> = Vec::new();
+    for (number, link) in links.into_iter().enumerate() {
+        if !gone[number] {
+            numbers[number] = kept.len();
+            kept.push(Link { below: numbers[link.below], ..link });
+        }
+    }
+    kept
 }

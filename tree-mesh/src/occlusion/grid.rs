@@ -1,16 +1,22 @@
 //! A grid over the tree: how much light each cell lets through.
 
 use super::sweep::Cube;
+use crate::error::Result;
 use crate::mesh::Surface;
 use glam::Vec3;
-use tree_core::Aabb;
+use tree_core::{Aabb, Control};
 
 /// Empty cells around the tree, so that light comes in unhindered and vertices look out of it.
 const MARGIN: f32 = 2.0;
 /// Share of its area that a triangle covers, seen from all directions in the mean.
 const MEAN_COVER: f32 = 0.5;
-/// Most pieces along the side of a triangle that is larger than a cell.
-const PIECES_MAX: f32 = 1024.0;
+/// Triangles between two questions whether the caller cancelled.
+const TRIANGLES_PER_CHECK: usize = 1024;
+/// Extents in metres outside which squares leave the range of 32-bit numbers.
+const EXTENTS: std::ops::Range<f32> = 1e-12..1e12;
+
+/// Smallest side of a cell as a share of the largest coordinate: about eight steps of it.
+const CELL_MIN: f32 = 1e-6;
 
 /// Cells of equal sides, x first.
 pub(super) struct Grid {
@@ -26,10 +32,12 @@ impl Grid {
     pub(super) fn over(bounds: Aabb, cells: u32) -> Option<Self> {
         let size = bounds.size();
         let longest = size.max_element();
-        if !(longest > 0.0 && longest.is_finite()) {
+        let side = longest / cells as f32;
+        let far = bounds.min.abs().max(bounds.max.abs()).max_element();
+        // Cells of a few steps of the coordinates could not be told apart, nor triangles halved.
+        if !EXTENTS.contains(&longest) || far > EXTENTS.end || side < far * CELL_MIN {
             return None;
         }
-        let side = longest / cells as f32;
         let margin = 2 * MARGIN as u32;
         let count = |x: f32| (((x / side).ceil() as u32).clamp(1, cells) + margin + 1) as usize;
         let size = size.to_array().map(count);
@@ -74,33 +82,39 @@ impl Grid {
     }
 
     /// Adds the area of a surface's triangles, those larger than a cell in pieces.
-    pub(super) fn add(&mut self, surface: &Surface, opacity: f32) {
-        for corners in surface.indices.chunks_exact(3) {
+    pub(super) fn add(&mut self, surface: &Surface, opacity: f32, control: &Control) -> Result<()> {
+        let mut pieces: Vec<([Vec3; 3], f32)> = Vec::new();
+        for (number, corners) in surface.indices.chunks_exact(3).enumerate() {
+            if number % TRIANGLES_PER_CHECK == 0 {
+                control.check()?;
+            }
             let [Some(&a), Some(&b), Some(&c)] = [0, 1, 2].map(|corner| {
                 corners.get(corner).and_then(|&index| surface.positions.get(index as usize))
             }) else {
                 continue;
             };
-            let (u, v) = (b - a, c - a);
-            let area = 0.5 * u.cross(v).length() * opacity * MEAN_COVER;
-            let longest = u.length().max(v.length()).max((c - b).length());
-            let pieces = (longest / self.side).ceil().clamp(1.0, PIECES_MAX);
-            let n = pieces as u32;
-            let share = area / (pieces * pieces);
-            // n² equal triangles: of each row of the triangle those upright and those on their heads.
-            for row in 0..n {
-                for column in 0..n - row {
-                    let at = |third: f32| {
-                        let (s, t) = (row as f32 + third, column as f32 + third);
-                        a + u * (s / pieces) + v * (t / pieces)
-                    };
-                    self.splat(at(1.0 / 3.0), share);
-                    if column + row + 1 < n {
-                        self.splat(at(2.0 / 3.0), share);
-                    }
+            let area = 0.5 * (b - a).cross(c - a).length() * opacity * MEAN_COVER;
+            pieces.push(([a, b, c], area));
+            while let Some(([a, b, c], area)) = pieces.pop() {
+                // The longest side comes first, and is halved while it is longer than a cell.
+                let [ab, bc, ca] = [a.distance(b), b.distance(c), c.distance(a)];
+                let [a, b, c] = if ab >= bc && ab >= ca {
+                    [a, b, c]
+                } else if bc >= ca {
+                    [b, c, a]
+                } else {
+                    [c, a, b]
+                };
+                if ab.max(bc).max(ca) > self.side {
+                    let middle = (a + b) * 0.5;
+                    pieces.push(([a, middle, c], 0.5 * area));
+                    pieces.push(([middle, b, c], 0.5 * area));
+                } else {
+                    self.splat((a + b + c) / 3.0, area);
                 }
             }
         }
+        Ok(())
     }
 
     fn splat(&mut self, point: Vec3, area: f32) {

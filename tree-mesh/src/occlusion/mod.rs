@@ -71,7 +71,8 @@ impl OcclusionParams {
 
 /// Fills [`Surface::occlusion`] of every surface: 1 where all light arrives, 0 where none does.
 ///
-/// Copies of a vertex get the same value. A mesh without extent is left with 1 everywhere.
+/// Copies of a vertex get the same value. A mesh without extent, larger than 10¹² m,
+/// or so far from the origin that its coordinates do not tell cells apart, gets 1 everywhere.
 ///
 /// # Errors
 /// [`MeshError::Parameter`]; [`MeshError::Limit`] for the cells, before they are allocated; what
@@ -89,10 +90,9 @@ pub fn bake(mesh: &mut Mesh, params: &OcclusionParams, control: &Control) -> Res
     control.limits.check(Resource::Voxels, grid.n_cells() as u64)?;
     grid.allocate();
     for surface in &mesh.surfaces {
-        control.check()?;
         // A ray through closed wood meets it twice; leaves are met once.
         let opacity = if is_leaves(surface) { params.leaf_opacity } else { 1.0 };
-        grid.add(surface, opacity);
+        grid.add(surface, opacity, control)?;
     }
     grid.finish();
     let cubes = sweep::light(&grid, params, control)?;

@@ -86,7 +86,7 @@ fn a_deep_layer_of_leaves_dims_light_as_the_law_says() {
     let grid_of = |mesh: &Mesh| {
         let mut grid = Grid::over(mesh.bounds(), 96).unwrap();
         grid.allocate();
-        grid.add(&mesh.surfaces[0], 0.5);
+        grid.add(&mesh.surfaces[0], 0.5, &Control::default()).unwrap();
         grid.finish();
         grid
     };
@@ -164,4 +164,10 @@ fn a_mesh_without_extent_is_open() {
     card(&mut point, Vec3::ZERO, 0.0);
     let point = baked(mesh_of(vec![point]), &OcclusionParams::default());
     assert_eq!(point.surfaces[0].occlusion, [1.0; 4]);
+    for (at, extent) in [(0.0, 1e-20), (0.0, 1e30), (1e6, 0.1)] {
+        let mut odd = Surface::default();
+        card(&mut odd, Vec3::splat(at), extent);
+        let odd = baked(mesh_of(vec![odd]), &OcclusionParams::default());
+        assert_eq!(odd.surfaces[0].occlusion, [1.0; 4]);
+    }
 }

@@ -43,7 +43,7 @@ pub fn from_octahedral_16(at: [i16; 2]) -> Vec3 {
 /// Largest value below 1 that survives the sums in the packings below.
 const BELOW_ONE: f32 = 0.999;
 
-/// A unit vector in one float, as `UnpackNormalFromFloat` of Unity's SpeedTreeWind reads it:
+/// A unit vector in one float, as `UnpackNormalFromFloat` of Unity's `SpeedTreeWind` reads it:
 /// `frac(value / (16, 1, 1/16)) * 2 - 1`. x and y have 4 bits, z has what the float leaves.
 ///
 /// The direction is within 0.18 radians. (Unity reads the three as they are, not normalised.)

@@ -20,10 +20,10 @@ impl Indices {
     #[must_use]
     pub fn new(indices: &[u32], n_vertices: usize) -> Self {
         let narrow = |&index: &u32| u16::try_from(index).ok().filter(|&index| index != u16::MAX);
-        if n_vertices <= SHORT_MAX {
-            if let Some(short) = indices.iter().map(narrow).collect() {
-                return Self::U16(short);
-            }
+        if n_vertices <= SHORT_MAX
+            && let Some(short) = indices.iter().map(narrow).collect()
+        {
+            return Self::U16(short);
         }
         Self::U32(indices.to_vec())
     }

@@ -28,7 +28,7 @@ const SLENDERNESS: f32 = 100.0;
 const FLARE_RADII: f32 = 3.0;
 /// Largest share of a branch within its collar: short branches on thick wood still bend.
 const COLLAR_MAX: f32 = 0.5;
-/// Speed of sound in green wood along the grain, m/s: √(E/ρ) with 8 GPa and 900 kg/m³.
+/// Speed of sound in green wood along the grain, m/s: √(E/ρ) with 8·10⁹ Pa and 900 kg/m³.
 const WAVE_SPEED: f32 = 2981.0;
 
 /// A branch as the wind sees it: a rod that turns about its pivot, carried by its parent.
