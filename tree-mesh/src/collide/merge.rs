@@ -11,7 +11,7 @@ use tree_core::Control;
 /// Volume that a merger may add, as a share of the two capsules', to count as about as tight.
 const TIGHT: f64 = 0.1;
 /// Balls of a group, at most. Few trees have branches of as many nodes.
-const BALLS_MAX: usize = 256;
+const BALLS_MAX: usize = 128;
 
 /// Links that one capsule stands for.
 struct Group {

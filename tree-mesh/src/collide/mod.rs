@@ -10,7 +10,7 @@
 //!    suffers is how tight they are, and the report says how tight: thinner wood needs more of them.
 //! 4. The share is then measured, by points spread through the wood (`measure`).
 //!
-//! Cost: O(segments + links · (log links + forks)) time, at most 1024 links; measuring: segments ×
+//! Cost: O(segments + links · (log links + forks)) time, at most 512 links; measuring: segments ×
 //! capsules.
 
 mod fit;
@@ -74,7 +74,7 @@ pub struct CapsuleParams {
 
 impl Default for CapsuleParams {
     fn default() -> Self {
-        Self { count_max: 32, radius_min: 0.03, share: 0.95, continuation: Continuation::default() }
+        Self { count_max: 32, radius_min: 0.05, share: 0.95, continuation: Continuation::default() }
     }
 }
 

@@ -10,7 +10,7 @@ use tree_core::Skeleton;
 const LINKS_PER_AXIS: usize = 16;
 /// Links that merging starts with, at most, but for stems apart at the ground: it compares every link
 /// with all that touch it.
-const LINKS_MAX: usize = 1024;
+const LINKS_MAX: usize = 512;
 /// Share of the volume held in reserve: capsules are fitted with rounding, shares are measured at points.
 const RESERVE: f64 = 0.003;
 /// No link.

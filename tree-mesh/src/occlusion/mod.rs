@@ -1,9 +1,9 @@
 //! Ambient occlusion: how much of the light from all around arrives at a vertex.
 //!
-//! 1. A grid over the tree ([`grid`]) sums the area of triangles in each cell, leaves by their opacity:
+//! 1. A grid over the tree (`grid`) sums the area of triangles in each cell, leaves by their opacity:
 //!    the share of light that a cell lets through. Area is spread over the eight nearest cells.
 //! 2. For each of a number of directions, spread evenly over the sphere, one sweep over the grid
-//!    carries light from cell to cell ([`sweep`]): leaves behind leaves get darker and darker, as in a
+//!    carries light from cell to cell (`sweep`): leaves behind leaves get darker and darker, as in a
 //!    real crown (Beer and Lambert's law, as in Monsi and Saeki 1953 for canopies).
 //! 3. What arrives is kept for six directions of the normal, the ambient cube of Mitchell, McTaggart
 //!    and Green 2006 ("Shading in Valve's Source engine"), so that a vertex costs the same however many
