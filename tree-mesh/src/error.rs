@@ -43,6 +43,16 @@ pub enum MeshError {
         /// How many there are.
         count: usize,
     },
+    /// A branch comes before the one that carries it.
+    #[error(
+        "branch {branch} is carried by {parent}: parents must come first, and only 0 carries itself"
+    )]
+    BranchOrder {
+        /// Row in the table of branches.
+        branch: usize,
+        /// The parent found.
+        parent: u32,
+    },
     /// The number of indices is not a multiple of three.
     #[error("surface {surface}: {found} indices are not whole triangles")]
     PartialTriangle {

@@ -21,7 +21,9 @@
 
 mod bark;
 mod build;
+pub mod collide;
 mod columns;
+pub mod convert;
 pub mod displace;
 mod error;
 pub mod instance;
@@ -30,7 +32,11 @@ mod leaf;
 mod lightmap;
 mod look;
 mod mesh;
+pub mod occlusion;
+pub mod pack;
 mod params;
+#[cfg(test)]
+mod sample;
 pub mod subdivide;
 pub mod texture;
 pub mod topology;

@@ -47,6 +47,19 @@ impl Surface {
         self.indices.len() / 3
     }
 
+    /// The box around the vertices; empty when there are none.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        Aabb::of_points(&self.positions)
+    }
+
+    /// Centre and radius in metres of a ball that holds every vertex: about the middle of the bounds,
+    /// at most √3 times as large as the smallest. `None` when there are no vertices.
+    #[must_use]
+    pub fn bounding_sphere(&self) -> Option<(Vec3, f32)> {
+        sphere(std::slice::from_ref(self))
+    }
+
     /// Vertices of each leaf; `None` when the surface is not made of leaves.
     #[must_use]
     pub fn vertices_per_leaf(&self) -> Option<usize> {
@@ -169,6 +182,26 @@ impl Mesh {
             .fold(Aabb::EMPTY, |aabb, surface| aabb.union(Aabb::of_points(&surface.positions)))
     }
 
+    /// Centre and radius in metres of a ball that holds every vertex of all surfaces: about the middle
+    /// of the bounds. `None` when there are no vertices.
+    #[must_use]
+    pub fn bounding_sphere(&self) -> Option<(Vec3, f32)> {
+        sphere(&self.surfaces)
+    }
+
+    /// The surface of this number.
+    ///
+    /// # Errors
+    /// [`MeshError::Dangling`] when there is none.
+    pub fn surface(&self, number: usize) -> Result<&Surface> {
+        self.surfaces.get(number).ok_or_else(|| MeshError::Dangling {
+            surface: number,
+            what: "surface",
+            found: u32::try_from(number).unwrap_or(u32::MAX),
+            count: self.surfaces.len(),
+        })
+    }
+
     /// Checks that the mesh can be drawn and written: columns of equal length, finite numbers,
     /// indices and materials that exist, looks within their ranges, textures filled.
     ///
@@ -190,6 +223,14 @@ impl Mesh {
             .iter()
             .filter_map(|material| material.texture.as_deref())
             .try_for_each(Texture::check)
+    }
+
+    /// As [`check`](Self::check), of the columns of one surface only.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check), and [`MeshError::Dangling`] when there is no such surface.
+    pub fn check_surface(&self, number: usize) -> Result<()> {
+        check_surface(number, self.surface(number)?, self.materials.len(), self.branches.len())
     }
 
     /// Checks that no colour is brighter than 1: file formats rely on it, drawing does not.
@@ -223,6 +264,17 @@ impl Mesh {
         }
         Ok(())
     }
+}
+
+fn sphere(surfaces: &[Surface]) -> Option<(Vec3, f32)> {
+    let points = || surfaces.iter().flat_map(|surface| &surface.positions);
+    let bounds = points().fold(Aabb::EMPTY, |bounds, &p| bounds.including(p));
+    if bounds.is_empty() {
+        return None;
+    }
+    let center = bounds.center();
+    let far = points().fold(0.0_f32, |far, p| far.max(p.distance_squared(center)));
+    Some((center, far.sqrt()))
 }
 
 fn check_material(number: usize, material: &Material) -> Result<()> {

@@ -79,3 +79,21 @@ fn sides_whose_product_overflows_are_refused() {
         assert!(matches!(texture.check(), Err(MeshError::Texture { found: 0, .. })));
     }
 }
+
+#[test]
+fn bounds_and_balls_hold_every_vertex() {
+    let mut mesh = triangle();
+    mesh.surfaces.push(mesh.surfaces[0].clone());
+    mesh.surfaces[1].positions.iter_mut().for_each(|p| *p = *p * 3.0 + Vec3::new(5.0, -1.0, 2.0));
+    let (center, radius) = mesh.bounding_sphere().unwrap();
+    for surface in &mesh.surfaces {
+        let (own, reach) = surface.bounding_sphere().unwrap();
+        for &p in &surface.positions {
+            assert!(surface.bounds().contains(p) && mesh.bounds().contains(p));
+            assert!(p.distance(own) <= reach * 1.0001 && p.distance(center) <= radius * 1.0001);
+        }
+        assert!(reach <= radius && surface.bounds().size().length() * 0.5001 >= reach);
+    }
+    assert_eq!(Mesh::default().bounding_sphere(), None);
+    assert!(Surface::default().bounds().is_empty());
+}
