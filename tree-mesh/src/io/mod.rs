@@ -18,6 +18,8 @@ pub mod obj;
 mod picture;
 pub mod ply;
 mod polygon;
+#[cfg(test)]
+mod samples;
 
 pub use import::{ImportOptions, ImportReport, Imported, Note};
 

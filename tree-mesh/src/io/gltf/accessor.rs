@@ -157,10 +157,6 @@ impl Column<'_> {
         self.accessor.count as usize
     }
 
-    pub(super) fn width(&self) -> usize {
-        self.width
-    }
-
     fn fail(&self, problem: String) -> MeshError {
         malformed(format!("accessor {}", self.number), problem)
     }
