@@ -45,12 +45,13 @@ pub struct GlbOptions {
     /// Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
     /// them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
     /// for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
-    /// length (0.4°); texture coordinates the range in use / 131,070; occlusion 1/510. Texture
+    /// length (0.4°); texture coordinates the range in use / 131,070; occlusion stays exact. Texture
     /// coordinates beyond 0 to 1 need `KHR_texture_transform` and a material of their own; a surface
     /// without a texture keeps them as they are. Default `false`.
     pub quantize: bool,
     /// Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
-    /// know it pass over it. Default `true`.
+    /// know it pass over it. Default `false`: the Khronos validator (2.0.0-dev.3.10) accepts it, but
+    /// remarks that it cannot look into it.
     pub translucency: bool,
     /// What becomes of ambient occlusion. Default [`OcclusionAs::Attribute`].
     pub occlusion: OcclusionAs,
@@ -61,7 +62,7 @@ impl Default for GlbOptions {
         Self {
             name: "tree".into(),
             quantize: false,
-            translucency: true,
+            translucency: false,
             occlusion: OcclusionAs::default(),
         }
     }
@@ -81,6 +82,10 @@ pub enum OcclusionAs {
 }
 
 /// A column of the caller's own, for one surface of a mesh.
+///
+/// Blender 5.0.1 mixes up attributes of one mesh whose names begin with `_` when they differ in their
+/// number of components, and then now and then refuses the file: give all the same number there, and
+/// write occlusion in another way.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Attribute {
     /// Number of the surface in [`Mesh::surfaces`].

@@ -77,7 +77,7 @@ impl<'a> Writer<'a> {
             Some(cube) => self.quantized(surface, material, cube, &mut columns)?,
             None => self.floats(surface, &mut columns)?,
         };
-        self.occlusion(surface, cube.is_some(), &mut columns)?;
+        self.occlusion(surface, &mut columns)?;
         for attribute in attributes {
             let shape = ["SCALAR", "VEC2", "VEC3", "VEC4"][(attribute.components - 1).min(3)];
             let column = self.column(Column::plain(n, FLOAT, shape), Some(VERTICES), |bytes| {
@@ -210,33 +210,21 @@ impl<'a> Writer<'a> {
         Ok(Some(range).filter(|range| textured && !range.is_unit()))
     }
 
-    fn occlusion(
-        &mut self,
-        surface: &Surface,
-        quantize: bool,
-        columns: &mut Map<String, Value>,
-    ) -> Result<()> {
+    fn occlusion(&mut self, surface: &Surface, columns: &mut Map<String, Value>) -> Result<()> {
         let (n, shades) = (surface.positions.len(), &surface.occlusion);
-        if shades.is_empty() {
-            return Ok(());
-        }
-        let (name, column) = match (self.options.occlusion, quantize) {
-            (OcclusionAs::Omit, _) => return Ok(()),
-            (OcclusionAs::Color, _) => ("COLOR_0", Column::normalized(n, UNSIGNED_BYTE, "VEC4")),
-            (OcclusionAs::Attribute, true) => {
-                let bytes = Column::normalized(n, UNSIGNED_BYTE, "SCALAR");
-                ("_OCCLUSION", Column { stride: Some(STRIDE_BYTES), ..bytes })
-            }
-            (OcclusionAs::Attribute, false) => ("_OCCLUSION", Column::plain(n, FLOAT, "SCALAR")),
+        let (name, column) = match self.options.occlusion {
+            _ if shades.is_empty() => return Ok(()),
+            OcclusionAs::Omit => return Ok(()),
+            OcclusionAs::Color => ("COLOR_0", Column::normalized(n, UNSIGNED_BYTE, "VEC4")),
+            // Not in 8 bits, even quantised: padded to four bytes nothing is saved, and Blender 5.0
+            // refuses files with bytes in attributes of the caller's own.
+            OcclusionAs::Attribute => ("_OCCLUSION", Column::plain(n, FLOAT, "SCALAR")),
         };
         let place = self.column(column, Some(VERTICES), |bytes| match name {
             "COLOR_0" => bytes.extend(shades.iter().flat_map(|&shade| {
                 let grey = unsigned8(shade.clamp(0.0, 1.0));
                 [grey, grey, grey, 255]
             })),
-            _ if quantize => bytes.extend(
-                shades.iter().flat_map(|&shade| [unsigned8(shade.clamp(0.0, 1.0)), 0, 0, 0]),
-            ),
             _ => push_floats(bytes, shades.iter().copied()),
         })?;
         columns.insert(name.into(), place.into());
