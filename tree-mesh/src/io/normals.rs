@@ -55,7 +55,7 @@ pub(super) fn compute(surface: &mut Surface) {
 pub(super) fn repair(surface: &mut Surface) -> u64 {
     let mut bad = 0;
     for normal in &mut surface.normals {
-        if !((normal.length_squared() - 1.0).abs() <= 1e-3) {
+        if !(0.999..=1.001).contains(&normal.length_squared()) {
             *normal = unit(*normal).unwrap_or_else(|| {
                 bad += 1;
                 Vec3::ZERO

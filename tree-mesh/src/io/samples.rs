@@ -4,7 +4,7 @@ use crate::mesh::{Alpha, Material, Mesh, Surface, Texture};
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
-/// Numbers without pattern, the same every time (SplitMix64, Steele et al. 2014).
+/// Numbers without pattern, the same every time (`SplitMix64`, Steele et al. 2014).
 pub(super) struct Dice(pub(super) u64);
 
 impl Dice {

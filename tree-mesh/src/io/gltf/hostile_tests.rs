@@ -1,5 +1,6 @@
 //! Broken and hostile files: typed errors, no panic, no memory beyond the limits.
 
+use super::read as read_file;
 use super::*;
 use crate::io::samples::{self, Dice};
 use serde_json::{Value, json};
@@ -230,7 +231,7 @@ fn files_elsewhere_are_not_touched() {
         json["buffers"][0]["uri"] = uri.into();
         std::fs::write(&path, serde_json::to_vec(&json).unwrap()).unwrap();
         let options = crate::io::ImportOptions { external: true };
-        let error = super::read(&path, &options, &Control::default()).unwrap_err();
+        let error = read_file(&path, &options, &Control::default()).unwrap_err();
         assert!(matches!(error, MeshError::External { .. }), "{uri}: {error}");
     }
     std::fs::remove_dir_all(&folder).unwrap();

@@ -122,7 +122,8 @@ fn prototype(
     let foliage = Foliage::try_from(vec![leaf])?;
     let one = Tree::new(skeleton, foliage, tree.species().clone())?;
     // A crown of one leaf has no outside to turn normals to.
-    let flat = MeshParams { leaf_rounding: 0.0, ..params.clone() };
+    let mut flat = params.to_owned();
+    flat.leaf_rounding = 0.0;
     let mesh = build(&one, look, &flat, control)?.mesh;
     // The surfaces are the bark and then the kinds of leaves.
     let mut surface = mesh.surfaces.into_iter().nth(kind + 1).unwrap_or_default();

@@ -168,7 +168,7 @@ fn floats(values: &[f32]) -> Vec<u8> {
 }
 
 /// Four corners of a square, not indexed, as `mode`; under a node.
-fn square(mode: u32, node: Value) -> Vec<u8> {
+fn square(mode: u32, node: &Value) -> Vec<u8> {
     let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0_f32];
     let json = json!({
         "scenes": [{ "nodes": [0] }], "nodes": [node],
@@ -181,24 +181,24 @@ fn square(mode: u32, node: Value) -> Vec<u8> {
 
 #[test]
 fn strips_and_fans_turn_one_way() {
-    let strip = back(&square(5, json!({ "mesh": 0 })));
+    let strip = back(&square(5, &json!({ "mesh": 0 })));
     assert_eq!(strip.surfaces[0].indices, [0, 1, 2, 1, 3, 2]);
     assert_eq!(strip.surfaces[0].normals, [Vec3::Z; 4]);
-    let fan = back(&square(6, json!({ "mesh": 0 })));
+    let fan = back(&square(6, &json!({ "mesh": 0 })));
     assert_eq!(fan.surfaces[0].indices, [1, 2, 0, 2, 3, 0]);
     let control = Control::default();
-    let triangles = from_slice(&square(4, json!({ "mesh": 0 })), &control).unwrap();
+    let triangles = from_slice(&square(4, &json!({ "mesh": 0 })), &control).unwrap();
     assert_eq!(triangles.mesh.n_triangles(), 1);
     assert_eq!(triangles.report.count(Note::PartialFaces), 1);
     assert_eq!(triangles.report.count(Note::NormalsComputed), 1);
     assert_eq!(triangles.report.count(Note::UvsMissing), 1);
-    let lines = from_slice(&square(1, json!({ "mesh": 0 })), &control).unwrap_err();
+    let lines = from_slice(&square(1, &json!({ "mesh": 0 })), &control).unwrap_err();
     assert!(matches!(lines, MeshError::Malformed { .. }), "a scene of lines has no triangle");
 }
 
 #[test]
 fn mirrored_nodes_keep_their_front_in_front() {
-    let mirrored = back(&square(5, json!({ "mesh": 0, "scale": [-2.0, 1.0, 1.0] })));
+    let mirrored = back(&square(5, &json!({ "mesh": 0, "scale": [-2.0, 1.0, 1.0] })));
     let surface = &mirrored.surfaces[0];
     assert_eq!(Aabb::of_points(&surface.positions).min, Vec3::new(-2.0, 0.0, 0.0));
     let [a, b, c] = [0, 1, 2].map(|i| surface.positions[surface.indices[i] as usize]);
@@ -217,7 +217,7 @@ fn matrices_and_turns_say_the_same() {
     let matrix = json!({ "mesh": 0, "matrix": [
         0.0, 1.0, 0.0, 0.0, -3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 3.0, 1.0,
     ]});
-    let (a, b) = (back(&square(5, turned)), back(&square(5, matrix)));
+    let (a, b) = (back(&square(5, &turned)), back(&square(5, &matrix)));
     for (a, b) in a.surfaces[0].positions.iter().zip(&b.surfaces[0].positions) {
         assert!(a.distance(*b) < 1e-5, "{a} {b}");
     }
@@ -253,7 +253,7 @@ fn sparse_rows_and_wide_strides_are_read() {
 
 #[test]
 fn materials_are_converted_and_the_report_says_how() {
-    let mut json: Value = serde_json::from_slice(&square(5, json!({ "mesh": 0 }))).unwrap();
+    let mut json: Value = serde_json::from_slice(&square(5, &json!({ "mesh": 0 }))).unwrap();
     json["meshes"][0]["primitives"][0]["material"] = 0.into();
     json["materials"] = json!([{
         "name": "leaf", "alphaMode": "BLEND", "doubleSided": true,
@@ -284,7 +284,7 @@ fn texture_transforms_turn_as_their_text_says() {
     // A quarter turn counter-clockwise on the picture, whose v runs down: right becomes up.
     let mut dice = Dice(3);
     let offset = [dice.unit(), dice.unit()];
-    let mut json: Value = serde_json::from_slice(&square(5, json!({ "mesh": 0 }))).unwrap();
+    let mut json: Value = serde_json::from_slice(&square(5, &json!({ "mesh": 0 }))).unwrap();
     let pairs = json!({ "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2" });
     json["accessors"] = json!([json["accessors"][0], pairs]);
     json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 1.into();
@@ -303,7 +303,7 @@ fn texture_transforms_turn_as_their_text_says() {
 
 #[test]
 fn a_child_that_is_listed_as_a_root_is_drawn_once() {
-    let mut json: Value = serde_json::from_slice(&square(5, json!({}))).unwrap();
+    let mut json: Value = serde_json::from_slice(&square(5, &json!({}))).unwrap();
     let parent = json!({ "children": [1], "translation": [5.0, 0.0, 0.0] });
     json["nodes"] = json!([parent, { "mesh": 0 }]);
     for (listed, x) in [(json!([1, 0]), 5.0), (json!([0]), 5.0), (json!([1]), 0.0)] {

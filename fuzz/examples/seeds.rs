@@ -1,4 +1,4 @@
-//! Writes small valid files to start from: `cargo run --bin seeds`, in this folder, before fuzzing.
+//! Writes small valid files to start from: `cargo run --example seeds`, in this folder, before fuzzing.
 
 use std::error::Error;
 use std::fs;
