@@ -2,17 +2,21 @@
 //!
 //! ```sh
 //! cargo run -p tree-mesh --all-features --example samples -- /tmp/samples
-//! node examples/validate/validate.mjs /tmp/samples/*.glb
+//! node examples/validate/validate.mjs /tmp/samples/*.gl*
 //! ```
 
 use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 use tree_core::glam::{EulerRot, Quat, Vec3};
+use tree_core::glam::{Vec2, Vec4};
 use tree_core::{Control, Foliage, Leaf, Skeleton, Species, Tree};
-use tree_mesh::io::gltf::{GlbOptions, write_glb};
+use tree_mesh::io::gltf::{
+    Attribute, GlbOptions, Level, OcclusionAs, instanced, write_glb, write_glb_levels, write_gltf,
+};
 use tree_mesh::io::obj::write_obj;
-use tree_mesh::{Alpha, Look, MeshParams, Texture, build};
+use tree_mesh::io::ply::{PlyOptions, write_ply};
+use tree_mesh::{Alpha, Look, Mesh, MeshParams, Texture, build};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "samples".into()));
@@ -33,13 +37,81 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             let built = build(&tree, &look, &params, &Control::default())?;
             let stem = format!("{name}{}", if textured { "_textured" } else { "" });
-            let options = GlbOptions { name: stem.clone() };
-            write_glb(&built.mesh, folder.join(format!("{stem}.glb")), &options)?;
-            write_obj(&built.mesh, folder.join(format!("{stem}.obj")))?;
+            let options = GlbOptions { name: stem.clone(), ..Default::default() };
+            let path = |ending: &str| folder.join(format!("{stem}{ending}"));
+            write_glb(&built.mesh, path(".glb"), &options)?;
+            write_obj(&built.mesh, path(".obj"))?;
+            write_ply(&built.mesh, path(".ply"), &PlyOptions::default())?;
+            if name != "large" {
+                variants(&tree, &look, &params, &built.mesh, &options, &path)?;
+            }
             println!("{stem}: {:?}", built.report);
         }
     }
     Ok(())
+}
+
+/// One file for every option of the glTF writer.
+fn variants(
+    tree: &Tree,
+    look: &Look,
+    params: &MeshParams,
+    mesh: &Mesh,
+    options: &GlbOptions,
+    path: &dyn Fn(&str) -> PathBuf,
+) -> Result<(), Box<dyn Error>> {
+    let quantized = GlbOptions { quantize: true, ..options.clone() };
+    write_glb(mesh, path("_quantized.glb"), &quantized)?;
+    write_gltf(&[mesh.into()], path("_beside.gltf"), options)?;
+
+    let full = completed(mesh);
+    let first = &full.surfaces[0];
+    let wind = Attribute {
+        surface: 0,
+        name: "_WIND".into(),
+        components: 2,
+        values: first.positions.iter().flat_map(|p| [p.y, p.x]).collect(),
+    };
+    let everything = GlbOptions { translucency: true, ..options.clone() };
+    let all = Level::from(&full);
+    write_glb_levels(&[all], path("_full.glb"), &everything)?;
+    write_glb_levels(&[all], path("_full_quantized.glb"), &quantized)?;
+    let grey = GlbOptions { occlusion: OcclusionAs::Color, ..quantized.clone() };
+    write_glb_levels(&[all], path("_grey.glb"), &grey)?;
+    let windy = Level { attributes: &[wind], ..all };
+    let without = GlbOptions { occlusion: OcclusionAs::Omit, ..options.clone() };
+    write_glb_levels(&[windy], path("_wind.glb"), &without)?;
+
+    let parts = instanced(tree, look, params, &Control::default())?;
+    if parts.leaves.is_empty() {
+        return Ok(());
+    }
+    let leaves = Level { instances: &parts.leaves, ..Level::from(&parts.mesh) };
+    write_glb_levels(&[leaves], path("_instanced.glb"), options)?;
+    write_glb_levels(&[leaves], path("_instanced_quantized.glb"), &quantized)?;
+    let bare = Level { coverage: 0.1, ..Level::from(&parts.mesh) };
+    let fine = Level { coverage: 0.5, ..leaves };
+    write_glb_levels(&[fine, bare], path("_levels.glb"), options)?;
+    Ok(())
+}
+
+/// The mesh with made-up optional columns, where it has none.
+fn completed(mesh: &Mesh) -> Mesh {
+    let mut mesh = mesh.clone();
+    for surface in &mut mesh.surfaces {
+        let n = surface.positions.len();
+        if surface.tangents.is_empty() {
+            let tangent = |n: &Vec3| n.any_orthonormal_vector().extend(1.0);
+            surface.tangents = surface.normals.iter().map(tangent).collect::<Vec<Vec4>>();
+        }
+        if surface.uvs2.is_empty() {
+            surface.uvs2 = (0..n).map(|i| Vec2::splat(i as f32 / n as f32)).collect();
+        }
+        if surface.occlusion.is_empty() {
+            surface.occlusion = (0..n).map(|i| (i % 5) as f32 / 4.0).collect();
+        }
+    }
+    mesh
 }
 
 /// A chequered bark, and one lens-shaped leaf shared by all kinds.

@@ -36,7 +36,7 @@ pub enum MeshError {
     Dangling {
         /// Number of the surface.
         surface: usize,
-        /// `vertex` or `material`.
+        /// `vertex`, `welded vertex`, `branch` or `material`.
         what: &'static str,
         /// The index found.
         found: u32,
@@ -192,6 +192,50 @@ pub enum MeshError {
     #[cfg(feature = "gltf")]
     #[error("glTF: {0}")]
     Gltf(String),
+    /// A file that is read is not what its format asks for.
+    #[error("{format}, {place}: {problem}")]
+    Malformed {
+        /// `glTF`, `OBJ`, `MTL` or `PLY`.
+        format: &'static str,
+        /// Where in the file: `line 12`, `accessor 3`.
+        place: String,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
+    /// A file that is read names another file, which was not asked for or lies out of bounds.
+    #[error("{format} names the file '{uri}': {problem}")]
+    External {
+        /// `glTF`, `OBJ` or `MTL`.
+        format: &'static str,
+        /// The name as it stands in the file, cut to 200 characters.
+        uri: String,
+        /// Why it is not opened.
+        problem: &'static str,
+    },
+    /// A file needs something this library cannot do.
+    #[error("{format}: {what} is not supported")]
+    Unsupported {
+        /// `glTF`, `PLY` or `file`.
+        format: &'static str,
+        /// What it needs.
+        what: String,
+    },
+    /// A caller's extra vertex attribute cannot be written.
+    #[error("attribute {name}: {problem}")]
+    Attribute {
+        /// Its name.
+        name: String,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
+    /// Instances of a mesh cannot be written.
+    #[error("instances {name}: {problem}")]
+    Instances {
+        /// Their name.
+        name: String,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
     /// Something from the layer below.
     #[error(transparent)]
     Core(#[from] CoreError),

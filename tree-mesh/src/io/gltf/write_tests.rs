@@ -1,10 +1,12 @@
 use super::*;
+use crate::mesh::{Alpha, Material, Surface, Texture};
 use crate::{Look, MeshParams, build};
 use glam::{Quat, Vec2, Vec3};
-use tree_core::{Control, Foliage, Leaf, Skeleton, Species, Tree};
+use std::sync::Arc;
+use tree_core::{Aabb, Control, Foliage, Leaf, Skeleton, Species, Tree};
 
 /// A little tree with two leaf kinds that share one texture.
-pub(super) fn mesh() -> Mesh {
+pub(super) fn tree() -> (Tree, Look) {
     let mut builder = Skeleton::builder(Vec3::ZERO, 0.3).unwrap();
     let fork = builder.add(0, Vec3::Y * 2.0, 0.2).unwrap();
     builder.add(fork, Vec3::new(0.3, 4.0, 0.0), 0.01).unwrap();
@@ -30,13 +32,18 @@ pub(super) fn mesh() -> Mesh {
         leaf.material.texture = Some(Arc::clone(&texture));
         leaf.material.alpha = Alpha::Mask(0.4);
     }
+    (tree, look)
+}
+
+fn mesh() -> Mesh {
+    let (tree, look) = tree();
     build(&tree, &look, &MeshParams::default(), &Control::default()).unwrap().mesh
 }
 
 #[test]
 fn a_reader_finds_what_was_written() {
     let mesh = mesh();
-    let bytes = to_glb(&mesh, &GlbOptions { name: "oak 1".into() }).unwrap();
+    let bytes = to_glb(&mesh, &GlbOptions { name: "oak 1".into(), ..Default::default() }).unwrap();
     let file = ::gltf::Gltf::from_slice(&bytes).unwrap();
     let blob = file.blob.as_deref().unwrap();
     assert_eq!(file.default_scene().unwrap().nodes().count(), 1);
@@ -156,5 +163,119 @@ fn flaws_are_named_and_leave_no_file() {
     ));
     write_glb(&sized(3), &path, &GlbOptions::default()).unwrap();
     assert!(path.is_file());
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn extra_attributes_are_checked_and_written() {
+    let mesh = sized(3);
+    let good = Attribute {
+        surface: 0,
+        name: "_WIND".into(),
+        components: 4,
+        values: (0..12).map(|i| i as f32).collect(),
+    };
+    let write = |attributes: &[Attribute]| {
+        to_glb_levels(&[Level { attributes, ..Level::from(&mesh) }], &GlbOptions::default())
+    };
+    let bytes = write(std::slice::from_ref(&good)).unwrap();
+    let file = ::gltf::Gltf::from_slice_without_validation(&bytes).unwrap();
+    let primitive = file.meshes().next().unwrap().primitives().next().unwrap();
+    let (_, accessor) = primitive
+        .attributes()
+        .find(|(name, _)| *name == ::gltf::Semantic::Extras("WIND".into()))
+        .unwrap();
+    let view = accessor.view().unwrap();
+    let found = &file.blob.as_ref().unwrap()[view.offset()..view.offset() + view.length()];
+    assert_eq!(found, bytemuck::cast_slice::<f32, u8>(&good.values));
+    for bad in [
+        Attribute { name: "WIND".into(), ..good.clone() },
+        Attribute { name: "_wind".into(), ..good.clone() },
+        Attribute { name: "_".into(), ..good.clone() },
+        Attribute { name: "_OCCLUSION".into(), ..good.clone() },
+        Attribute { surface: 1, ..good.clone() },
+        Attribute { components: 3, ..good.clone() },
+        Attribute { components: 0, values: vec![], ..good.clone() },
+        Attribute { values: vec![f32::NAN; 12], ..good.clone() },
+    ] {
+        let error = write(std::slice::from_ref(&bad)).unwrap_err();
+        assert!(matches!(error, MeshError::Attribute { .. }), "{bad:?}: {error}");
+    }
+    assert!(matches!(write(&[good.clone(), good]), Err(MeshError::Attribute { .. })));
+}
+
+#[test]
+fn levels_share_materials_and_are_linked() {
+    let (fine, mut coarse) = (mesh(), mesh());
+    coarse.surfaces.truncate(1);
+    let level = |mesh, coverage| Level { coverage, ..Level::from(mesh) };
+    let levels = [level(&fine, 0.5), level(&coarse, 0.1)];
+    let bytes = to_glb_levels(&levels, &GlbOptions::default()).unwrap();
+    let file = ::gltf::Gltf::from_slice_without_validation(&bytes).unwrap();
+    assert_eq!(file.meshes().count(), 2);
+    assert_eq!(file.materials().count(), fine.surfaces.len(), "equal materials are shared");
+    let roots: Vec<_> = file.default_scene().unwrap().nodes().collect();
+    assert_eq!(roots.len(), 1);
+    let lod = roots[0].extension_value("MSFT_lod").unwrap();
+    assert_eq!(lod["ids"], serde_json::json!([1]));
+    let wrong = [level(&fine, 0.1), level(&coarse, 0.5)];
+    assert!(matches!(
+        to_glb_levels(&wrong, &GlbOptions::default()),
+        Err(MeshError::Parameter { field: "coverage", .. })
+    ));
+    assert!(matches!(to_glb_levels(&[], &GlbOptions::default()), Err(MeshError::NoTriangles)));
+}
+
+#[test]
+fn quantised_vertices_take_less_than_half() {
+    let (mesh, options) = (sized(5000), GlbOptions::default());
+    let plain = to_glb(&mesh, &options).unwrap();
+    let small = to_glb(&mesh, &GlbOptions { quantize: true, ..options }).unwrap();
+    assert!(small.len() * 100 < plain.len() * 52, "{} of {}", small.len(), plain.len());
+}
+
+#[test]
+fn instances_that_do_not_fit_are_refused() {
+    let (tree, look) = tree();
+    let whole = instanced(&tree, &look, &MeshParams::default(), &Control::default()).unwrap();
+    assert_eq!(whole.leaves.len(), 2);
+    let error = |change: fn(&mut Instances)| {
+        let mut leaves = whole.leaves.clone();
+        change(&mut leaves[1]);
+        let level = Level { instances: &leaves, ..Level::from(&whole.mesh) };
+        to_glb_levels(&[level], &GlbOptions::default()).unwrap_err()
+    };
+    for error in [
+        error(|leaves| leaves.scales.clear()),
+        error(|leaves| leaves.translations[0].x = f32::NAN),
+        error(|leaves| leaves.rotations[0] = Quat::from_xyzw(0.0, 0.0, 0.0, 2.0)),
+        error(|leaves| {
+            leaves.translations.clear();
+            leaves.rotations.clear();
+            leaves.scales.clear();
+        }),
+    ] {
+        assert!(matches!(error, MeshError::Instances { .. }), "{error}");
+    }
+    let no_leaf = error(|leaves| leaves.mesh.surfaces.clear());
+    assert!(matches!(no_leaf, MeshError::NoTriangles));
+}
+
+#[test]
+fn a_gltf_names_the_files_beside_it() {
+    let folder = std::env::temp_dir().join(format!("tree-mesh-gltf-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("my tree.gltf");
+    write_gltf(&[Level::from(&mesh())], &path, &GlbOptions::default()).unwrap();
+    let mut names: Vec<_> = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    assert_eq!(names, ["my tree.gltf", "my_tree.bin", "my_tree_leaf.png"]);
+    let file = ::gltf::Gltf::open(&path).unwrap();
+    let buffer = file.buffers().next().unwrap();
+    assert!(matches!(buffer.source(), ::gltf::buffer::Source::Uri("my_tree.bin")));
+    assert_eq!(buffer.length() as u64, folder.join("my_tree.bin").metadata().unwrap().len());
     std::fs::remove_dir_all(&folder).unwrap();
 }

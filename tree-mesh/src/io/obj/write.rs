@@ -1,13 +1,7 @@
-//! OBJ with its materials (MTL) and, with the feature `image`, its textures (PNG).
-//!
-//! One object (`o`) per surface with triangles, named after its material. OBJ's v axis points up, so
-//! v is written as 1 − v. Numbers are rounded to micrometres, normals to 1e-4. Alpha-masked
-//! materials name their texture in `map_d` as well.
-//!
-//! Cost: one pass, a fixed buffer; numbers are formatted as integers, about 30 million a second.
+//! OBJ and MTL as text.
 
-use super::names::{Unique, safe};
 use crate::error::{MeshError, Result};
+use crate::io::names::{Unique, safe};
 use crate::mesh::{Alpha, Material, Mesh, Surface, Texture};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -135,7 +129,11 @@ impl<'a> Plan<'a> {
         writeln!(out, "# tree-mesh {}", env!("CARGO_PKG_VERSION"))?;
         for (material, name) in self.mesh.materials.iter().zip(&self.materials) {
             let [r, g, b, a] = material.base_color;
-            writeln!(out, "\nnewmtl {name}\nKd {r} {g} {b}\nKs 0 0 0\nillum 1\nd {a}")?;
+            writeln!(
+                out,
+                "\nnewmtl {name}\nKd {r} {g} {b}\nKs 0 0 0\nillum 1\nd {a}\nPr {}",
+                material.roughness
+            )?;
             if let Some(texture) = self.texture_of(material) {
                 writeln!(out, "map_Kd {texture}")?;
                 if matches!(material.alpha, Alpha::Mask(_)) {
@@ -263,5 +261,5 @@ fn push_integer(bytes: &mut Vec<u8>, mut value: u64, width: usize) {
 }
 
 #[cfg(test)]
-#[path = "obj_tests.rs"]
+#[path = "write_tests.rs"]
 mod tests;

@@ -1,0 +1,62 @@
+//! Writes small valid files to start from: `cargo run --example seeds`, in this folder, before fuzzing.
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+use tree_core::glam::{Quat, Vec3};
+use tree_core::{Control, Foliage, Leaf, Skeleton, Species, Tree, swc};
+use tree_mesh::io::gltf::{self, GlbOptions, Level};
+use tree_mesh::io::{obj, ply};
+use tree_mesh::{Alpha, Look, MeshParams, Texture, build};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.2)?;
+    builder.add(0, Vec3::Y, 0.1)?;
+    let skeleton = builder.finish();
+    save("swc", "tree", swc::write(&skeleton, &swc::SwcOptions::default())?.as_bytes())?;
+    let leaf = Leaf {
+        node: 1,
+        position: Vec3::Y,
+        rotation: Quat::IDENTITY,
+        size: 0.2,
+        kind: 0,
+    };
+    let species = Species { leaf_kinds: vec!["leaf".into()], ..Default::default() };
+    let tree = Tree::new(skeleton, Foliage::try_from(vec![leaf, leaf])?, species)?;
+    let mut look = Look::plain(tree.species());
+    let texture = Texture { name: "t".into(), width: 2, height: 2, pixels: vec![128; 16] };
+    save("picture", "png", &texture.to_png()?)?;
+    look.leaves[0].material.texture = Some(texture.into());
+    look.leaves[0].material.alpha = Alpha::Mask(0.5);
+    let params = MeshParams { leaf_rounding: 0.0, ..Default::default() };
+    let control = Control::default();
+    let mesh = build(&tree, &look, &params, &control)?.mesh;
+    let parts = gltf::instanced(&tree, &look, &params, &control)?;
+    let instanced = Level { instances: &parts.leaves, ..Level::from(&parts.mesh) };
+    for (name, level, quantize) in [
+        ("plain", Level::from(&mesh), false),
+        ("small", Level::from(&mesh), true),
+        ("instanced", instanced, true),
+    ] {
+        let options = GlbOptions { quantize, ..Default::default() };
+        save("gltf", name, &gltf::to_glb_levels(&[level], &options)?)?;
+    }
+    let (text, mtl) = obj::to_strings(&mesh, "tree")?;
+    save("obj", "alone", text.as_bytes())?;
+    save("obj", "both", [text.as_bytes(), b"\0", mtl.as_bytes()].concat().as_slice())?;
+    save("obj", "quads", b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv .2 .2 0\nf -4 -3 -2 -1\nl 1 2\n")?;
+    for ascii in [false, true] {
+        let bytes = ply::to_bytes(&mesh, &ply::PlyOptions { ascii })?;
+        save("ply", if ascii { "text" } else { "binary" }, &bytes)?;
+    }
+    let svg = r#"<svg viewBox="0 0 10 10"><path d="M2 8 L8 8 C9 2 1 2 2 8 Z" transform="scale(2)"/></svg>"#;
+    save("svg", "closed", svg.as_bytes())?;
+    Ok(())
+}
+
+fn save(target: &str, name: &str, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
+    let folder = Path::new("corpus").join(target);
+    fs::create_dir_all(&folder)?;
+    fs::write(folder.join(name), bytes)?;
+    Ok(())
+}
