@@ -6,10 +6,10 @@
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
-use tree_core::{Control, Tree, swc};
+use tree_core::{Control, swc};
 use tree_lod::preview::{self, Picture, Style, View};
 use tree_mesh::{Alpha, Look, Mesh, MeshParams};
-use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, skeletonize};
+use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, Skeletonized, skeletonize};
 
 #[path = "support/read_mesh.rs"]
 mod read_mesh;
@@ -61,7 +61,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         swc::write_file(path.as_ref(), skeleton, &swc::SwcOptions::default())?;
     }
     if let Some(path) = picture {
-        beside(&draw(&mesh, &control)?, &draw(&mesh_of(&made.tree, &control)?, &control)?)
+        beside(&draw(&mesh, &control)?, &draw(&mesh_of(&made, &control)?, &control)?)
             .save_png(&path)?;
     }
     Ok(())
@@ -87,7 +87,8 @@ fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
 }
 
 /// The tree as this library draws it.
-fn mesh_of(tree: &Tree, control: &Control) -> Result<Mesh, Box<dyn Error>> {
+fn mesh_of(made: &Skeletonized, control: &Control) -> Result<Mesh, Box<dyn Error>> {
+    let tree = &made.tree;
     // Lengths in the parameters are metres; the mesh may have any unit.
     let size = tree.skeleton().bounds().size().max_element();
     let params = MeshParams {
@@ -97,7 +98,11 @@ fn mesh_of(tree: &Tree, control: &Control) -> Result<Mesh, Box<dyn Error>> {
         radius_min: (5e-5 * size).clamp(1e-5, 0.1),
         ..Default::default()
     };
-    Ok(tree_mesh::build(tree, &Look::plain(tree.species()), &params, control)?.mesh)
+    let mut look = Look::plain(tree.species());
+    for (leaf, &width) in look.leaves.iter_mut().zip(&made.report.leaf_widths) {
+        leaf.width = width.clamp(0.05, 20.0);
+    }
+    Ok(tree_mesh::build(tree, &look, &params, control)?.mesh)
 }
 
 fn draw(mesh: &Mesh, control: &Control) -> Result<Picture, Box<dyn Error>> {

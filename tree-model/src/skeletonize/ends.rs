@@ -3,12 +3,13 @@
 //! A first, coarse run from the lowest vertex finds an end of the piece, a second one from there all
 //! its ends and how thick they are. The thickest (of the piece that stands on the ground: a low
 //! one) becomes the base. Distances near a single vertex would run in circles round it, so all
-//! vertices of the base get their height above the base plane to start with.
+//! vertices of the base get their height above the base plane to start with. An open rim about as
+//! thick as the thickest end is a better base; stout tubes, wider than long, have no other ends.
 
 use super::field::march;
 use super::rows::Rows;
 use super::slices::{NONE, Slices};
-use super::surface::Surface;
+use super::surface::{Rim, Surface};
 use glam::Vec3;
 use std::f32::consts::TAU;
 
@@ -21,6 +22,9 @@ const BASE_REACH: f32 = 2.5;
 /// How much thicker an end that stands higher must be, per length, in the piece on the ground.
 const HEIGHT_COST: f32 = 0.1;
 
+/// A rim is the base when it is at least this share as thick as the thickest end found otherwise.
+const RIM_SHARE: f32 = 0.7;
+
 /// An end of a piece and its looks.
 #[derive(Clone, Copy, Debug)]
 struct End {
@@ -32,16 +36,28 @@ struct End {
 
 /// Distances from the base of a surface; `grounded` when it stands on the ground.
 pub(super) fn from_base(surface: &Surface, fans: &Rows, grounded: bool) -> Vec<f32> {
+    let height_cost = if grounded { HEIGHT_COST } else { 0.0 };
+    let (rims, rim_of) = surface.rims();
+    let rim = best_rim(surface, &rims, height_cost);
+    let from_rim = |rim: u32| {
+        let on_rim = (0..).zip(&rim_of).filter(|&(_, &of)| of == rim);
+        let seeds: Vec<(u32, f32)> = on_rim.map(|(vertex, _)| (vertex, 0.0)).collect();
+        march(surface, fans, &seeds)
+    };
+    if let Some((rim, _)) = rim
+        && surface.is_tube(&rims)
+    {
+        return from_rim(rim);
+    }
+    let height = |vertex: u32| surface.positions[vertex as usize].y;
     let lowest = (0..surface.positions.len() as u32)
-        .min_by(|&a, &b| {
-            surface.positions[a as usize].y.total_cmp(&surface.positions[b as usize].y)
-        })
+        .min_by(|&a, &b| height(a).total_cmp(&height(b)))
         .unwrap_or(0);
     let far = farthest(&march(surface, fans, &[(lowest, 0.0)]));
     let distances = march(surface, fans, &[(far, 0.0)]);
     let slices = Slices::new(surface, &distances, COARSE);
     let heirs = slices.heirs();
-    let score = |end: &End| end.radius - if grounded { HEIGHT_COST * end.place.y } else { 0.0 };
+    let score = |end: &End| end.radius - height_cost * end.place.y;
     let end = std::iter::once(0)
         .chain(slices.first_end..slices.parents.len() as u32)
         .map(|node| slices.end(&heirs, node))
@@ -50,8 +66,20 @@ pub(super) fn from_base(surface: &Surface, fans: &Rows, grounded: bool) -> Vec<f
     let Some(end) = end else {
         return distances;
     };
+    if let Some((rim, found)) = rim
+        && found >= score(&end) - (1.0 - RIM_SHARE) * end.radius
+    {
+        return from_rim(rim);
+    }
     let seeds = seeds(surface, fans, &end);
     if seeds.is_empty() { distances } else { march(surface, fans, &seeds) }
+}
+
+/// The thickest rim and its score.
+fn best_rim(surface: &Surface, rims: &[Rim], height_cost: f32) -> Option<(u32, f32)> {
+    let score =
+        |rim: &Rim| rim.length / TAU - height_cost * surface.positions[rim.vertex as usize].y;
+    (0..).zip(rims.iter().map(score)).reduce(|a, b| if b.1 > a.1 { b } else { a })
 }
 
 fn farthest(distances: &[f32]) -> u32 {

@@ -22,14 +22,15 @@ const SIDE: f32 = 0.1;
 /// The picture is upside down when the upper side is nearer to wood by this factor.
 const UPSIDE_DOWN: f32 = 3.0;
 
-/// Leaves of all leaf components, and the names of their kinds. `skeleton` is of unit size.
+/// Leaves of all leaf components, the names of their kinds, and each kind's mean width as a share of its
+/// length. `skeleton` is of unit size.
 pub(super) fn leaves(
     soup: &Soup,
     separated: &Separated,
     parts: &[Part<'_>],
     skeleton: &Skeleton,
     control: &Control,
-) -> Result<(Foliage, Vec<String>)> {
+) -> Result<(Foliage, Vec<String>, Vec<f32>)> {
     let components: Vec<u32> = (0..soup.n_components as u32)
         .filter(|&component| separated.classes[component as usize] == Class::Leaf)
         .collect();
@@ -43,7 +44,7 @@ pub(super) fn leaves(
     }
     let near = Near::new(segments);
     let (kind_of, kinds) = kinds(soup, separated, parts, &components);
-    let found: Vec<Option<Leaf>> = components
+    let found: Vec<Option<(Leaf, f32)>> = components
         .par_iter()
         .zip(&kind_of)
         .map(|(&component, &kind)| {
@@ -51,14 +52,21 @@ pub(super) fn leaves(
             let triangles = separated.triangles.of(component);
             let shape = &separated.shapes[component as usize];
             let held = hold(soup, triangles, parts, &near, shape.axes[2]);
-            Ok(held.map(|held| Leaf { kind, ..bear(held, soup, &near, skeleton) }))
+            let width = held.as_ref().map_or(0.0, |held| held.width);
+            Ok(held.map(|held| (Leaf { kind, ..bear(held, soup, &near, skeleton) }, width)))
         })
         .collect::<Result<_>>()?;
     let mut foliage = Foliage::with_capacity(found.len());
-    for leaf in found.into_iter().flatten() {
+    // Of each kind the sums of lengths and widths, in units of the mesh's size.
+    let mut sums = vec![(0.0_f32, 0.0_f32); kinds.len()];
+    for (leaf, width) in found.into_iter().flatten() {
+        if let Some(sum) = sums.get_mut(usize::from(leaf.kind)) {
+            *sum = (sum.0 + (f64::from(leaf.size) / soup.size) as f32, sum.1 + width);
+        }
         foliage.push(leaf)?;
     }
-    Ok((foliage, kinds))
+    let widths = sums.iter().map(|(l, w)| if *l > 0.0 { w / l } else { 1.0 }).collect();
+    Ok((foliage, kinds, widths))
 }
 
 /// The kind of each component, by the name of its part.
@@ -96,6 +104,7 @@ struct Held {
     midrib: Vec3,
     face: Vec3,
     length: f32,
+    width: f32,
 }
 
 fn hold(
@@ -124,7 +133,7 @@ fn hold(
             let (bottom, top) = (side(low), side(high));
             let upside_down = distance(bottom) > UPSIDE_DOWN * distance(top);
             let (base, midrib) = if upside_down { (top, -up) } else { (bottom, up) };
-            Held { base, midrib, face: Vec3::ZERO, length: high - low }
+            Held { base, midrib, face: Vec3::ZERO, length: high - low, width: 0.0 }
         }
         None => {
             let stride = vertices.len().div_ceil(TRIED);
@@ -138,7 +147,7 @@ fn hold(
                 .map(place)
                 .reduce(|a, b| if b.distance(base) > a.distance(base) { b } else { a })?;
             let midrib = (tip - base).try_normalize()?;
-            Held { base, midrib, face: Vec3::ZERO, length: tip.distance(base) }
+            Held { base, midrib, face: Vec3::ZERO, length: tip.distance(base), width: 0.0 }
         }
     };
     let across = |v: Vec3| (v - held.midrib * v.dot(held.midrib)).try_normalize();
@@ -153,6 +162,10 @@ fn hold(
     let up = if least.y < 0.0 { -least } else { least };
     held.face =
         across(normal).or_else(|| across(up)).unwrap_or(held.midrib.any_orthonormal_vector());
+    let side = held.midrib.cross(held.face);
+    let across = |vertex: &u32| place(vertex).dot(side);
+    held.width = vertices.iter().map(across).fold(f32::NEG_INFINITY, f32::max)
+        - vertices.iter().map(across).fold(f32::INFINITY, f32::min);
     Some(held)
 }
 

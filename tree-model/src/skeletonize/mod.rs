@@ -69,7 +69,7 @@ pub struct Skeletonized {
 pub struct SkeletonizeReport {
     /// Triangles of all parts.
     pub n_triangles: usize,
-    /// Triangles without area, welding considered.
+    /// Triangles without area after welding, and second ones at one place in a part.
     pub n_degenerate: usize,
     /// Triangles of wood.
     pub n_wood_triangles: usize,
@@ -85,6 +85,8 @@ pub struct SkeletonizeReport {
     pub n_cut: usize,
     /// Leaves made.
     pub n_leaves: usize,
+    /// Mean width of each leaf kind as a share of its length.
+    pub leaf_widths: Vec<f32>,
     /// Closed bodies of leaves, for which nothing was made.
     pub n_blobs: usize,
 }
@@ -110,35 +112,30 @@ pub fn skeletonize(
     let soup = weld::weld(parts, params.weld, control)?;
     control.report("separate", 0.2)?;
     let separated = separate::separate(&soup, parts)?;
-    let wood: Vec<u32> = (0..soup.triangles.len() as u32)
-        .filter(|&triangle| {
-            let component = soup.components[triangle as usize];
-            separated.classes[component as usize] == Class::Wood
-        })
-        .collect();
     control.report("follow", 0.3)?;
-    let (pieces, areas) = follow(&soup, &wood, params, control)?;
+    let (pieces, areas) = follow(&soup, &separated.wood, params, control)?;
     control.report("link", 0.8)?;
     let forest = link::link(&pieces, params.bridge, control)?;
     let skeleton = assemble::assemble(&forest, control)?;
     control.report("leaves", 0.9)?;
-    let (foliage, leaf_kinds) = if params.leaves {
+    let (foliage, leaf_kinds, leaf_widths) = if params.leaves {
         leaves::leaves(&soup, &separated, parts, &skeleton, control)?
     } else {
-        (Foliage::default(), Vec::new())
+        (Foliage::default(), Vec::new(), Vec::new())
     };
     let covered: f32 =
         areas.iter().zip(&forest.reached).filter(|(_, reached)| **reached).map(|(a, _)| a).sum();
     let report = SkeletonizeReport {
         n_triangles: parts.iter().map(|part| part.indices.len() / 3).sum(),
         n_degenerate: soup.n_degenerate,
-        n_wood_triangles: wood.len(),
+        n_wood_triangles: separated.wood.len(),
         n_pieces: pieces.len(),
         n_left_out: forest.reached.iter().filter(|&&reached| !reached).count(),
         covered: (covered / areas.iter().sum::<f32>()).min(1.0),
         n_bumps: pieces.iter().map(|piece| piece.n_bumps).sum(),
         n_cut: pieces.iter().map(|piece| piece.n_cut).sum(),
         n_leaves: foliage.len(),
+        leaf_widths,
         n_blobs: separated.classes.iter().filter(|&&class| class == Class::Blob).count(),
     };
     let species = Species { name: "mesh".into(), bark: bark(&soup, &separated, parts), leaf_kinds };

@@ -7,7 +7,7 @@
 use super::part::{Hint, Part};
 use super::rows::Rows;
 use super::shape::Shape;
-use super::weld::Soup;
+use super::weld::{Soup, sorted};
 use crate::error::{ModelError, Result};
 use rayon::prelude::*;
 
@@ -52,6 +52,8 @@ const OTHER_WORDS: [&str; 4] = ["ground", "grass", "collision", "shadow"];
 pub(super) struct Separated {
     /// Triangles of each component.
     pub(super) triangles: Rows,
+    /// All triangles of wood, rising, but for those that lie on leaves.
+    pub(super) wood: Vec<u32>,
     pub(super) shapes: Vec<Shape>,
     pub(super) classes: Vec<Class>,
 }
@@ -95,7 +97,24 @@ pub(super) fn separate(soup: &Soup, parts: &[Part<'_>]) -> Result<Separated> {
         let problem = "all of it looks like leaves; give Hint::Wood to the parts that are bark";
         return Err(ModelError::NoWood { problem });
     }
-    Ok(Separated { triangles, shapes, classes })
+    let wood = wood(soup, &classes);
+    if wood.is_empty() {
+        let problem = "all bark lies under leaves; give Hint::Ignore to one of them";
+        return Err(ModelError::NoWood { problem });
+    }
+    Ok(Separated { triangles, wood, shapes, classes })
+}
+
+/// Triangles of wood without those that are there a second time as leaves, which files made by
+/// hand have by mistake.
+fn wood(soup: &Soup, classes: &[Class]) -> Vec<u32> {
+    let class = |triangle: u32| classes[soup.components[triangle as usize] as usize];
+    let all = 0..soup.triangles.len() as u32;
+    let key = |triangle: u32| sorted(soup.triangles[triangle as usize]);
+    let leafy = all.clone().filter(|&t| matches!(class(t), Class::Leaf | Class::Blob));
+    let mut covered: Vec<[u32; 3]> = leafy.map(key).collect();
+    covered.sort_unstable();
+    all.filter(|&t| class(t) == Class::Wood && covered.binary_search(&key(t)).is_err()).collect()
 }
 
 /// What is known of a part before its shape is looked at.

@@ -13,6 +13,16 @@ pub(super) struct Surface {
     pub(super) edges: Vec<[u32; 2]>,
     /// Edges of each triangle: from its first corner to its second, and so on.
     pub(super) edges_of: Vec<[u32; 3]>,
+    /// Whether each edge is the side of one triangle only.
+    pub(super) open: Vec<bool>,
+}
+
+/// A hole, or the open end of a tube.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rim {
+    /// Any of its vertices.
+    pub(super) vertex: u32,
+    pub(super) length: f32,
 }
 
 impl Surface {
@@ -35,14 +45,46 @@ impl Surface {
         sides.sort_unstable();
         let mut edges: Vec<[u32; 2]> = Vec::with_capacity(sides.len() / 2 + 3);
         let mut edges_of = vec![[0; 3]; triangles.len()];
+        let mut open = Vec::with_capacity(edges.capacity());
         for (edge, side) in sides {
-            if edges.last() != Some(&edge) {
+            if edges.last() == Some(&edge) {
+                open.pop();
+                open.push(false);
+            } else {
                 edges.push(edge);
+                open.push(true);
             }
             edges_of[side as usize / 3][side as usize % 3] = edges.len() as u32 - 1;
         }
         let positions = used.iter().map(|&vertex| positions[vertex as usize]).collect();
-        Self { positions, triangles, edges, edges_of }
+        Self { positions, triangles, edges, edges_of, open }
+    }
+
+    /// All rims, and the rim of each vertex; `u32::MAX` for vertices on none.
+    pub(super) fn rims(&self) -> (Vec<Rim>, Vec<u32>) {
+        let mut sets = Sets::new(self.positions.len());
+        let rim_edges = || self.edges.iter().zip(&self.open).filter(|(_, open)| **open);
+        for (&[a, b], _) in rim_edges() {
+            sets.join(a, b);
+        }
+        let (mut rims, mut rim_of) = (Vec::<Rim>::new(), vec![u32::MAX; self.positions.len()]);
+        for (&[a, b], _) in rim_edges() {
+            let first = sets.find(a);
+            if rim_of[first as usize] == u32::MAX {
+                rim_of[first as usize] = rims.len() as u32;
+                rims.push(Rim { vertex: first, length: 0.0 });
+            }
+            let rim = rim_of[first as usize];
+            (rim_of[a as usize], rim_of[b as usize]) = (rim, rim);
+            rims[rim as usize].length +=
+                self.positions[a as usize].distance(self.positions[b as usize]);
+        }
+        (rims, rim_of)
+    }
+
+    /// Whether this is a tube open at both ends: a ring, topologically.
+    pub(super) fn is_tube(&self, rims: &[Rim]) -> bool {
+        rims.len() == 2 && self.positions.len() + self.triangles.len() == self.edges.len()
     }
 
     /// Triangles round each vertex.
@@ -110,6 +152,9 @@ pub(super) mod tests {
     fn a_tube_has_as_many_edges_as_euler_says() {
         let surface =
             surface_of(&tube(&[(Vec3::ZERO, 1.0), (Vec3::Y, 1.0), (Vec3::Y * 2.0, 1.0)], 5));
+        let (rims, rim_of) = surface.rims();
+        assert!(surface.is_tube(&rims));
+        assert_eq!(rim_of.iter().filter(|&&rim| rim != u32::MAX).count(), 10);
         // A ring's characteristic is 0.
         assert_eq!(surface.positions.len() + surface.triangles.len(), surface.edges.len());
         for (corners, edges) in surface.triangles.iter().zip(&surface.edges_of) {

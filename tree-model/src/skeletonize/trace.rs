@@ -39,6 +39,12 @@ const MEDIAN_SAMPLES: usize = 6;
 const SMOOTH_REACH: f32 = 0.4;
 /// … and at most so many nodes.
 const SMOOTH_NODES: usize = 6;
+/// Last nodes nearer to the end than this share of their radius lie on its cap.
+const CAP_SHARE: f32 = 0.3;
+/// So many radii from its start, a piece has its full thickness.
+const BASE_SHARE: f32 = 1.5;
+/// Lines thinner than this share of it below are cut off slantingly.
+const BLUNT: f32 = 0.75;
 /// Steps that the direction of the axis is taken over, at most.
 const WALK_MAX: usize = 40;
 /// Longest distance between nodes in straight wood, in radii.
@@ -196,7 +202,67 @@ fn clean(
     {
         slot.1 = slot.1.min(median);
     }
-    smooth(&line, &reach, fork.is_some())
+    let mut line = smooth(&line, &reach, fork.is_some());
+    square_off(&mut line, fork.is_none());
+    line
+}
+
+/// Ends that are cut off. Level lines run on over a cap, towards its middle, without getting any
+/// farther; the chain ends where they start to. The last node of a slanting end is one corner of it;
+/// it is put back on the axis, with the radius that the lines before it lead to.
+fn square_off(line: &mut Vec<(Vec3, f32)>, base_too: bool) {
+    let Some(&(end, _)) = line.last() else {
+        return;
+    };
+    let on_cap = |&(place, radius): &(Vec3, f32)| place.distance(end) < CAP_SHARE * radius;
+    let cap = line.iter().rev().take_while(|node| on_cap(node)).count();
+    if cap > 1 && cap + 2 < line.len() {
+        line.truncate(line.len() - cap + 1);
+    }
+    straighten_end(line);
+    if base_too {
+        blunt(line);
+        line.reverse();
+        straighten_end(line);
+        line.reverse();
+    }
+}
+
+/// Drops the lines round one corner of a slanting base: a base is never pointed.
+fn blunt(line: &mut Vec<(Vec3, f32)>) {
+    let Some(&(start, _)) = line.first() else {
+        return;
+    };
+    let beyond = |&&(place, radius): &&(Vec3, f32)| {
+        radius > 0.0 && place.distance(start) >= BASE_SHARE * radius
+    };
+    let Some(&(_, full)) = line.iter().find(beyond) else {
+        return;
+    };
+    let slim = line.iter().take_while(|(_, radius)| *radius < BLUNT * full).count();
+    if slim > 0 && slim + 3 < line.len() {
+        line.drain(1..slim.max(1));
+        line[0].1 = line[1].1;
+    }
+}
+
+/// Moves the last node onto the axis through those before it.
+fn straighten_end(line: &mut [(Vec3, f32)]) {
+    let n = line.len();
+    if n < 4 {
+        return;
+    }
+    let (near, r_near) = line[n - 2];
+    let before = line[..n - 2].iter().rev().find(|(p, _)| p.distance(near) >= 0.5 * r_near);
+    let Some(&(far, r_far)) = before else {
+        return;
+    };
+    let length = far.distance(near);
+    let along = (near - far) / length;
+    let ahead = (line[n - 1].0 - near).dot(along).max(0.0);
+    let radius = r_near + (r_near - r_far) * (ahead / length).min(1.0);
+    let most = r_near.max(line[n - 1].1);
+    line[n - 1] = (near + along * ahead, radius.clamp(0.0, most));
 }
 
 /// Moving averages; both ends stay, a lateral's first node does not.

@@ -23,7 +23,7 @@ pub(super) struct Soup {
     /// Connected component of each triangle within its part.
     pub(super) components: Vec<u32>,
     pub(super) n_components: usize,
-    /// Triangles without area.
+    /// Triangles without area, and triangles of one part that lie on one another.
     pub(super) n_degenerate: usize,
     centre: DVec3,
     /// Longest side of the box around the mesh.
@@ -101,6 +101,12 @@ fn join_near(positions: &[Vec3], share: f32) -> (Vec<u32>, usize) {
     sets.labels()
 }
 
+/// The corners in rising order: the same for both windings.
+pub(super) fn sorted(mut corners: [u32; 3]) -> [u32; 3] {
+    corners.sort_unstable();
+    corners
+}
+
 fn triangles_of(
     parts: &[Part<'_>],
     positions: &[Vec3],
@@ -128,6 +134,7 @@ fn triangles_of(
     let mut n_local = 0;
     for (number, part) in parts.iter().enumerate() {
         let first_local = n_local;
+        let mut own = Vec::with_capacity(part.indices.len() / 3);
         for (row, corners) in part.indices.chunks_exact(3).enumerate() {
             let corner = |i: usize| welded[first + corners[i] as usize];
             let triangle = [corner(0), corner(1), corner(2)];
@@ -142,8 +149,16 @@ fn triangles_of(
             }
             // Slivers stay: they hold the surface together.
             soup.n_degenerate += usize::from(flat);
+            own.push((sorted(triangle), row as u32, triangle));
+        }
+        own.sort_unstable();
+        let all = own.len();
+        own.dedup_by_key(|&mut (corners, ..)| corners);
+        soup.n_degenerate += all - own.len();
+        own.sort_unstable_by_key(|&(_, row, _)| row);
+        for (_, row, triangle) in own {
             soup.triangles.push(triangle);
-            soup.sources.push((number as u32, row as u32));
+            soup.sources.push((number as u32, row));
             local_of_corner.push(triangle.map(|v| {
                 let local = &mut seen[v as usize];
                 // Numbers below `first_local` are left from other parts.
