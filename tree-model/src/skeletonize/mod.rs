@@ -195,3 +195,6 @@ fn bark(soup: &Soup, separated: &Separated, parts: &[Part<'_>]) -> String {
     let most = (0..parts.len()).reduce(|a, b| if areas[b] > areas[a] { b } else { a });
     most.and_then(|part| parts.get(part)).map_or("bark", |part| part.name).to_owned()
 }
+
+#[cfg(test)]
+mod tests;
