@@ -106,7 +106,7 @@ fn split(
 
 /// Brings the skeleton back to the units of the mesh.
 pub(super) fn outward(mut skeleton: Skeleton, soup: &Soup) -> Result<Skeleton> {
-    let scale = |r: &f32| (f64::from(*r) * soup.size) as f32;
+    let scale = |r: &f32| ((f64::from(*r) * soup.size) as f32).min(f32::MAX);
     skeleton.set_radii(skeleton.radii().iter().map(scale).collect())?;
     let positions = skeleton.positions().iter().map(|&p| soup.outward(p)).collect();
     skeleton.set_positions(positions)?;

@@ -9,7 +9,8 @@ pub struct SkeletonizeParams {
     /// Vertices nearer than a quarter of this share of the mesh's size are one, 1e-7 to 0.01.
     /// Default 1e-5. Larger closes cracks and may melt twigs.
     pub weld: f32,
-    /// Distance between nodes in radii of the wood, 0.1 to 20. Default 1.5. Straight wood gets fewer.
+    /// Least distance between nodes in bent wood, in halves of the radius, 0.1 to 20. Default 1. Straight wood gets fewer
+    /// nodes, up to ten radii apart.
     pub spacing: f32,
     /// How far a node may lie off the measured centre line, in radii, 0 to 0.5. Default 0.08.
     pub tolerance: f32,
@@ -25,7 +26,7 @@ pub struct SkeletonizeParams {
 
 impl Default for SkeletonizeParams {
     fn default() -> Self {
-        Self { weld: 1e-5, spacing: 1.5, tolerance: 0.08, prune: 0.25, bridge: 0.05, leaves: true }
+        Self { weld: 1e-5, spacing: 1.0, tolerance: 0.08, prune: 0.25, bridge: 0.05, leaves: true }
     }
 }
 

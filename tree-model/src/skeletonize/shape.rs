@@ -39,7 +39,8 @@ impl Shape {
             let [a, b, c] = corners.map(|p| p.as_dvec3() - centre);
             let weight = 0.5 * (b - a).cross(c - a).length();
             volume += a.dot(b.cross(c)) / 6.0;
-            for p in [a, b, c] {
+            // The second moment of a triangle about the centre, times 12 (exact).
+            for p in [a, b, c, a + b + c] {
                 spread += weight * DMat3::from_cols(p * p.x, p * p.y, p * p.z);
             }
         }

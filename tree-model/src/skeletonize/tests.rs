@@ -141,12 +141,23 @@ fn rods() -> Vec<Rod> {
     ]
 }
 
+/// The axes with their ends drawn on through the round caps that [`melted`] gives them.
+fn capped() -> Vec<Rod> {
+    let mut rods = rods();
+    for [(a, ra), (b, rb)] in &mut rods {
+        *b += (*b - *a).normalize() * *rb;
+        // The foot too.
+        *a += if a.y > 0.0 { Vec3::ZERO } else { Vec3::NEG_Y * *ra };
+    }
+    rods
+}
+
 #[test]
 fn bridged_forks_on_one_closed_surface_keep_to_the_axes() {
     for cell in [0.03, 0.045] {
         let made = read(&[&melted(&rods(), cell)]);
         let skeleton = made.tree.skeleton();
-        let (there, back) = (share_within(skeleton, &rods()), share_found(skeleton, &rods()));
+        let (there, back) = (share_within(skeleton, &capped()), share_found(skeleton, &rods()));
         println!("{there} there, {back} back, {} nodes, {:?}", skeleton.len(), made.report);
         assert_eq!(made.report.n_pieces, 1);
         assert_eq!(skeleton.tip_counts()[0], 5, "five branch ends");
@@ -325,9 +336,9 @@ proptest! {
 
     #[test]
     fn a_random_bent_tube_is_one_axis_with_its_radius(
-        bends in prop::collection::vec([-0.5_f32..0.5, 0.3..1.0, -0.5..0.5], 2..8),
+        bends in prop::collection::vec([-0.4_f32..0.4, 0.5..1.0, -0.4..0.4], 2..8),
         sides in 3_u32..12,
-        radius in 0.02_f32..0.1,
+        radius in 0.01_f32..0.06,
     ) {
         let mut points = vec![(Vec3::ZERO, radius)];
         for bend in bends {

@@ -51,6 +51,13 @@ const WALK_MAX: usize = 40;
 const STRAIGHT: f32 = 10.0;
 /// A lateral's direction is taken over this many of its radii.
 const AIM: f32 = 3.0;
+/// Bark is rough by this share of its radius, or by what the triangles make of it.
+const ROUGH: f32 = 0.12;
+/// Over a flat place where waves of the distance field meet, lines shrink to a point over about
+/// their radius; a side chain shorter than this many radii is no branch …
+const FLAT: f32 = 1.7;
+/// … unless it ends more than so many of its parent's radii outside of it.
+const FLAT_REACH: f32 = 4.0;
 /// Nodes of a lateral nearer to its parent's axis than this share of the parent's radius are inside.
 const INSIDE: f32 = 1.05;
 
@@ -64,6 +71,8 @@ struct Chain {
     /// First node outside the parent.
     first: usize,
     kept: bool,
+    /// Not longer than wide.
+    is_flat: bool,
 }
 
 /// One piece per start.
@@ -74,9 +83,12 @@ pub(super) fn trace(slices: &Slices, params: &SkeletonizeParams) -> Vec<Piece> {
     let mut totals = (0, 0);
     for i in 0..chains.len() {
         let Some((parent, place)) = chains[i].fork else {
-            chains[i].line = clean(slices, &radii, &chains[i].nodes, None);
+            let (line, first) = clean(slices, &radii, &chains[i].nodes, None);
+            (chains[i].line, chains[i].first) = (line, first);
             continue;
         };
+        // Past the end of a parent that was cut short.
+        let place = place.min(chains[parent].line.len().saturating_sub(1));
         let cut = chains[i].nodes.last().is_some_and(|&end| slices.cut[end as usize]);
         totals.1 += usize::from(cut);
         if !chains[parent].kept {
@@ -84,7 +96,7 @@ pub(super) fn trace(slices: &Slices, params: &SkeletonizeParams) -> Vec<Piece> {
             continue;
         }
         let fork = chains[parent].line[place];
-        chains[i].line = clean(slices, &radii, &chains[i].nodes, Some(fork));
+        chains[i].line = clean(slices, &radii, &chains[i].nodes, Some(fork)).0;
         let (kept, first) = stands_out(&chains[i], &chains[parent], place, cut, params);
         (chains[i].kept, chains[i].first) = (kept, first);
         totals.0 += usize::from(!kept);
@@ -142,22 +154,28 @@ fn chains(slices: &Slices, heirs: &[u32]) -> Vec<Chain> {
         } else {
             let fork = (parent != NONE).then(|| place_of[parent as usize]);
             let (nodes, line) = (Vec::new(), Vec::new());
-            chains.push(Chain { nodes, fork, line, first: 0, kept: true });
+            chains.push(Chain { nodes, fork, line, first: 0, kept: true, is_flat: false });
             chains.len() - 1
         };
         place_of[node as usize] = (chain, chains[chain].nodes.len());
         chains[chain].nodes.push(node);
     }
+    for chain in &mut chains {
+        let girth = |&node: &u32| slices.lengths[node as usize];
+        let wide = chain.nodes.iter().map(girth).fold(0.0, f32::max) / TAU;
+        chain.is_flat = (chain.nodes.len() as f32) * slices.step < FLAT * wide;
+    }
     chains
 }
 
-/// The chain's line without bulges, smoothed; `fork` is where it comes from.
+/// The chain's line without bulges, smoothed, and its first place that counts; `fork` is where it
+/// comes from.
 fn clean(
     slices: &Slices,
     radii: &[f32],
     nodes: &[u32],
     fork: Option<(Vec3, f32)>,
-) -> Vec<(Vec3, f32)> {
+) -> (Vec<(Vec3, f32)>, usize) {
     let raw: Vec<(Vec3, f32)> =
         nodes.iter().map(|&n| (slices.middles[n as usize], radii[n as usize])).collect();
     let reach = |radius: f32, factor: f32, most: usize| {
@@ -203,16 +221,16 @@ fn clean(
         slot.1 = slot.1.min(median);
     }
     let mut line = smooth(&line, &reach, fork.is_some());
-    square_off(&mut line, fork.is_none());
-    line
+    let first = square_off(&mut line, fork.is_none());
+    (line, first)
 }
 
 /// Ends that are cut off. Level lines run on over a cap, towards its middle, without getting any
 /// farther; the chain ends where they start to. The last node of a slanting end is one corner of it;
 /// it is put back on the axis, with the radius that the lines before it lead to.
-fn square_off(line: &mut Vec<(Vec3, f32)>, base_too: bool) {
+fn square_off(line: &mut Vec<(Vec3, f32)>, base_too: bool) -> usize {
     let Some(&(end, _)) = line.last() else {
-        return;
+        return 0;
     };
     let on_cap = |&(place, radius): &(Vec3, f32)| place.distance(end) < CAP_SHARE * radius;
     let cap = line.iter().rev().take_while(|node| on_cap(node)).count();
@@ -220,30 +238,34 @@ fn square_off(line: &mut Vec<(Vec3, f32)>, base_too: bool) {
         line.truncate(line.len() - cap + 1);
     }
     straighten_end(line);
-    if base_too {
-        blunt(line);
-        line.reverse();
-        straighten_end(line);
-        line.reverse();
+    if !base_too {
+        return 0;
     }
+    let first = blunt(line);
+    line[first..].reverse();
+    straighten_end(&mut line[first..]);
+    line[first..].reverse();
+    first
 }
 
-/// Drops the lines round one corner of a slanting base: a base is never pointed.
-fn blunt(line: &mut Vec<(Vec3, f32)>) {
+/// A base is never pointed: moves the start up to the last of the lines round one corner of a
+/// slanting base, and returns its new place.
+fn blunt(line: &mut [(Vec3, f32)]) -> usize {
     let Some(&(start, _)) = line.first() else {
-        return;
+        return 0;
     };
     let beyond = |&&(place, radius): &&(Vec3, f32)| {
         radius > 0.0 && place.distance(start) >= BASE_SHARE * radius
     };
     let Some(&(_, full)) = line.iter().find(beyond) else {
-        return;
+        return 0;
     };
     let slim = line.iter().take_while(|(_, radius)| *radius < BLUNT * full).count();
-    if slim > 0 && slim + 3 < line.len() {
-        line.drain(1..slim.max(1));
-        line[0].1 = line[1].1;
+    if slim == 0 || slim + 3 >= line.len() {
+        return 0;
     }
+    line[slim - 1] = (start, line[slim].1);
+    slim - 1
 }
 
 /// Moves the last node onto the axis through those before it.
@@ -323,7 +345,9 @@ fn stands_out(
     let (distance, radius) = to_parent(chain.line[n - 1].0, parent, place, span);
     // A loop cut open goes nowhere: only long ones are branches that touch.
     let share = if cut { 1.0_f32.max(params.prune) } else { params.prune };
-    let bump = distance - radius < (share * radius).min(if cut { f32::INFINITY } else { own });
+    let own = if cut { f32::INFINITY } else { own.max(ROUGH * radius) };
+    let bump = distance - radius < (share * radius).min(own);
+    let bump = bump || (chain.is_flat && distance < (1.0 + FLAT_REACH) * radius);
     (!bump || params.prune <= 0.0, first)
 }
 
@@ -418,11 +442,10 @@ fn space_out(chain: &Chain, forks: &[usize], params: &SkeletonizeParams) -> Vec<
 fn may_skip(line: &[(Vec3, f32)], from: usize, to: usize, params: &SkeletonizeParams) -> bool {
     let ((a, ra), (b, rb)) = (line[from], line[to]);
     let length = a.distance(b);
-    let radius = ra.min(rb);
     if length > STRAIGHT * ra.max(rb) {
         return false;
     }
-    if length < params.spacing * radius * 0.5 {
+    if length < 0.5 * params.spacing * ra.max(rb) {
         return true;
     }
     let along = (b - a) / length.max(f32::MIN_POSITIVE);

@@ -33,7 +33,8 @@ pub(super) struct Soup {
 impl Soup {
     /// Back to the units of the mesh.
     pub(super) fn outward(&self, point: Vec3) -> Vec3 {
-        (self.centre + self.size * point.as_dvec3()).as_vec3()
+        let most = DVec3::splat(f64::from(f32::MAX));
+        (self.centre + self.size * point.as_dvec3()).clamp(-most, most).as_vec3()
     }
 
     /// The corners of a triangle.
