@@ -143,6 +143,10 @@ fn there_and_back(preset: &str) -> (f64, f64) {
         made.report
     );
     assert_eq!(made.report.n_left_out, 0);
+    // The flare makes the foot thicker, never thinner.
+    let (foot, trunk) = (new.radii()[0], tree.skeleton().radii()[0]);
+    assert!((0.9 * trunk..2.0 * trunk).contains(&foot), "trunk of {foot} m, was {trunk} m");
+    assert!(new.positions()[0].length() < 0.3 * trunk, "stands at {}", new.positions()[0]);
     (there, back)
 }
 

@@ -19,6 +19,10 @@ const COARSE: f32 = 3.0;
 const BASE_HEIGHT: f32 = 0.7;
 /// Vertices of the base lie within this many radii of its middle.
 const BASE_REACH: f32 = 2.5;
+/// The same on the ground, where buttresses may spread.
+const GROUNDED_REACH: f32 = 6.0;
+/// An end is on the ground when it is within this many radii of the lowest vertex.
+const FOOT: f32 = 3.0;
 /// How much thicker an end that stands higher must be, per length, in the piece on the ground.
 const HEIGHT_COST: f32 = 0.1;
 
@@ -71,7 +75,14 @@ pub(super) fn from_base(surface: &Surface, fans: &Rows, grounded: bool) -> Vec<f
     {
         return from_rim(rim);
     }
-    let seeds = seeds(surface, fans, &end);
+    let low = end.place.y - height(lowest) < FOOT * end.radius;
+    let (end, reach) = if grounded && low {
+        // Buttresses pull the end to one side; a trunk stands upright enough.
+        (End { inward: Vec3::Y, ..end }, GROUNDED_REACH)
+    } else {
+        (end, BASE_REACH)
+    };
+    let seeds = seeds(surface, fans, &end, reach);
     if seeds.is_empty() { distances } else { march(surface, fans, &seeds) }
 }
 
@@ -93,11 +104,11 @@ fn farthest(distances: &[f32]) -> u32 {
 }
 
 /// The connected vertices round the base, with their heights above it.
-fn seeds(surface: &Surface, fans: &Rows, end: &End) -> Vec<(u32, f32)> {
+fn seeds(surface: &Surface, fans: &Rows, end: &End, reach: f32) -> Vec<(u32, f32)> {
     let height = |vertex: u32| (surface.positions[vertex as usize] - end.place).dot(end.inward);
     let belongs = |vertex: u32| {
         height(vertex) <= BASE_HEIGHT * end.radius
-            && surface.positions[vertex as usize].distance(end.place) <= BASE_REACH * end.radius
+            && surface.positions[vertex as usize].distance(end.place) <= reach * end.radius
     };
     let near = |a: &u32, b: &u32| {
         let to = |v: u32| surface.positions[v as usize].distance_squared(end.place);

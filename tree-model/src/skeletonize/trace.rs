@@ -56,6 +56,9 @@ const ROUGH: f32 = 0.12;
 /// Over a flat place where waves of the distance field meet, lines shrink to a point over about
 /// their radius; a side chain shorter than this many radii is no branch …
 const FLAT: f32 = 1.7;
+/// (more, when it is thinner than this share of its parent: stubs of twigs are rarer than slivers)
+const SMALL: f32 = 0.1;
+const FLAT_SMALL: f32 = 4.0;
 /// … unless it ends more than so many of its parent's radii outside of it.
 const FLAT_REACH: f32 = 4.0;
 /// Nodes of a lateral nearer to its parent's axis than this share of the parent's radius are inside.
@@ -71,8 +74,9 @@ struct Chain {
     /// First node outside the parent.
     first: usize,
     kept: bool,
-    /// Not longer than wide.
-    is_flat: bool,
+    /// Girth over 2π of its longest line, and how many times that it is long.
+    wide: f32,
+    slender: f32,
 }
 
 /// One piece per start.
@@ -154,7 +158,7 @@ fn chains(slices: &Slices, heirs: &[u32]) -> Vec<Chain> {
         } else {
             let fork = (parent != NONE).then(|| place_of[parent as usize]);
             let (nodes, line) = (Vec::new(), Vec::new());
-            chains.push(Chain { nodes, fork, line, first: 0, kept: true, is_flat: false });
+            chains.push(Chain { nodes, fork, line, first: 0, kept: true, wide: 0.0, slender: 0.0 });
             chains.len() - 1
         };
         place_of[node as usize] = (chain, chains[chain].nodes.len());
@@ -162,8 +166,8 @@ fn chains(slices: &Slices, heirs: &[u32]) -> Vec<Chain> {
     }
     for chain in &mut chains {
         let girth = |&node: &u32| slices.lengths[node as usize];
-        let wide = chain.nodes.iter().map(girth).fold(0.0, f32::max) / TAU;
-        chain.is_flat = (chain.nodes.len() as f32) * slices.step < FLAT * wide;
+        chain.wide = chain.nodes.iter().map(girth).fold(0.0, f32::max) / TAU;
+        chain.slender = chain.nodes.len() as f32 * slices.step / chain.wide;
     }
     chains
 }
@@ -347,7 +351,8 @@ fn stands_out(
     let share = if cut { 1.0_f32.max(params.prune) } else { params.prune };
     let own = if cut { f32::INFINITY } else { own.max(ROUGH * radius) };
     let bump = distance - radius < (share * radius).min(own);
-    let bump = bump || (chain.is_flat && distance < (1.0 + FLAT_REACH) * radius);
+    let flat = if chain.wide < SMALL * radius { FLAT_SMALL } else { FLAT };
+    let bump = bump || (chain.slender < flat && distance < (1.0 + FLAT_REACH) * radius);
     (!bump || params.prune <= 0.0, first)
 }
 
