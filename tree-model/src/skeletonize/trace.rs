@@ -54,12 +54,13 @@ const AIM: f32 = 3.0;
 /// Bark is rough by this share of its radius, or by what the triangles make of it.
 const ROUGH: f32 = 0.12;
 /// Over a flat place where waves of the distance field meet, lines shrink to a point over about
-/// their radius; a side chain shorter than this many radii is no branch …
+/// their radius: a side chain shorter than this many radii is no branch.
 const FLAT: f32 = 1.7;
-/// (more, when it is thinner than this share of its parent: stubs of twigs are rarer than slivers)
-const SMALL: f32 = 0.1;
+/// The same for chains thinner than `SMALL` radii of their parent, where slivers are commoner than
+/// stubs of twigs.
 const FLAT_SMALL: f32 = 4.0;
-/// … unless it ends more than so many of its parent's radii outside of it.
+const SMALL: f32 = 0.2;
+/// Ends more than so many of the parent's radii outside of it are branches all the same.
 const FLAT_REACH: f32 = 4.0;
 /// Nodes of a lateral nearer to its parent's axis than this share of the parent's radius are inside.
 const INSIDE: f32 = 1.05;
