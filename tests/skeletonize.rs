@@ -180,3 +180,35 @@ fn leaves_come_back_where_they_were() {
         .count();
     assert!(turned as f64 > 0.95 * old.len() as f64, "{turned} of {}", old.len());
 }
+
+#[path = "../examples/support/read_mesh.rs"]
+mod read_mesh;
+
+#[test]
+fn every_shared_mesh_gives_one_skeleton_of_all_its_wood() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/meshes");
+    if !folder.exists() {
+        println!("skipped: {} is not here", folder.display());
+        return;
+    }
+    let mut n_read = 0;
+    for folder in [folder.clone(), folder.join("quaternius"), folder.join("waterways")] {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if !path.extension().is_some_and(|extension| extension == "glb" || extension == "obj") {
+                continue;
+            }
+            let made = read(&read_mesh::read(&path).unwrap());
+            let skeleton = made.tree.skeleton();
+            let (height, trunk) = (skeleton.bounds().size().y, skeleton.radii()[0]);
+            println!("{}: {height} high, trunk of {trunk}", path.display());
+            assert!(made.report.covered > 0.999, "{}: {:?}", path.display(), made.report);
+            let slender = trunk / height;
+            assert!((0.005..0.15).contains(&slender), "{}: {slender}", path.display());
+            let base = skeleton.positions()[0].y - skeleton.bounds().min.y;
+            assert!(base < 0.1 * height, "{} stands on {base}", path.display());
+            n_read += 1;
+        }
+    }
+    assert_eq!(n_read, 17);
+}

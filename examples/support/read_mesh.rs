@@ -7,7 +7,7 @@ use tree_core::glam::{Mat4, Vec2, Vec3};
 use tree_mesh::{Alpha, Material, Mesh, Surface};
 
 /// Reads a mesh by its extension.
-pub(super) fn read(path: &Path) -> Result<Mesh, Box<dyn Error>> {
+pub(crate) fn read(path: &Path) -> Result<Mesh, Box<dyn Error>> {
     let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let mut mesh = match path.extension().and_then(|extension| extension.to_str()) {
         Some("glb") => glb(&bytes)?,
