@@ -96,6 +96,20 @@ pub enum ModelError {
         /// Its answer.
         found: f32,
     },
+    /// A part of a mesh cannot be read.
+    #[error("parts[{part}]: {problem}")]
+    BadPart {
+        /// Index into the parts.
+        part: usize,
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
+    /// A mesh has no wood to follow.
+    #[error("no wood found: {problem}")]
+    NoWood {
+        /// Why.
+        problem: &'static str,
+    },
     /// There is no preset of this name.
     #[error("no preset named '{name}'; there are {known}")]
     UnknownPreset {

@@ -6,10 +6,12 @@
 //!
 //! * [`path`]: a rough volume becomes a tree of least-cost paths (Xu & Mould 2012).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
+//! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
 
 mod error;
 pub mod foliage;
 pub mod path;
+pub mod skeletonize;
 
 pub use error::ModelError;
 pub use tree_core;
