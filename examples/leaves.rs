@@ -140,7 +140,7 @@ fn look(species: &Species) -> Result<Look, Box<dyn Error>> {
             translucency: 0.4,
             ..Material::default()
         };
-        look.leaves.push(LeafLook { material, width: drawn.width });
+        look.leaves.push(LeafLook { material, width: drawn.width, ..Default::default() });
     }
     Ok(look)
 }

@@ -4,15 +4,12 @@
 //! [--picture tree.png] [--wood-only]`
 
 use std::error::Error;
-use std::path::Path;
 use std::process::ExitCode;
 use tree_core::{Control, swc};
 use tree_lod::preview::{self, Picture, Style, View};
-use tree_mesh::{Alpha, Look, Mesh, MeshParams};
+use tree_mesh::io::{self, ImportOptions};
+use tree_mesh::{Alpha, ErrorBound, Look, Mesh, MeshParams};
 use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, Skeletonized, skeletonize};
-
-#[path = "support/read_mesh.rs"]
-mod read_mesh;
 
 const USAGE: &str = "skeletonize MESH.glb|MESH.obj [--out tree.swc] [--picture tree.png] \
                      [--wood-only]";
@@ -42,7 +39,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     }
     let input = input.ok_or(format!("usage: {USAGE}"))?;
     let control = Control::default();
-    let mesh = read_mesh::read(Path::new(&input))?;
+    let mesh = io::read(&input, &ImportOptions { external: true }, &control)?.mesh;
 
     let params = SkeletonizeParams { leaves, ..Default::default() };
     let start = std::time::Instant::now();
@@ -93,8 +90,7 @@ fn mesh_of(made: &Skeletonized, control: &Control) -> Result<Mesh, Box<dyn Error
     let size = tree.skeleton().bounds().size().max_element();
     let params = MeshParams {
         flare: 0.0,
-        side_error: (2e-4 * size).clamp(1e-5, 1.0),
-        curve_error: (5e-4 * size).clamp(1e-5, 1.0),
+        error: ErrorBound::Metres((3e-4 * size).clamp(1e-5, 1.0)),
         radius_min: (5e-5 * size).clamp(1e-5, 0.1),
         ..Default::default()
     };

@@ -52,13 +52,16 @@ fn flaw(surface: &Surface, found: &Topology) -> Option<String> {
     None
 }
 
+fn with_tangents() -> MeshParams {
+    MeshParams { tangents: true, ..MeshParams::default() }
+}
+
 fn is_one_point(skeleton: &Skeleton) -> bool {
     let first = skeleton.positions().first().copied().unwrap_or_default();
     skeleton.positions().iter().all(|&p| p == first)
 }
 
 #[test]
-#[ignore = "until the closed builder is merged"]
 fn every_skeleton_gets_one_closed_surface() {
     for case in 0..CASES {
         let seed = Seed(case);
@@ -68,7 +71,7 @@ fn every_skeleton_gets_one_closed_surface() {
             continue;
         }
         let tree = Tree::bare(skeleton, Species::default());
-        let outcome = bark(&tree, &MeshParams::default());
+        let outcome = bark(&tree, &with_tangents());
         let flaw = match &outcome {
             Ok((surface, found)) => flaw(surface, found),
             Err(error) => Some(error.clone()),
@@ -80,7 +83,6 @@ fn every_skeleton_gets_one_closed_surface() {
 }
 
 #[test]
-#[ignore = "until the closed builder is merged"]
 fn tame_trees_have_the_volume_of_their_frusta() {
     // Many sides: a polygon of 32 has 99.4 % of its circle's area.
     let params = MeshParams { sides_min: 32, sides_max: 32, flare: 0.0, ..MeshParams::default() };
@@ -95,11 +97,10 @@ fn tame_trees_have_the_volume_of_their_frusta() {
 }
 
 #[test]
-#[ignore = "until the closed builder is merged"]
 fn every_preset_gets_one_closed_surface() {
     for preset in PRESETS {
         let grown = preset.params().unwrap().grow(Seed(3), &Control::default()).unwrap();
-        let (surface, found) = bark(&grown.tree, &MeshParams::default()).unwrap();
+        let (surface, found) = bark(&grown.tree, &with_tangents()).unwrap();
         if let Some(flaw) = flaw(&surface, &found) {
             panic!("preset {}: {flaw}", preset.name());
         }

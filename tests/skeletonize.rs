@@ -4,6 +4,7 @@
 
 use tree_core::glam::Vec3;
 use tree_core::{Continuation, Control, Seed, Skeleton, Tree};
+use tree_mesh::io::{self, ImportOptions};
 use tree_mesh::{Look, Mesh, MeshParams};
 use tree_model::path::Preset;
 use tree_model::skeletonize::{Part, SkeletonizeParams, Skeletonized, skeletonize};
@@ -181,9 +182,6 @@ fn leaves_come_back_where_they_were() {
     assert!(turned as f64 > 0.95 * old.len() as f64, "{turned} of {}", old.len());
 }
 
-#[path = "../examples/support/read_mesh.rs"]
-mod read_mesh;
-
 #[test]
 fn every_shared_mesh_gives_one_skeleton_of_all_its_wood() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/meshes");
@@ -198,7 +196,7 @@ fn every_shared_mesh_gives_one_skeleton_of_all_its_wood() {
             if !path.extension().is_some_and(|extension| extension == "glb" || extension == "obj") {
                 continue;
             }
-            let made = read(&read_mesh::read(&path).unwrap());
+            let made = read(&io::read(&path, &ImportOptions::default(), &Control::default()).unwrap().mesh);
             let skeleton = made.tree.skeleton();
             let (height, trunk) = (skeleton.bounds().size().y, skeleton.radii()[0]);
             println!("{}: {height} high, trunk of {trunk}", path.display());

@@ -8,7 +8,7 @@ use super::{Outcome, plain};
 use crate::table::{Aim, Row, Table};
 use tree_core::{Control, Seed, Skeleton, Species, Tree};
 use tree_lod::preview::{self, Camera, Framing, Mask, View};
-use tree_mesh::{Look, Mesh, MeshParams, build};
+use tree_mesh::{ErrorBound, Look, Mesh, MeshParams, build};
 use tree_model::path::Preset;
 
 /// Errors in metres, coarse to fine; the last is the reference.
@@ -51,8 +51,9 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
 fn bark(skeleton: &Skeleton, error: f32) -> Outcome<Mesh> {
     let tree = Tree::bare(skeleton.clone(), Species::default());
     let params = MeshParams {
-        side_error: error,
-        curve_error: error,
+        error: ErrorBound::Metres(error),
+        // Rings for the wind do not belong to the outline.
+        strip_max: 1000.0,
         sides_max: 128,
         flare: 0.0,
         ..MeshParams::default()
