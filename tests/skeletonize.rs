@@ -196,7 +196,9 @@ fn every_shared_mesh_gives_one_skeleton_of_all_its_wood() {
             if !path.extension().is_some_and(|extension| extension == "glb" || extension == "obj") {
                 continue;
             }
-            let made = read(&io::read(&path, &ImportOptions::default(), &Control::default()).unwrap().mesh);
+            let made = read(
+                &io::read(&path, &ImportOptions::default(), &Control::default()).unwrap().mesh,
+            );
             let skeleton = made.tree.skeleton();
             let (height, trunk) = (skeleton.bounds().size().y, skeleton.radii()[0]);
             println!("{}: {height} high, trunk of {trunk}", path.display());

@@ -198,14 +198,17 @@ fn find_feet(ring: &Ring, rims: &mut Rims) {
     let Rims { rims, feet } = rims;
     feet.clear();
     let n = rims.len();
+    let Some(from) = rims.first().map(|first| first.angle) else { return };
     let mut i = 0;
     for k in 0..ring.n {
         let mut angle = TAU * k as f32 / ring.n as f32;
-        if rims.first().is_some_and(|first| angle < first.angle) {
-            angle += TAU;
-            i = 0;
+        // Into the turn that the rim makes. The search starts anew where that is passed.
+        if angle < from {
+            (angle, i) = (angle + TAU, 0);
+        } else if angle > from + TAU {
+            (angle, i) = (angle - TAU, 0);
         }
-        let end = |i: usize| if i + 1 < n { rims[i + 1].angle } else { rims[0].angle + TAU };
+        let end = |i: usize| if i + 1 < n { rims[i + 1].angle } else { from + TAU };
         while i + 1 < n && end(i) <= angle {
             i += 1;
         }

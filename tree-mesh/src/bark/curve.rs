@@ -1,7 +1,7 @@
 //! The line an axis is drawn along: its nodes, cleaned, joined by cubics.
 //!
 //! 1. Nodes so near to the last that a ring there would only make slivers are left out; the tip
-//!    stays.
+//!    stays. So are steps back inside the wood.
 //! 2. The line is a clamped cubic B-spline (Neubert 2012, §5.2.1), kept as one cubic for each pair of
 //!    nodes ([`CurveFit`]):
 //!    * *through* the nodes: the interpolating spline with continuous curvature, knots at the lengths
@@ -20,8 +20,8 @@ use glam::Vec3;
 /// Nodes nearer to the last one than this share of the larger radius are left out. More loses bends,
 /// less leaves rings that cut into each other.
 const MERGE_SHARE: f32 = 0.1;
-/// Shortest segment as a share of the largest coordinate (or of a metre): eight steps of an f32.
-const LENGTH_MIN: f32 = 1e-6;
+/// Shortest segment as a share of the largest coordinate (or of a metre): some thirty steps of an f32.
+const LENGTH_MIN: f32 = 4e-6;
 /// A tip thinner than this share of the node before it ends in a point; a thicker one in a cap.
 const POINT_SHARE: f32 = 0.35;
 
@@ -194,6 +194,15 @@ impl Drawing {
             if last.position.distance(station.position) <= near.max(length_min(station.position)) {
                 return;
             }
+            // A step back inside the wood would turn the tube inside out.
+            if let [.., before, last] = self.nodes[..] {
+                let (ahead, step) =
+                    (last.position - before.position, station.position - last.position);
+                let inside = step.length() < last.radius.max(station.radius);
+                if inside && step.dot(ahead) < 0.0 {
+                    return;
+                }
+            }
         }
         self.nodes.push(station);
     }
@@ -312,9 +321,10 @@ pub(crate) fn carry(nodes: &[Station], frames: &mut [Frame], hint: Vec3) {
 }
 
 /// Thinnest wood as a share of the largest coordinate: corners of a ring stay apart in f32.
-const ROUND_MIN: f32 = 2e-6;
+const ROUND_MIN: f32 = 1e-5;
 
-fn length_min(position: Vec3) -> f32 {
+/// Shortest segment at this place.
+pub(crate) fn length_min(position: Vec3) -> f32 {
     LENGTH_MIN * (1.0 + position.abs().max_element())
 }
 

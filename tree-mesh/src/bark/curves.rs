@@ -1,6 +1,6 @@
 //! The lines of all axes.
 
-use super::curve::{Curve, Drawing, Station};
+use super::curve::{Curve, Drawing, Station, length_min};
 use super::frame::Frame;
 use crate::error::Result;
 use crate::params::{CurveFit, MeshParams};
@@ -15,6 +15,8 @@ const ROOT_COSINE: f32 = -0.2;
 /// How far the trunk reaches below such roots, in its radii, and how thick it is there.
 const STOCK_DEPTH: f32 = 0.9;
 const STOCK_RADIUS: f32 = 0.75;
+/// Shortest stock, in lengths that count as nothing.
+const STOCK_MIN: f32 = 30.0;
 
 /// The line of every axis, by number of the axis.
 #[derive(Debug)]
@@ -149,14 +151,18 @@ fn load(raw: &mut Vec<Station>, skeleton: &Skeleton, axis: Axis<'_>) -> usize {
 fn stock(skeleton: &Skeleton, trunk: Axis<'_>) -> Option<Station> {
     let (positions, radii) = (skeleton.positions(), skeleton.radii());
     let base = positions[0];
-    let away = |node: u32| (positions[node as usize] - base).try_normalize();
+    let nothing = 2.0 * length_min(base);
+    let away = |node: u32| {
+        let arm = positions[node as usize] - base;
+        if arm.length() > nothing { arm.try_normalize() } else { None }
+    };
     let children = || skeleton.segments().filter(|&(parent, _)| parent == 0).map(|(_, node)| node);
     let radius = radii[0];
     let Some(up) = trunk.nodes.iter().find_map(|&node| away(node)) else {
         let longest = skeleton.positions().iter().map(|p| p.distance(base)).fold(0.0, f32::max);
         let up = children().find_map(away).unwrap_or(Vec3::Y);
         return (longest > 0.0).then(|| Station {
-            position: base - up * radius.max(0.01 * longest),
+            position: base - up * radius.max(0.01 * longest).max(STOCK_MIN * nothing),
             radius,
             along: 0.0,
         });

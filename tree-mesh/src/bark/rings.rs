@@ -16,7 +16,10 @@ const WINDOW: usize = 24;
 const TURN_COSINE: f32 = 0.8;
 /// Share of its radius that a ring may be turned by for each step of that length.
 const TURN_RATE: f32 = 0.8;
-/// No ring stands nearer to a storey than this share of its radius.
+/// How far a ring may be turned from its line, as a chord of the unit sphere: past a right angle (1.41)
+/// the tube would be inside out.
+const LATE_MAX: f32 = 1.1;
+/// No ring stands nearer to a storey than this share of its radius, or of the stretch between two.
 const CLEARANCE: f32 = 0.25;
 
 /// A ring of vertices.
@@ -128,7 +131,8 @@ impl RingFinder {
 
     /// Rings between two that stand; `open` when the upper one is the tip.
     fn fill(&mut self, wall: &Wall<'_>, from: &Place, to: &Place, open: bool, fineness: Fineness) {
-        let near = |place: &Place| CLEARANCE * place.station.radius;
+        let room = CLEARANCE * (to.station.along - from.station.along);
+        let near = |place: &Place| (CLEARANCE * place.station.radius).min(room);
         let low = from.station.along + near(from);
         let high = to.station.along - if open { 0.0 } else { near(to) };
         self.sample(wall, low, high, fineness.error);
@@ -209,7 +213,8 @@ impl RingFinder {
             if let Some(below) = i.checked_sub(1).map(|i| self.rings[i]) {
                 let step = ring.station.position.distance(below.station.position);
                 let radius = ring.station.radius.max(below.station.radius);
-                tangent = towards(below.frame.tangent, tangent, TURN_RATE * step / radius);
+                let late = towards(below.frame.tangent, tangent, TURN_RATE * step / radius);
+                tangent = towards(tangent, late, LATE_MAX);
             }
             self.rings[i].frame = curve.frame(&ring.station, tangent);
         }

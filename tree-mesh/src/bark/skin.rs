@@ -270,9 +270,11 @@ impl Round {
     }
 }
 
-/// The unit part of `v` across `normal`.
+/// The unit part of `v` across `normal`; `None` where they are so near to parallel that rounding would
+/// choose it.
 pub(crate) fn across(v: Vec3, normal: Vec3) -> Option<Vec3> {
-    (v - normal * v.dot(normal)).try_normalize()
+    let part = v - normal * v.dot(normal);
+    if part.length_squared() > 1e-4 * v.length_squared() { part.try_normalize() } else { None }
 }
 
 /// Joins two rings by a strip of `below.n + above.n` triangles, less two for each hole's column.

@@ -10,7 +10,7 @@
 //! nearest free column, else it moves up into a storey of its own.
 
 use super::circle::Circles;
-use super::curve::{Curve, Place};
+use super::curve::{Curve, Place, length_min};
 use super::flare::Flare;
 use glam::Vec3;
 use std::f32::consts::TAU;
@@ -165,11 +165,10 @@ impl Storeys {
 
     /// Pushes storeys apart and into the wall.
     fn fit(&mut self, wall: &Wall<'_>) {
-        let (Some(first), Some(last)) = (self.storeys.first(), self.storeys.last()) else { return };
-        let shortest = HEIGHT_MIN * wall.curve.at(first.low).station.radius;
-        let shortest = shortest
-            .max(4e-6 * last.high)
-            .min((wall.high - wall.low) / (4 * self.storeys.len() + 2) as f32);
+        let Some(first) = self.storeys.first() else { return };
+        let base = wall.curve.at(first.low).station;
+        let room = (wall.high - wall.low) / (4 * self.storeys.len() + 2) as f32;
+        let shortest = (HEIGHT_MIN * base.radius).max(length_min(base.position)).min(room);
         let mut floor = wall.low;
         let mut below: Option<u32> = None;
         for i in 0..self.storeys.len() {

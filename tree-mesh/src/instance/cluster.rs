@@ -59,7 +59,7 @@ fn seeds(forms: &[Form], n: usize, seed: Seed, control: &Control) -> Result<Vec<
             left -= chance(pair);
             left <= 0.0 && chance(pair) > 0.0
         });
-        let Some((drawn, _)) = drawn.or(forms.iter().zip(&nearest).last()) else { break };
+        let Some((drawn, _)) = drawn.or(forms.iter().zip(&nearest).next_back()) else { break };
         seeds.push(drawn.descriptor);
         let near = nearest.par_iter_mut().zip(forms);
         near.for_each(|(near, form)| *near = near.min(apart(&form.descriptor, &drawn.descriptor)));

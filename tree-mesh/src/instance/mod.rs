@@ -1,10 +1,10 @@
 //! A few unique twigs, set down many times: a tree at a tenth of its memory and less.
 //!
-//! 1. [`cut`]: the tree is cut into a base and *occurrences*, its terminal subtrees of a limited length.
-//! 2. [`describe`]: each occurrence gets a frame (out along its leaves, rolled to the sky), a size and
+//! 1. `cut`: the tree is cut into a base and *occurrences*, its terminal subtrees of a limited length.
+//! 2. `describe`: each occurrence gets a frame (out along its leaves, rolled to the sky), a size and
 //!    a descriptor: leaves, thickness, spread, direction against gravity.
-//! 3. [`cluster`]: occurrences are grouped; of each group the one nearest to its mean becomes a twig.
-//! 4. [`parts`]: base and twigs become meshes; every occurrence is replaced by its group's twig.
+//! 3. `cluster`: occurrences are grouped; of each group the one nearest to its mean becomes a twig.
+//! 4. `parts`: base and twigs become meshes; every occurrence is replaced by its group's twig.
 //! 5. Several lengths and numbers are tried; of those that make the whole as much smaller than the
 //!    flattened tree as asked, the truest is taken.
 //!
@@ -216,8 +216,8 @@ fn report(
         else {
             continue;
         };
-        let leaves = f64::from(form.n_leaves);
-        sum += leaves * f64::from(form.distance(twig)).powi(2);
+        let (leaves, off) = (f64::from(form.n_leaves), f64::from(form.distance(twig)));
+        sum += leaves * off * off;
         weight += leaves;
     }
     TwigReport {

@@ -75,11 +75,10 @@ impl<'a> Side<'a> {
 
     fn best(&self, n_max: usize) -> Vec<(usize, f32)> {
         let n_states = self.stops.len() * DISTANCES;
-        let mut tables = vec![vec![NONE; n_states]];
-        let first = self.reach.first().copied().unwrap_or(0.0);
-        for level in self.level(first)..DISTANCES {
-            tables[0][level].area = 0.0;
-        }
+        let first = self.level(self.reach.first().copied().unwrap_or(0.0));
+        let mut start = vec![NONE; n_states];
+        start.iter_mut().take(DISTANCES).skip(first).for_each(|best| best.area = 0.0);
+        let mut tables = vec![start];
         while tables.len() < n_max {
             let next = tables.last().map(|table| self.extend(table)).unwrap_or_default();
             tables.push(next);
