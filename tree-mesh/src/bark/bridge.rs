@@ -23,6 +23,8 @@ const GATHER: f32 = 0.9;
 const COSINE_MIN: f32 = 0.2;
 /// Feet stand on the wall at this many radii from the lateral's axis.
 const FOOT: f32 = 1.3;
+/// Feet nearer to each other than this share of the radius lie in one place.
+const MERGED: f32 = 1e-3;
 /// Where the rim is nearer than that, they stand at this share of the way to it.
 const CROWDED: f32 = 0.85;
 
@@ -41,8 +43,8 @@ struct Rim {
 #[derive(Debug, Default)]
 pub(crate) struct Rims {
     rims: Vec<Rim>,
-    /// A rim's vertex, normal and so on at the angle of each corner of the ring.
-    feet: Vec<Rim>,
+    /// The rim at the angle of each corner of the ring, then the feet there.
+    feet: Vec<Spot>,
 }
 
 /// Writes the bridge of `lateral` to its host, or the point of a stub.
@@ -61,22 +63,20 @@ pub(crate) fn fill(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &m
     let centre = wall.spot(ring.station.position, ring.frame.tangent);
     let bridge = Bridge { lateral, ring, wall, centre };
     let n = ring.n;
-    let (collar, feet) = (out.next(), lateral.plan.has_feet(lateral.axis));
-    for k in 0..n {
-        let rim = &rims.feet[k as usize];
-        let spot = if feet {
-            bridge.foot(rim)
-        } else {
-            Spot { position: rim.position, normal: rim.normal, uv: rim.uv }
-        };
-        out.vertex(bridge.collar(k, &spot, out.global(ring.first + k)));
+    let with_feet = lateral.plan.has_feet(lateral.axis);
+    if with_feet {
+        bridge.place_feet(&mut rims.feet);
+    }
+    let collar = out.next();
+    for (k, foot) in rims.feet.iter().enumerate() {
+        out.vertex(bridge.collar(k as u32, foot, out.global(ring.first + k as u32)));
     }
     let mut inner = collar;
-    if feet {
+    if with_feet {
         inner = out.next();
-        for k in 0..n {
-            let spot = bridge.foot(&rims.feet[k as usize]);
-            out.vertex(bridge.vertex(spot.position, spot.normal, spot.uv, out.global(inner + k)));
+        for (k, foot) in rims.feet.iter().enumerate() {
+            let weld = out.global(inner + k as u32);
+            out.vertex(bridge.vertex(foot.position, foot.normal, foot.uv, weld));
         }
         for k in 0..n {
             let (a, b, next) = (inner + k, collar + k, (k + 1) % n);
@@ -215,11 +215,10 @@ fn find_feet(ring: &Ring, rims: &mut Rims) {
         let (a, b) = (rims[i], rims[(i + 1) % n]);
         let rest = end(i) - a.angle;
         let t = if rest > 0.0 { ((angle - a.angle) / rest).clamp(0.0, 1.0) } else { 0.0 };
-        feet.push(Rim {
+        feet.push(Spot {
             position: a.position.lerp(b.position, t),
-            normal: a.normal.lerp(b.normal, t),
+            normal: a.normal.lerp(b.normal, t).normalize_or(a.normal),
             uv: a.uv.lerp(b.uv, t),
-            ..a
         });
         if angle >= TAU {
             i = 0;
@@ -247,6 +246,8 @@ struct Wall {
     /// At that height, and how fast it grows above.
     radius: f32,
     slope: f32,
+    /// The smaller of the radii below and above the hole.
+    least: f32,
     /// Heights of the rings below and above the hole.
     low: f32,
     high: f32,
@@ -256,7 +257,7 @@ struct Wall {
 }
 
 /// A place on the wall.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Spot {
     position: Vec3,
     normal: Vec3,
@@ -271,6 +272,7 @@ impl Wall {
         let wide = |ring: &Ring| ring.station.radius * host.flare.widest(ring.station.along);
         let rise = (high.station.along - low.station.along).max(f32::MIN_POSITIVE);
         let slope = (wide(high) - wide(low)) / rise;
+        let least = wide(high).min(wide(low));
         let foot = low.station.position;
         let axis = foot + up * (middle.position - foot).dot(up);
         let out = across(middle.position - axis, up).unwrap_or(middle.normal);
@@ -288,6 +290,7 @@ impl Wall {
             side: up.cross(out),
             radius,
             slope,
+            least,
             low,
             high,
             uv: middle.uv,
@@ -309,7 +312,7 @@ impl Wall {
             // A line that runs along the wall meets it far away: no farther than the hole reaches.
             let height = (hit - self.axis).dot(self.up);
             hit += self.up * (height.clamp(self.low, self.high.max(self.low)) - height);
-            radius = (self.radius + self.slope * (hit - self.axis).dot(self.up)).max(0.0);
+            radius = (self.radius + self.slope * (hit - self.axis).dot(self.up)).max(self.least);
         }
         self.upon(hit)
     }
@@ -319,7 +322,7 @@ impl Wall {
         let height = (position - self.axis).dot(self.up);
         let middle = self.axis + self.up * height;
         let radial = (position - middle).try_normalize().unwrap_or(self.out);
-        let radius = (self.radius + self.slope * height).max(0.0);
+        let radius = (self.radius + self.slope * height).max(self.least);
         let angle = libm::atan2f(radial.dot(self.side), radial.dot(self.out));
         Spot {
             position: middle + radial * radius,
@@ -352,13 +355,29 @@ impl Bridge<'_> {
         self.vertex(position, self.lateral.shading(0, k).0, uv, weld)
     }
 
+    /// Moves the rim's places at the corners of the ring to the lateral's feet.
+    fn place_feet(&self, feet: &mut [Spot]) {
+        let apart = MERGED * self.ring.station.radius;
+        let n = feet.len();
+        let near = |i: usize| {
+            let (a, b) = (self.foot(&feet[i]), self.foot(&feet[(i + 1) % n]));
+            a.position.distance(b.position) < apart
+        };
+        // Where the wall is thinner than the lateral, its cone folds: half way up instead.
+        let folded = (0..n).any(near);
+        for (k, foot) in feet.iter_mut().enumerate() {
+            let corner = self.lateral.corner(self.ring, k as u32);
+            let half_way = Spot { position: foot.position.lerp(corner, 0.5), ..*foot };
+            *foot = if folded { half_way } else { self.foot(foot) };
+        }
+    }
+
     /// On the wall, a little outside of the lateral's ring, on the way from its middle to the rim.
-    fn foot(&self, rim: &Rim) -> Spot {
-        let station = self.ring.station;
+    fn foot(&self, rim: &Spot) -> Spot {
         let direction = self.ring.frame.tangent;
-        let to_rim = rim.position - station.position;
+        let to_rim = rim.position - self.centre.position;
         let reach = (to_rim - direction * to_rim.dot(direction)).length();
-        let share = station.radius / reach.max(f32::MIN_POSITIVE);
+        let share = self.ring.station.radius / reach.max(f32::MIN_POSITIVE);
         let share = if share < CROWDED { (FOOT * share).min(0.5 * (1.0 + share)) } else { CROWDED };
         self.wall.upon(self.centre.position.lerp(rim.position, share))
     }

@@ -20,6 +20,8 @@ use tree_core::{Axes, Control, Skeleton};
 /// A lateral whose line comes out of the wall within this many of its radii from a thicker sibling's
 /// wood stands on that sibling.
 const FUSED: f32 = 0.4;
+/// Rounds of handing on, after which what still has nothing to stand on is not drawn.
+const ROUNDS: u32 = 8;
 /// At most so many siblings on either side are looked at.
 const NEIGHBOURS: usize = 12;
 
@@ -74,7 +76,18 @@ impl Forest<'_> {
         for (axis, leaving) in fused {
             all[axis as usize] = leaving;
         }
-        self.hand_on(&mut all);
+        // A sibling may come later in the order than what stands on it.
+        for _ in 0..ROUNDS {
+            if !self.hand_on(&mut all) {
+                break;
+            }
+        }
+        for axis in 1..all.len() {
+            let host = all[axis].host;
+            if host != 0 && host != NONE && !all[host as usize].carries() {
+                all[axis].exit = None;
+            }
+        }
         Ok(all)
     }
 
@@ -94,8 +107,10 @@ impl Forest<'_> {
         Some(Host { curve: self.curves.get(axis)?, flare })
     }
 
-    /// Hands on laterals that fork where their host has no wall. Parents come first.
-    fn hand_on(&self, all: &mut [Leaving]) {
+    /// Hands on laterals that fork where their host has no wall. Parents come first. Tells whether
+    /// there were any.
+    fn hand_on(&self, all: &mut [Leaving]) -> bool {
+        let mut any = false;
         for axis in 1..all.len() {
             let Leaving { mut host, mut exit } = all[axis];
             loop {
@@ -113,9 +128,11 @@ impl Forest<'_> {
                 };
                 host = below.host;
                 exit = self.leave(axis as u32, host, at);
+                any = true;
             }
             all[axis] = Leaving { host, exit };
         }
+        any
     }
 
     /// Laterals of a host that rather stand on thicker siblings.

@@ -19,6 +19,8 @@ const TURN_RATE: f32 = 0.8;
 /// How far a ring may be turned from its line, as a chord of the unit sphere: past a right angle (1.41)
 /// the tube would be inside out.
 const LATE_MAX: f32 = 1.1;
+/// Smallest cosine between a ring's line and the strip above it.
+const FORWARD: f32 = 0.3;
 /// No ring stands nearer to a storey than this share of its radius, or of the stretch between two.
 const CLEARANCE: f32 = 0.25;
 
@@ -154,6 +156,7 @@ impl RingFinder {
                 && next.station.along - last.station.along < fineness.longest
                 && (open && ahead + 2 == self.samples.len()
                     || last.tangent.dot(next.tangent) > TURN_COSINE)
+                && goes_on(&last, next)
                 && fits(&last.station, next, &self.samples[kept..=ahead], fineness.error)
             {
                 ahead += 1;
@@ -228,6 +231,13 @@ fn towards(from: Vec3, to: Vec3, most: f32) -> Vec3 {
         return to;
     }
     from.lerp(to, most / chord).try_normalize().unwrap_or(from)
+}
+
+/// Whether a strip from `a` to `b` goes the way that the line goes at `a`: small zigzags would stay
+/// within the error, but turn a strip inside out.
+fn goes_on(a: &Place, b: &Place) -> bool {
+    let chord = b.station.position - a.station.position;
+    chord.dot(a.tangent) > FORWARD * chord.length()
 }
 
 /// Whether all of `between` lie within `error` of the straight strip from `a` to `b`.

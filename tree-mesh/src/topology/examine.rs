@@ -20,8 +20,8 @@ use rayon::prelude::*;
 
 /// A triangle counts as flat when its area is below this share of the squared diagonal of the box
 /// around the surface: a square with a side of a ten-millionth of the diagonal, about the step of
-/// an f32. For a tree of 10 m that is 10⁻¹² m².
-pub const FLAT_SHARE: f64 = 1e-14;
+/// an f32, and a tenth as high. For a tree of 10 m that is 10⁻¹³ m².
+pub const FLAT_SHARE: f64 = 1e-15;
 /// Triangles or points in one part of the work.
 const PART: usize = 1 << 14;
 
