@@ -94,6 +94,9 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     if params.tangents {
         bark.tangents = zeroed_vec(bark.positions.len());
     }
+    if params.lightmap {
+        bark.uvs2 = zeroed_vec(bark.positions.len());
+    }
     bark.branches = zeroed_vec(bark.positions.len());
     bark.welds = zeroed_vec(bark.positions.len());
     bark::fill(&plan, params, &mut bark, control)?;

@@ -18,9 +18,11 @@
 //! | [`rings`], [`circle`] | where rings stand and how many sides they have |
 //! | [`plan`] | all of that for all axes, and counts |
 //! | [`skin`], [`bridge`], [`flare`] | vertices and triangles |
+//! | [`chart`] | light-map coordinates |
 
 mod attach;
 mod bridge;
+mod chart;
 mod circle;
 mod curve;
 mod curves;
@@ -68,18 +70,22 @@ pub(crate) fn fill(
         }
         parts.push((first..next, rest.split(vertices, 3 * triangles as usize)));
     }
-    parts.into_par_iter().try_for_each_init(bridge::Rims::default, |rims, (places, mut part)| {
-        for &number in &plan.order[places] {
-            control.check()?;
-            let axis = &plan.axes[number as usize];
-            let (vertices, triangles) = (axis.n_vertices as usize, axis.n_triangles as usize);
-            let mut out = part.split(vertices, 3 * triangles);
-            skin::Skin::new(plan, number, params).fill(params, rims, &mut out);
-            debug_assert_eq!(out.n_vertices, vertices);
-            debug_assert_eq!(out.n_indices, 3 * triangles);
-        }
-        Ok::<(), MeshError>(())
-    })
+    parts.into_par_iter().try_for_each_init(
+        bridge::Rims::default,
+        |rims, (places, mut part)| {
+            for &number in &plan.order[places] {
+                control.check()?;
+                let axis = &plan.axes[number as usize];
+                let (vertices, triangles) = (axis.n_vertices as usize, axis.n_triangles as usize);
+                let mut out = part.split(vertices, 3 * triangles);
+                skin::Skin::new(plan, number, params).fill(params, rims, &mut out);
+                debug_assert_eq!(out.n_vertices, vertices);
+                debug_assert_eq!(out.n_indices, 3 * triangles);
+            }
+            Ok::<(), MeshError>(())
+        },
+    )?;
+    if surface.uvs2.is_empty() { Ok(()) } else { chart::fill(plan, params, surface, control) }
 }
 
 #[cfg(test)]

@@ -142,6 +142,60 @@ fn a_lateral_stands_on_a_hole_in_its_parents_wall() {
     assert_eq!(bark.positions.iter().filter(inside).count(), 0, "vertices inside the trunk");
 }
 
+/// A trunk with three laterals, one of them over the seam.
+fn branched() -> Skeleton {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.3).unwrap();
+    let fork = builder.add(0, Vec3::Y * 2.0, 0.25).unwrap();
+    builder.add(fork, Vec3::Y * 4.0, 0.2).unwrap();
+    for side in [Vec3::new(1.0, 2.5, 0.0), Vec3::new(-0.5, 3.0, 0.9), Vec3::new(0.0, 2.2, -1.0)] {
+        builder.add(fork, side, 0.12).unwrap();
+    }
+    builder.finish()
+}
+
+#[test]
+fn no_two_triangles_share_a_place_in_the_light_map() {
+    let params = MeshParams { lightmap: true, ..MeshParams::default() };
+    let bark = mesh_of(&bare(branched()), &params).mesh.surfaces[0].clone();
+    // Texels that the middle of a triangle or points inside it fall into belong to it alone.
+    let mut owners = BTreeMap::new();
+    let mut n_clashes = 0;
+    for (number, corners) in bark.indices.chunks_exact(3).enumerate() {
+        let [a, b, c] = [0, 1, 2].map(|k| bark.uvs2[corners[k] as usize]);
+        for share in [[0.34, 0.33, 0.33], [0.6, 0.2, 0.2], [0.2, 0.6, 0.2], [0.2, 0.2, 0.6]] {
+            let at = a * share[0] + b * share[1] + c * share[2];
+            assert!(at.x >= 0.0 && at.x <= 1.0 && at.y >= 0.0 && at.y <= 0.5, "{at}");
+            let texel = ((at.x * 16384.0) as u32, (at.y * 16384.0) as u32);
+            let owner = *owners.entry(texel).or_insert(number);
+            n_clashes += usize::from(owner != number);
+        }
+    }
+    assert!(n_clashes * 100 < bark.n_triangles(), "{n_clashes} of {}", bark.n_triangles());
+}
+
+#[test]
+fn tangents_run_with_u_and_complete_a_frame_up_the_picture() {
+    let params = MeshParams { tangents: true, ..MeshParams::default() };
+    let bark = mesh_of(&bare(branched()), &params).mesh.surfaces[0].clone();
+    let (mut right, mut wrong) = (0, 0);
+    for corners in bark.indices.chunks_exact(3) {
+        let [p, q, r] = [0, 1, 2].map(|k| bark.positions[corners[k] as usize]);
+        let [a, b, c] = [0, 1, 2].map(|k| bark.uvs[corners[k] as usize]);
+        let (e, f, s, t) = (q - p, r - p, b - a, c - a);
+        let area = s.x * t.y - s.y * t.x;
+        if area.abs() < 1e-9 {
+            continue;
+        }
+        let (by_u, by_v) = ((e * t.y - f * s.y) / area, (f * s.x - e * t.x) / area);
+        let vertex = corners[0] as usize;
+        let (tangent, normal) = (bark.tangents[vertex], bark.normals[vertex]);
+        let up = tangent.w * normal.cross(tangent.truncate());
+        let holds = tangent.truncate().dot(by_u) > 0.0 && up.dot(by_v) < 0.0;
+        if holds { right += 1 } else { wrong += 1 }
+    }
+    assert!(wrong * 20 < right, "{wrong} of {}", right + wrong);
+}
+
 #[test]
 fn thick_axes_that_end_thin_change_their_count_and_stay_closed() {
     let points: Vec<_> =

@@ -1,7 +1,6 @@
 use super::*;
-use crate::io::obj::{to_strings, write_obj};
+use crate::io::obj::to_strings;
 use crate::io::samples::{self, Dice};
-use crate::mesh::Alpha;
 use proptest::prelude::*;
 use tree_core::Limits;
 
