@@ -22,8 +22,9 @@ use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::{Axes, Control, Skeleton};
 
-/// Holes keep this share of the wall's length clear of its ends.
+/// Holes keep clear of the wall's ends by this share of its length, or by so many radii.
 const MARGIN: f32 = 0.02;
+const MARGIN_RADII: f32 = 0.5;
 /// No axis.
 pub(crate) const NONE: u32 = u32::MAX;
 
@@ -340,12 +341,16 @@ impl Planner<'_> {
         carry(curve.nodes, &mut scratch.frames, hint);
         let curve = Curve { frames: &scratch.frames, ..curve };
         let length = curve.length();
+        let margin = |end: f32| {
+            let radius = curve.at(end).station.radius;
+            (MARGIN * (length - start)).min(MARGIN_RADII * radius)
+        };
         let wall = Wall {
             curve,
             flare: if axis == 0 { self.flare } else { Flare::NONE },
             circles: self.circles,
-            low: start + MARGIN * (length - start),
-            high: length - MARGIN * (length - start),
+            low: start + margin(start),
+            high: length - margin(length),
         };
         scratch.storeys.divide(&wall, wishes);
         let rings = scratch.finder.find(&wall, start, &scratch.storeys, self.fineness);
