@@ -102,10 +102,12 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     leaves.fill(tree, &axes, params, control, &mut surfaces)?;
     control.report("done", 1.0)?;
 
+    let mut branches = wind::branches(skeleton, &axes);
+    wind::stand(&mut branches, &plan);
     let mesh = Mesh {
         surfaces,
         materials: std::iter::once(look.bark.clone()).chain(leaves.materials(look)).collect(),
-        branches: wind::branches(skeleton, &axes),
+        branches,
     };
     let count_kind = |kind| plan.axes.iter().filter(|axis| axis.kind == kind).count();
     let report = MeshReport {
