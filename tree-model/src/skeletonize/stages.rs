@@ -257,3 +257,7 @@ fn check_size(skeleton: &Skeleton) -> Result<()> {
     let most = places.chain(skeleton.radii().iter().copied()).fold(0.0, f32::max);
     check("skeleton.positions", most, 0.0, FAR)
 }
+
+#[cfg(test)]
+#[path = "stages_tests.rs"]
+mod tests;
