@@ -103,7 +103,7 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     control.report("done", 1.0)?;
 
     let mut branches = wind::branches(skeleton, &axes);
-    wind::stand(&mut branches, &plan);
+    wind::stand(&mut branches, &mut surfaces, &plan);
     let mesh = Mesh {
         surfaces,
         materials: std::iter::once(look.bark.clone()).chain(leaves.materials(look)).collect(),

@@ -7,42 +7,74 @@
 
 use super::{Branch, COLLAR_MAX, stiffness};
 use crate::bark::{Kind, Plan};
+use crate::mesh::Surface;
 
-/// Moves pivots and collars to where the plan has laterals leave their hosts.
+/// Moves pivots and collars to where the plan has laterals leave their hosts. Where a host has a higher
+/// number than what stands on it, branches are numbered anew, in the surfaces too: parents come first.
 ///
 /// # Complexity
-/// O(branches).
-pub(crate) fn stand(branches: &mut [Branch], plan: &Plan) {
+/// O(branches), and one pass over the vertices when numbers change.
+pub(crate) fn stand(branches: &mut Vec<Branch>, surfaces: &mut [Surface], plan: &Plan) {
     for number in 1..branches.len() {
         let Some(axis) = plan.axes.get(number) else { continue };
         let host = plan.rings(axis.host);
         let low = axis.hole_ring as usize;
-        let (Some(below), Some(above), Some(first), Some(last)) = (
-            host.get(low),
-            host.get(low + 1),
-            plan.rings(number as u32).first(),
-            plan.rings(number as u32).last(),
-        ) else {
+        let (Kind::Lateral | Kind::Stub, Some(below), Some(above)) =
+            (axis.kind, host.get(low), host.get(low + 1))
+        else {
             continue;
         };
-        // Parents come first, in every engine: one that comes later carries nothing.
-        if axis.kind != Kind::Lateral || axis.host as usize >= number {
-            continue;
-        }
         let branch = &mut branches[number];
         let pivot = below.station.position.midpoint(above.station.position);
-        let out = first.station.position.distance(pivot);
-        branch.length = out + last.station.along - first.station.along;
-        branch.collar = (out + first.station.radius).min(COLLAR_MAX * branch.length);
-        branch.axis = (last.station.position - pivot).normalize_or(branch.axis);
-        branch.stiffness = stiffness(branch.length, branch.radius);
         (branch.parent, branch.pivot) = (axis.host, pivot);
+        let rings = plan.rings(number as u32);
+        if let (Some(first), Some(last)) = (rings.first(), rings.last()) {
+            let out = first.station.position.distance(pivot);
+            branch.length = out + last.station.along - first.station.along;
+            branch.collar = (out + first.station.radius).min(COLLAR_MAX * branch.length);
+            branch.axis = (last.station.position - pivot).normalize_or(branch.axis);
+            branch.stiffness = stiffness(branch.length, branch.radius);
+        }
     }
-    // Whoever stands on another host now, and all it carries, has another level.
+    if branches.iter().enumerate().any(|(number, branch)| branch.parent as usize > number) {
+        number_anew(branches, surfaces);
+    }
     for number in 1..branches.len() {
         let parent = branches[number].parent as usize;
-        if parent < number {
-            branches[number].level = branches[parent].level + 1;
+        branches[number].level = branches[parent].level + 1;
+    }
+}
+
+/// Sorts branches so that parents come first, and else as they were.
+fn number_anew(branches: &mut Vec<Branch>, surfaces: &mut [Surface]) {
+    let mut number_of = vec![u32::MAX; branches.len()];
+    let mut order: Vec<u32> = Vec::with_capacity(branches.len());
+    let mut open = Vec::new();
+    for branch in 0..branches.len() as u32 {
+        open.push(branch);
+        while let Some(&last) = open.last() {
+            let parent = branches[last as usize].parent;
+            let ready = parent == last || number_of[parent as usize] != u32::MAX;
+            // A ring of hosts cannot be; if it were, it is cut where it was entered.
+            if !ready && open.len() <= branches.len() {
+                open.push(parent);
+                continue;
+            }
+            if number_of[last as usize] == u32::MAX {
+                number_of[last as usize] = order.len() as u32;
+                order.push(last);
+            }
+            open.pop();
         }
+    }
+    *branches = order
+        .iter()
+        .map(|&old| {
+            let branch = branches[old as usize];
+            Branch { parent: number_of[branch.parent as usize], ..branch }
+        })
+        .collect();
+    for branch in surfaces.iter_mut().flat_map(|surface| &mut surface.branches) {
+        *branch = number_of[*branch as usize];
     }
 }
