@@ -11,12 +11,12 @@ use crate::mesh::Surface;
 
 /// Moves pivots and collars to where the plan has laterals leave their hosts. Where a host has a higher
 /// number than what stands on it, branches are numbered anew, in the surfaces too: parents come first.
+/// Returns the branch of each axis.
 ///
 /// # Complexity
 /// O(branches), and one pass over the vertices when numbers change.
-pub(crate) fn stand(branches: &mut Vec<Branch>, surfaces: &mut [Surface], plan: &Plan) {
-    for number in 1..branches.len() {
-        let Some(axis) = plan.axes.get(number) else { continue };
+pub(crate) fn stand(branches: &mut Vec<Branch>, surfaces: &mut [Surface], plan: &Plan) -> Vec<u32> {
+    for (number, (branch, axis)) in branches.iter_mut().zip(&plan.axes).enumerate().skip(1) {
         let host = plan.rings(axis.host);
         let low = axis.hole_ring as usize;
         let (Kind::Lateral | Kind::Stub, Some(below), Some(above)) =
@@ -24,7 +24,6 @@ pub(crate) fn stand(branches: &mut Vec<Branch>, surfaces: &mut [Surface], plan: 
         else {
             continue;
         };
-        let branch = &mut branches[number];
         let pivot = below.station.position.midpoint(above.station.position);
         (branch.parent, branch.pivot) = (axis.host, pivot);
         let rings = plan.rings(number as u32);
@@ -36,17 +35,21 @@ pub(crate) fn stand(branches: &mut Vec<Branch>, surfaces: &mut [Surface], plan: 
             branch.stiffness = stiffness(branch.length, branch.radius);
         }
     }
-    if branches.iter().enumerate().any(|(number, branch)| branch.parent as usize > number) {
-        number_anew(branches, surfaces);
-    }
+    let late = |(number, branch): (usize, &Branch)| branch.parent as usize > number;
+    let branch_of = if branches.iter().enumerate().any(late) {
+        number_anew(branches, surfaces)
+    } else {
+        (0..branches.len() as u32).collect()
+    };
     for number in 1..branches.len() {
         let parent = branches[number].parent as usize;
         branches[number].level = branches[parent].level + 1;
     }
+    branch_of
 }
 
 /// Sorts branches so that parents come first, and else as they were.
-fn number_anew(branches: &mut Vec<Branch>, surfaces: &mut [Surface]) {
+fn number_anew(branches: &mut Vec<Branch>, surfaces: &mut [Surface]) -> Vec<u32> {
     let mut number_of = vec![u32::MAX; branches.len()];
     let mut order: Vec<u32> = Vec::with_capacity(branches.len());
     let mut open = Vec::new();
@@ -77,4 +80,5 @@ fn number_anew(branches: &mut Vec<Branch>, surfaces: &mut [Surface]) {
     for branch in surfaces.iter_mut().flat_map(|surface| &mut surface.branches) {
         *branch = number_of[*branch as usize];
     }
+    number_of
 }
