@@ -72,6 +72,16 @@ pub struct MeshReport {
 /// # Complexity
 /// O(nodes + leaves + vertices); parallel over axes and leaves. A single axis is not divided.
 pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -> Result<Built> {
+    Ok(build_numbered(tree, look, params, control)?.0)
+}
+
+/// As [`build`]; with it the branch of each axis.
+pub(crate) fn build_numbered(
+    tree: &Tree,
+    look: &Look,
+    params: &MeshParams,
+    control: &Control,
+) -> Result<(Built, Vec<u32>)> {
     params.validate()?;
     look.check(tree.species())?;
     check_extent(tree)?;
@@ -105,10 +115,12 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     leaves.fill(tree, &axes, params, control, &mut surfaces)?;
     control.report("done", 1.0)?;
 
+    let mut branches = wind::branches(skeleton, &axes);
+    let branch_of = wind::stand(&mut branches, &mut surfaces, &plan);
     let mesh = Mesh {
         surfaces,
         materials: std::iter::once(look.bark.clone()).chain(leaves.materials(look)).collect(),
-        branches: wind::branches(skeleton, &axes),
+        branches,
     };
     let count_kind = |kind| plan.axes.iter().filter(|axis| axis.kind == kind).count();
     let report = MeshReport {
@@ -127,7 +139,7 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
         skipped_leaves: tree.foliage().len() - leaves.len(),
         leaf_fallbacks: leaves.fallbacks(),
     };
-    Ok(Built { mesh, report })
+    Ok((Built { mesh, report }, branch_of))
 }
 
 fn check_extent(tree: &Tree) -> Result<()> {

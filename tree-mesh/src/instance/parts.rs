@@ -4,7 +4,7 @@ use super::cluster::Groups;
 use super::cut::{BASE, Cut};
 use super::describe::Form;
 use super::{InstancedTree, Scene, Twig};
-use crate::build::build;
+use crate::build::{build, build_numbered};
 use crate::error::Result;
 use crate::mesh::Mesh;
 use crate::params::MeshParams;
@@ -21,10 +21,14 @@ pub(super) struct Base {
 /// The base as a mesh.
 pub(super) fn base(scene: Scene<'_>, cut: &Cut, control: &Control) -> Result<Base> {
     let (tree, numbers) = base_tree(scene.tree, cut)?;
-    let mesh = build(&tree, scene.look, scene.params, &quiet(control))?.mesh;
+    let (built, branch_of) = build_numbered(&tree, scene.look, scene.params, &quiet(control))?;
     let axes = tree.skeleton().axes(scene.params.continuation);
-    let branch = |&number: &u32| axes.axis_of().get(number as usize).copied().unwrap_or(0);
-    Ok(Base { mesh, branch_of: numbers.iter().map(branch).collect() })
+    let branch = |&number: &u32| {
+        let axis = axes.axis_of().get(number as usize)?;
+        branch_of.get(*axis as usize).copied()
+    };
+    let branch = |number: &u32| branch(number).unwrap_or(0);
+    Ok(Base { mesh: built.mesh, branch_of: numbers.iter().map(branch).collect() })
 }
 
 /// Callbacks hear of the whole, not of its parts.

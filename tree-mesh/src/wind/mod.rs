@@ -14,9 +14,11 @@
 //! copies of a vertex at a seam, which have position and branch in common, move together bit by bit.
 
 mod bend;
+mod stand;
 mod weights;
 
 pub use bend::{Wind, bend};
+pub(crate) use stand::stand;
 pub use weights::{VertexWind, leaf_phase, sway, vertices};
 
 use glam::Vec3;
@@ -97,7 +99,8 @@ impl Branch {
     }
 }
 
-/// One branch for each axis of the skeleton, in the same order.
+/// One branch for each axis of the skeleton, in the same order, turning about its fork. Those of a
+/// built mesh turn about the places where their bark stands.
 ///
 /// # Complexity
 /// O(nodes).

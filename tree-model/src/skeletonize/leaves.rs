@@ -7,7 +7,8 @@
 
 use super::near::{Near, Segment};
 use super::part::Part;
-use super::separate::{Class, Separated};
+use super::separate::Separated;
+use super::stages::Leaves;
 use super::weld::Soup;
 use crate::error::Result;
 use glam::{Mat3, Quat, Vec2, Vec3};
@@ -22,18 +23,15 @@ const SIDE: f32 = 0.1;
 /// The picture is upside down when the upper side is nearer to wood by this factor.
 const UPSIDE_DOWN: f32 = 3.0;
 
-/// Leaves of all leaf components, the names of their kinds, and each kind's mean width as a share of its
-/// length. `skeleton` is of unit size.
+/// A leaf of each component. `skeleton` is of unit size.
 pub(super) fn leaves(
     soup: &Soup,
     separated: &Separated,
+    components: &[u32],
     parts: &[Part<'_>],
     skeleton: &Skeleton,
     control: &Control,
-) -> Result<(Foliage, Vec<String>, Vec<f32>)> {
-    let components: Vec<u32> = (0..soup.n_components as u32)
-        .filter(|&component| separated.classes[component as usize] == Class::Leaf)
-        .collect();
+) -> Result<Leaves> {
     control.limits.check(Resource::Leaves, components.len() as u64)?;
     let (positions, radii) = (skeleton.positions(), skeleton.radii());
     let at = |node: u32| (positions[node as usize], radii[node as usize]);
@@ -43,7 +41,7 @@ pub(super) fn leaves(
         segments.push(Segment { a: at(0), b: at(0) });
     }
     let near = Near::new(segments);
-    let (kind_of, kinds) = kinds(soup, separated, parts, &components);
+    let (kind_of, kinds) = kinds(soup, separated, parts, components);
     let found: Vec<Option<(Leaf, f32)>> = components
         .par_iter()
         .zip(&kind_of)
@@ -66,7 +64,7 @@ pub(super) fn leaves(
         foliage.push(leaf)?;
     }
     let widths = sums.iter().map(|(l, w)| if *l > 0.0 { w / l } else { 1.0 }).collect();
-    Ok((foliage, kinds, widths))
+    Ok(Leaves { foliage, kinds, widths })
 }
 
 /// The kind of each component, by the name of its part.

@@ -8,7 +8,7 @@
 use super::near::{Near, Segment};
 use super::rows::Sets;
 use super::slices::NONE;
-use super::trace::Piece;
+use super::stages::Piece;
 use crate::error::Result;
 use glam::Vec3;
 use tree_core::Control;
@@ -57,12 +57,13 @@ struct End {
 pub(super) fn link(pieces: &[Piece], bridge: f32, control: &Control) -> Result<Forest> {
     let mut forest = Forest::default();
     for (piece, number) in pieces.iter().zip(0..) {
+        let skeleton = &piece.skeleton;
         let first = forest.parents.len() as u32;
-        forest.positions.extend(&piece.positions);
-        forest.radii.extend(&piece.radii);
+        forest.positions.extend(skeleton.positions());
+        forest.radii.extend(skeleton.radii());
         let shift = |&p: &u32| if p == NONE { NONE } else { first + p };
-        forest.parents.extend(piece.parents.iter().map(shift));
-        forest.piece_of.extend(piece.parents.iter().map(|_| number));
+        forest.parents.extend(skeleton.parents().iter().map(shift));
+        forest.piece_of.extend(skeleton.parents().iter().map(|_| number));
     }
     let mut ends = forest.ends(pieces.len());
     forest.root = forest.lowest_thick(&ends);
@@ -129,7 +130,7 @@ impl Forest {
     fn segments(&self, pieces: &[Piece]) -> (Near, Vec<u32>) {
         let (mut segments, mut nodes) = (Vec::new(), Vec::new());
         for (node, &parent) in self.parents.iter().enumerate() {
-            let alone = || pieces[self.piece_of[node] as usize].parents.len() == 1;
+            let alone = || pieces[self.piece_of[node] as usize].skeleton.len() == 1;
             if parent != NONE || alone() {
                 let lower = if parent == NONE { node } else { parent as usize };
                 segments.push(Segment {

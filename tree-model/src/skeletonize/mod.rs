@@ -14,7 +14,7 @@
 //! 7. `leaves`: each leaf component becomes a leaf on the nearest wood. Closed bodies of leaves are
 //!    counted, not turned into leaves.
 //!
-//! Sources are named in the steps. Curve skeletons by level sets of a geodesic distance go back to
+//! [`stages`] gives them one by one. Sources are named in the steps. Curve skeletons by level sets of a geodesic distance go back to
 //! Verroust and Lazarus (2000); that a slicing plane need not stand across the axis is made up for
 //! by measuring radii across it.
 //!
@@ -33,6 +33,7 @@ mod rows;
 mod separate;
 mod shape;
 mod slices;
+pub mod stages;
 mod surface;
 mod trace;
 mod weld;
@@ -42,16 +43,8 @@ pub use part::{Hint, Part};
 pub use separate::Class;
 
 use crate::error::Result;
-use rayon::prelude::*;
-use separate::Separated;
-use tree_core::{Control, Foliage, Species, Tree};
-use weld::Soup;
-
-/// Levels that cross an edge on average.
-const DENSITY: f32 = 8.0;
-/// A piece stands on the ground when its lowest vertex is within this share of the mesh's size of
-/// the lowest wood.
-const GROUND: f32 = 0.02;
+use stages::{Leaves, Separation};
+use tree_core::{Control, Species, Tree};
 
 /// A tree and what became of the mesh on the way.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,6 +86,32 @@ pub struct SkeletonizeReport {
 
 /// Makes a tree of a mesh.
 ///
+/// ```
+/// use tree_model::glam::Vec3;
+/// use tree_model::skeletonize::{Part, SkeletonizeParams, skeletonize};
+/// use tree_model::tree_core::Control;
+///
+/// # fn main() -> Result<(), tree_model::ModelError> {
+/// // A square post, ten times as high as wide: four sides, no caps.
+/// let corner = |i: u32| {
+///     Vec3::new((i % 4 / 2) as f32, 10.0 * (i / 4) as f32, ((i + 1) % 4 / 2) as f32)
+/// };
+/// let positions: Vec<Vec3> = (0..8).map(corner).collect();
+/// let side = |i: u32| [i, (i + 1) % 4, i + 4, (i + 1) % 4, (i + 1) % 4 + 4, i + 4];
+/// let indices: Vec<u32> = (0..4).flat_map(side).collect();
+/// let post =
+///     Part { positions: &positions, indices: &indices, name: "bark", ..Default::default() };
+///
+/// let made = skeletonize(&[post], &SkeletonizeParams::default(), &Control::default())?;
+/// let skeleton = made.tree.skeleton();
+/// assert!((skeleton.bounds().size().y - 10.0).abs() < 0.1);
+/// // The circle round the corners: half the diagonal of the square.
+/// assert!((skeleton.radii()[0] - 0.5_f32.sqrt()).abs() < 0.05);
+/// assert_eq!(made.report.n_pieces, 1);
+/// # Ok(())
+/// # }
+/// ```
+///
 /// # Errors
 /// [`Parameter`](crate::ModelError::Parameter); [`BadPart`](crate::ModelError::BadPart) and
 /// [`NotFinite`](crate::ModelError::NotFinite) for broken parts;
@@ -107,93 +126,41 @@ pub fn skeletonize(
     params: &SkeletonizeParams,
     control: &Control,
 ) -> Result<Skeletonized> {
-    params.validate()?;
-    control.report("weld", 0.0)?;
-    let soup = weld::weld(parts, params.weld, control)?;
-    control.report("separate", 0.2)?;
-    let separated = separate::separate(&soup, parts)?;
+    control.report("separate", 0.0)?;
+    let separation = Separation::new(parts, params, control)?;
     control.report("follow", 0.3)?;
-    let (pieces, areas) = follow(&soup, &separated.wood, params, control)?;
+    let wood = separation.wood()?;
+    let pieces = separation.follow_wood(&wood, params, control)?;
     control.report("link", 0.8)?;
-    let forest = link::link(&pieces, params.bridge, control)?;
-    let skeleton = assemble::assemble(&forest, control)?;
+    let linked = stages::link(&pieces, params, control)?;
     control.report("leaves", 0.9)?;
-    let (foliage, leaf_kinds, leaf_widths) = if params.leaves {
-        leaves::leaves(&soup, &separated, parts, &skeleton, control)?
+    let leaves = if params.leaves {
+        separation.leaves(&linked.skeleton, control)?
     } else {
-        (Foliage::default(), Vec::new(), Vec::new())
+        Leaves::default()
     };
-    let covered: f32 =
-        areas.iter().zip(&forest.reached).filter(|(_, reached)| **reached).map(|(a, _)| a).sum();
+    let area = |reached: bool| -> f32 {
+        let counts = pieces.iter().zip(&linked.reached);
+        counts.filter(|(_, own)| **own || !reached).map(|(piece, _)| piece.area).sum()
+    };
     let report = SkeletonizeReport {
         n_triangles: parts.iter().map(|part| part.indices.len() / 3).sum(),
-        n_degenerate: soup.n_degenerate,
-        n_wood_triangles: separated.wood.len(),
+        n_degenerate: separation.soup.n_degenerate,
+        n_wood_triangles: wood.len(),
         n_pieces: pieces.len(),
-        n_left_out: forest.reached.iter().filter(|&&reached| !reached).count(),
-        covered: (covered / areas.iter().sum::<f32>()).min(1.0),
+        n_left_out: linked.reached.iter().filter(|&&reached| !reached).count(),
+        covered: (area(true) / area(false)).min(1.0),
         n_bumps: pieces.iter().map(|piece| piece.n_bumps).sum(),
         n_cut: pieces.iter().map(|piece| piece.n_cut).sum(),
-        n_leaves: foliage.len(),
-        leaf_widths,
-        n_blobs: separated.classes.iter().filter(|&&class| class == Class::Blob).count(),
+        n_leaves: leaves.foliage.len(),
+        leaf_widths: leaves.widths,
+        n_blobs: separation.are(Class::Blob).count(),
     };
-    let species = Species { name: "mesh".into(), bark: bark(&soup, &separated, parts), leaf_kinds };
-    let tree = Tree::new(assemble::outward(skeleton, &soup)?, foliage, species)?;
+    let bark = separation.bark().to_owned();
+    let species = Species { name: "mesh".into(), bark, leaf_kinds: leaves.kinds };
+    let tree = Tree::new(separation.outward(linked.skeleton)?, leaves.foliage, species)?;
     control.report("done", 1.0)?;
     Ok(Skeletonized { tree, report })
-}
-
-/// Follows every piece of wood; with each, the area it stands for.
-fn follow(
-    soup: &Soup,
-    wood: &[u32],
-    params: &SkeletonizeParams,
-    control: &Control,
-) -> Result<(Vec<trace::Piece>, Vec<f32>)> {
-    let groups = surface::connect(soup, wood);
-    let height = |&triangle: &u32| {
-        soup.corners(triangle).iter().fold(f32::INFINITY, |low, corner| low.min(corner.y))
-    };
-    let ground = wood.iter().map(height).fold(f32::INFINITY, f32::min) + GROUND;
-    let found = (0..groups.len() as u32)
-        .into_par_iter()
-        .map(|group| {
-            control.check()?;
-            let triangles = groups.of(group);
-            let corners = triangles.iter().map(|&triangle| soup.triangles[triangle as usize]);
-            let surface = surface::Surface::new(&soup.positions, corners);
-            let fans = surface.fans();
-            let grounded = triangles.iter().any(|triangle| height(triangle) < ground);
-            let distances = ends::from_base(&surface, &fans, grounded);
-            control.check()?;
-            let slices = slices::Slices::new(&surface, &distances, DENSITY);
-            let pieces = trace::trace(&slices, params);
-            let area = shape::Shape::of(triangles.iter().map(|&t| soup.corners(t))).area;
-            Ok((pieces, area))
-        })
-        .collect::<Result<Vec<_>>>()?;
-    let n_nodes: usize = found.iter().flat_map(|(p, _)| p).map(|piece| piece.parents.len()).sum();
-    control.limits.check(tree_core::Resource::Nodes, n_nodes as u64)?;
-    let (mut pieces, mut areas) = (Vec::new(), Vec::new());
-    for (of_group, area) in found {
-        let share = area / of_group.len().max(1) as f32;
-        areas.extend(of_group.iter().map(|_| share));
-        pieces.extend(of_group);
-    }
-    Ok((pieces, areas))
-}
-
-/// The name of the part with most wood.
-fn bark(soup: &Soup, separated: &Separated, parts: &[Part<'_>]) -> String {
-    let mut areas = vec![0.0; parts.len()];
-    for (component, (class, shape)) in (0..).zip(separated.classes.iter().zip(&separated.shapes)) {
-        if let (Class::Wood, Some(&first)) = (class, separated.triangles.of(component).first()) {
-            areas[soup.sources[first as usize].0 as usize] += shape.area;
-        }
-    }
-    let most = (0..parts.len()).reduce(|a, b| if areas[b] > areas[a] { b } else { a });
-    most.and_then(|part| parts.get(part)).map_or("bark", |part| part.name).to_owned()
 }
 
 #[cfg(test)]

@@ -47,19 +47,16 @@ const WOOD_WORDS: [&str; 9] =
     ["bark", "wood", "trunk", "stem", "branch", "twig", "log", "limb", "root"];
 const OTHER_WORDS: [&str; 4] = ["ground", "grass", "collision", "shadow"];
 
-/// The soup, sorted out.
+/// The components of the soup.
 #[derive(Debug)]
 pub(super) struct Separated {
     /// Triangles of each component.
     pub(super) triangles: Rows,
-    /// All triangles of wood, rising, but for those that lie on leaves.
-    pub(super) wood: Vec<u32>,
     pub(super) shapes: Vec<Shape>,
-    pub(super) classes: Vec<Class>,
 }
 
 /// Says of each component what it is.
-pub(super) fn separate(soup: &Soup, parts: &[Part<'_>]) -> Result<Separated> {
+pub(super) fn separate(soup: &Soup, parts: &[Part<'_>]) -> (Separated, Vec<Class>) {
     let triangles = Rows::new(&soup.components, soup.n_components);
     let shapes: Vec<Shape> = (0..soup.n_components as u32)
         .into_par_iter()
@@ -84,8 +81,7 @@ pub(super) fn separate(soup: &Soup, parts: &[Part<'_>]) -> Result<Separated> {
         .collect();
     let guessed: Vec<bool> = (0..shapes.len()).map(|c| told[part_of(c)].is_none()).collect();
     return_patches(soup, &triangles, &guessed, &mut classes);
-    let is_wood = |classes: &[Class]| classes.contains(&Class::Wood);
-    if !is_wood(&classes) {
+    if !classes.contains(&Class::Wood) {
         // A stout trunk looks like a blob. Better the blobs than nothing.
         for (class, _) in classes.iter_mut().zip(&guessed).filter(|(_, guessed)| **guessed) {
             if *class == Class::Blob {
@@ -93,28 +89,32 @@ pub(super) fn separate(soup: &Soup, parts: &[Part<'_>]) -> Result<Separated> {
             }
         }
     }
-    if !is_wood(&classes) {
+    (Separated { triangles, shapes }, classes)
+}
+
+/// Triangles of wood, rising, without those that are there a second time as leaves, which files made
+/// by hand have by mistake.
+pub(super) fn wood(soup: &Soup, classes: &[Class]) -> Result<Vec<u32>> {
+    if !classes.contains(&Class::Wood) {
         let problem = "all of it looks like leaves; give Hint::Wood to the parts that are bark";
         return Err(ModelError::NoWood { problem });
     }
-    let wood = wood(soup, &classes);
-    if wood.is_empty() {
-        let problem = "all bark lies under leaves; give Hint::Ignore to one of them";
-        return Err(ModelError::NoWood { problem });
-    }
-    Ok(Separated { triangles, wood, shapes, classes })
-}
-
-/// Triangles of wood without those that are there a second time as leaves, which files made by
-/// hand have by mistake.
-fn wood(soup: &Soup, classes: &[Class]) -> Vec<u32> {
-    let class = |triangle: u32| classes[soup.components[triangle as usize] as usize];
+    let class = |triangle: u32| {
+        let component = soup.components[triangle as usize] as usize;
+        classes.get(component).copied().unwrap_or(Class::Ignored)
+    };
     let all = 0..soup.triangles.len() as u32;
     let key = |triangle: u32| sorted(soup.triangles[triangle as usize]);
     let leafy = all.clone().filter(|&t| matches!(class(t), Class::Leaf | Class::Blob));
     let mut covered: Vec<[u32; 3]> = leafy.map(key).collect();
     covered.sort_unstable();
-    all.filter(|&t| class(t) == Class::Wood && covered.binary_search(&key(t)).is_err()).collect()
+    let is_wood = |&t: &u32| class(t) == Class::Wood && covered.binary_search(&key(t)).is_err();
+    let wood: Vec<u32> = all.filter(is_wood).collect();
+    if wood.is_empty() {
+        let problem = "all bark lies under leaves; give Hint::Ignore to one of them";
+        return Err(ModelError::NoWood { problem });
+    }
+    Ok(wood)
 }
 
 /// What is known of a part before its shape is looked at.

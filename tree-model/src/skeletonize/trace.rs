@@ -19,7 +19,7 @@ use std::f32::consts::TAU;
 
 /// A tree of nodes, parents first, in units of the mesh's size; node 0 has parent [`NONE`].
 #[derive(Clone, Debug, Default)]
-pub(super) struct Piece {
+pub(super) struct Traced {
     pub(super) positions: Vec<Vec3>,
     pub(super) radii: Vec<f32>,
     pub(super) parents: Vec<u32>,
@@ -81,7 +81,7 @@ struct Chain {
 }
 
 /// One piece per start.
-pub(super) fn trace(slices: &Slices, params: &SkeletonizeParams) -> Vec<Piece> {
+pub(super) fn trace(slices: &Slices, params: &SkeletonizeParams) -> Vec<Traced> {
     let heirs = slices.heirs();
     let radii = radii(slices, &heirs);
     let mut chains = chains(slices, &heirs);
@@ -377,12 +377,12 @@ fn leave(chain: &Chain, parent: &Chain, place: usize, step: f32) -> usize {
 }
 
 /// Spaces nodes out and joins the chains.
-fn join(chains: &[Chain], params: &SkeletonizeParams) -> Vec<Piece> {
+fn join(chains: &[Chain], params: &SkeletonizeParams) -> Vec<Traced> {
     let mut forks: Vec<Vec<usize>> = vec![Vec::new(); chains.len()];
     for (parent, place) in chains.iter().filter(|c| c.kept).filter_map(|chain| chain.fork) {
         forks[parent].push(place);
     }
-    let mut pieces: Vec<Piece> = Vec::new();
+    let mut pieces: Vec<Traced> = Vec::new();
     // Piece of each chain, and (place in the chain, node of the piece) of what is kept of it.
     let mut kept: Vec<(usize, Vec<(usize, u32)>)> = Vec::with_capacity(chains.len());
     for (chain, forks) in chains.iter().zip(&mut forks) {
@@ -392,7 +392,7 @@ fn join(chains: &[Chain], params: &SkeletonizeParams) -> Vec<Piece> {
         }
         let (piece, mut last) = match chain.fork {
             None => {
-                pieces.push(Piece::default());
+                pieces.push(Traced::default());
                 (pieces.len() - 1, NONE)
             }
             Some((parent, place)) => {
