@@ -169,9 +169,9 @@ impl Drawing {
             let coarsest = ROUND_MIN * station.position.abs().max_element();
             station.radius = station.radius.max(params.radius_min).max(coarsest);
             if i == last {
-                self.push_tip(station)
+                self.push_tip(station);
             } else {
-                self.push(station, MERGE_SHARE)
+                self.push(station, MERGE_SHARE);
             }
             self.kept.push(self.nodes.len().saturating_sub(1) as u32);
         }

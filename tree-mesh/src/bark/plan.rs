@@ -118,8 +118,8 @@ impl Plan {
                 control.check()?;
                 let first = part * AXES_PER_PART;
                 let mut out = Part::default();
-                for axis in first..axes.len().min(first + AXES_PER_PART) {
-                    planner.plan(axis as u32, &exits[axis], wishes.of(axis), scratch, &mut out);
+                for (axis, exit) in exits.iter().enumerate().skip(first).take(AXES_PER_PART) {
+                    planner.plan(axis as u32, exit, wishes.of(axis), scratch, &mut out);
                 }
                 Ok(out)
             })

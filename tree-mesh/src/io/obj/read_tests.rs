@@ -1,6 +1,8 @@
 use super::*;
 use crate::io::obj::to_strings;
 use crate::io::samples::{self, Dice};
+#[cfg(feature = "image")]
+use crate::{io::obj::write_obj, mesh::Alpha};
 use proptest::prelude::*;
 use tree_core::Limits;
 
