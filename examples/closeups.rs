@@ -14,7 +14,7 @@ use tree_core::{Control, Seed, Skeleton, SkeletonBuilder, Species, Tree};
 use tree_lod::preview::{self, Camera, Lens, Picture, Pose, Style, View};
 use tree_mesh::displace::{Displacement, displace};
 use tree_mesh::subdivide::{SubdivideParams, subdivide};
-use tree_mesh::{ErrorBound, Look, Mesh, MeshParams};
+use tree_mesh::{ErrorBound, Look, Mesh, MeshParams, topology};
 use tree_model::path::{PathParams, Preset};
 
 /// Pictures in a row: three pairs.
@@ -80,9 +80,15 @@ fn draw(scene: &Scene, textured: bool, tile: u32) -> Result<Picture, Box<dyn Err
     let mut mesh = tree_mesh::build(&scene.tree, &look, &scene.params, &control)?.mesh;
     if !textured {
         mesh.materials[0].base_color = CLAY;
-        println!("{}: {} triangles when built", scene.name, mesh.n_triangles());
     }
     finish(&mut mesh, scene.finish, &control)?;
+    if !textured {
+        let (bark, name) = (&mesh.surfaces[0], scene.name);
+        let shape = topology::examine(bark)?;
+        let crossings = topology::self_intersections(bark, &control)?;
+        let (n, closed) = (shape.n_triangles, shape.is_closed());
+        println!("{name}: {n} triangles, closed {closed}, {} of them cross", crossings.n_triangles);
+    }
     let pose = Pose {
         eye: scene.eye,
         target: scene.target,
@@ -97,12 +103,13 @@ fn draw(scene: &Scene, textured: bool, tile: u32) -> Result<Picture, Box<dyn Err
 }
 
 fn finish(mesh: &mut Mesh, finish: Finish, control: &Control) -> Result<(), Box<dyn Error>> {
-    let levels = match finish {
+    // A coarse mesh is fitted, or it would shrink; the surface of a fine one folds when it is.
+    let (levels, fit) = match finish {
         Finish::Plain => return Ok(()),
-        Finish::Subdivided(levels) => levels,
-        Finish::Displaced => 3,
+        Finish::Subdivided(levels) => (levels, 1),
+        Finish::Displaced => (3, 0),
     };
-    let params = SubdivideParams { levels, ..Default::default() };
+    let params = SubdivideParams { levels, fit, ..Default::default() };
     mesh.surfaces[0] = subdivide(&mesh.surfaces[0], &params, control)?;
     if matches!(finish, Finish::Displaced) {
         let relief = Displacement { amplitude: 0.03, scale: 0.04, ..Default::default() };

@@ -200,6 +200,7 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
         },
         Scene {
             name: "palmate",
+            leaf: "horse-chestnut-leaflet",
             leaves: leaves_of("horse-chestnut")?,
             pitch: 0.5,
             ..plain_copy(&plain)

@@ -59,7 +59,7 @@ fn leaves_stand_on_the_bottom_and_leave_the_border_free() {
         let LeafTexture { texture, width, petiole } = leaf(name).unwrap();
         let n = texture.width as usize;
         assert_eq!((texture.height as usize, texture.pixels.len()), (n, 4 * n * n));
-        assert!((0.1..2.0).contains(&width) && (0.0..0.6).contains(&petiole), "{name}");
+        assert!((0.04..2.0).contains(&width) && (0.0..0.6).contains(&petiole), "{name}");
         let alpha = |x: usize, y: usize| pixel(&texture, x, y)[3];
         assert!(alpha(n / 2, n - 1) > 127, "{name} has no base");
         for i in 0..n {
