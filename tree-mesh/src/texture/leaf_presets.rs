@@ -218,12 +218,12 @@ const HORSE_CHESTNUT: LeafShape = LeafShape {
 /// Leaflet of silk tree and mimosa, a finger's breadth long: a blunt strap.
 const MIMOSA: LeafShape = LeafShape {
     outline: Cow::Borrowed(&[
-        [0.0, 0.0, 0.0],
-        [0.07, 0.02, 0.0],
-        [0.125, 0.14, 0.0],
-        [0.135, 0.5, 0.0],
-        [0.12, 0.8, 0.0],
-        [0.06, 0.95, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.05, 0.04, 0.0],
+        [0.11, 0.15, 0.0],
+        [0.135, 0.45, 0.0],
+        [0.12, 0.75, 0.0],
+        [0.065, 0.93, 0.0],
         [0.0, 1.0, 0.7],
     ]),
     petiole: 0.0,
@@ -274,11 +274,11 @@ const SHORT_NEEDLE: LeafShape = LeafShape {
 /// Wider than nature grows it by half, so that it is not lost in a picture.
 const SINGLE_NEEDLE: LeafShape = LeafShape {
     outline: Cow::Borrowed(&[
-        [0.0, 0.0, 0.0],
-        [0.016, 0.01, 0.0],
-        [0.025, 0.06, 0.0],
-        [0.026, 0.6, 0.0],
-        [0.018, 0.88, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.015, 0.05, 0.0],
+        [0.023, 0.16, 0.0],
+        [0.025, 0.55, 0.0],
+        [0.016, 0.86, 0.0],
         [0.0, 1.0, 1.0],
     ]),
     ..NEEDLE

@@ -101,7 +101,7 @@ fn leaves_cover_a_plausible_share_and_survive_mip_maps() {
     for name in leaf_names() {
         let texture = leaf(name).unwrap().texture;
         let full = coverage(&texture, 0);
-        assert!((0.2..0.8).contains(&full), "{name} covers {full}");
+        assert!((0.2..0.85).contains(&full), "{name} covers {full}");
         for level in 1..5 {
             let left = coverage(&texture, level);
             assert!(left > 0.6 * full, "{name}: {left} of {full} left on level {level}");
