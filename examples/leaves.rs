@@ -4,7 +4,9 @@
 //!
 //! `cargo run --release --example leaves -- [FOLDER] [TILE_PX] [NAME]`
 
-use image::{RgbaImage, imageops};
+mod common;
+
+use common::sheet;
 use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -116,20 +118,7 @@ fn look(species: &Species) -> Result<Look, Box<dyn Error>> {
     let bare = Species { leaf_kinds: Vec::new(), ..species.clone() };
     let mut look = Look::built_in(&bare)?;
     for kind in &species.leaf_kinds {
-        let shape = match kind.as_str() {
-            "needle" => LeafShape {
-                outline: vec![
-                    [0.0, 0.0, 1.0],
-                    [0.03, 0.06, 0.0],
-                    [0.032, 0.75, 0.0],
-                    [0.0, 1.0, 1.0],
-                ]
-                .into(),
-                spray: None,
-                ..leaf_shape("pine-needles")?
-            },
-            name => LeafShape { spray: None, petiole: 0.0, ..leaf_shape(name)? },
-        };
+        let shape = LeafShape { petiole: 0.0, ..leaf_shape(kind)? };
         let drawn = leaf_with(&shape, 256)?;
         let material = Material {
             name: kind.clone(),
@@ -197,15 +186,21 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
         },
         Scene { leaf: "willow", ..arranged("whorled", Phyllotaxis::Whorled { count: 5 }) },
         Scene { leaf: "oak", leaves: leaves_of("oak")?, ..arranged("spiral", Phyllotaxis::GOLDEN) },
-        Scene { name: "pinnate", leaf: "ash", leaves: leaves_of("ash")?, ..plain_copy(&plain) },
+        Scene {
+            name: "pinnate",
+            leaf: "ash-leaflet",
+            leaves: leaves_of("ash")?,
+            ..plain_copy(&plain)
+        },
         Scene {
             name: "bipinnate",
-            leaf: "ash",
+            leaf: "mimosa-leaflet",
             leaves: leaves_of("mimosa")?,
             ..plain_copy(&plain)
         },
         Scene {
             name: "palmate",
+            leaf: "horse-chestnut-leaflet",
             leaves: leaves_of("horse-chestnut")?,
             pitch: 0.5,
             ..plain_copy(&plain)
@@ -237,7 +232,7 @@ fn scenes() -> Result<Vec<Scene>, Box<dyn Error>> {
         Scene {
             name: "frond",
             bark: "palm",
-            leaf: "palm-frond",
+            leaf: "palm-leaflet",
             shoot: (0.8, 0.11, 0.0, 0.0),
             leaves: leaves_of("palm")?,
             pitch: 0.1,
@@ -337,17 +332,4 @@ fn habits(tile: u32) -> Result<Vec<Picture>, Box<dyn Error>> {
             picture(&tree, &look(tree.species())?, 0.05, tile)
         })
         .collect()
-}
-
-/// Pictures side by side.
-fn sheet(pictures: &[Picture], columns: u32, tile: u32) -> Result<RgbaImage, Box<dyn Error>> {
-    let rows = (pictures.len() as u32).div_ceil(columns);
-    let mut sheet = RgbaImage::new(columns * tile, rows * tile);
-    for (i, picture) in (0_u32..).zip(pictures) {
-        let image = RgbaImage::from_raw(picture.width, picture.height, picture.pixels.clone())
-            .ok_or("a picture with too few pixels")?;
-        let (x, y) = (i % columns * tile, i / columns * tile);
-        imageops::replace(&mut sheet, &image, i64::from(x), i64::from(y));
-    }
-    Ok(sheet)
 }

@@ -16,6 +16,7 @@ use tree_mesh::io::gltf::{
 };
 use tree_mesh::io::obj::write_obj;
 use tree_mesh::io::ply::{PlyOptions, write_ply};
+use tree_mesh::pack::gltf_wind;
 use tree_mesh::{Alpha, Look, Mesh, MeshParams, Texture, build};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -81,6 +82,15 @@ fn variants(
     let windy = Level { attributes: &[wind], ..all };
     let without = GlbOptions { occlusion: OcclusionAs::Omit, ..options.clone() };
     write_glb_levels(&[windy], path("_wind.glb"), &without)?;
+    let mut winds = Vec::new();
+    for (surface, _) in full.surfaces.iter().enumerate().filter(|(_, s)| !s.indices.is_empty()) {
+        winds.extend(gltf_wind::attributes(&full, surface)?);
+    }
+    let coloured = GlbOptions { occlusion: OcclusionAs::Color, ..options.clone() };
+    let windy = Level { attributes: &winds, ..all };
+    write_glb_levels(&[windy], path("_wind_all.glb"), &coloured)?;
+    // Attributes of different widths, which Blender mixes up.
+    write_glb_levels(&[windy], path("_wind_mixed.glb"), options)?;
 
     let parts = instanced(tree, look, params, &Control::default())?;
     if parts.leaves.is_empty() {

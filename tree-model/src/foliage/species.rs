@@ -1,8 +1,8 @@
 //! Leaves and twigs of well-known trees, a row each.
 //!
-//! Sizes, arrangements and habits are those of floras; a row gives the leaf kind of tree-mesh that comes
-//! nearest to its blade. Pictures of single blades have the upper part of the petiole on them, which
-//! the petiole here goes without.
+//! Sizes, arrangements and habits are those of floras; a row names the leaf kind of tree-mesh that is
+//! its blade, leaflet or needle. Pictures of simple leaves have the upper part of the petiole on them,
+//! which the petiole here goes without; those of leaflets and needles have none.
 
 use super::arrangement::Phyllotaxis;
 use super::form::{LeafForm, Palmate, Pinnate};
@@ -223,7 +223,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "ash",
-        leaf_kind: "willow",
+        leaf_kind: "ash-leaflet",
         leaves: LeafParams {
             arrangement: Phyllotaxis::Decussate,
             form: LeafForm::Pinnate(Pinnate {
@@ -253,7 +253,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "walnut",
-        leaf_kind: "beech",
+        leaf_kind: "walnut-leaflet",
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             form: LeafForm::Pinnate(Pinnate {
@@ -281,7 +281,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "mimosa",
-        leaf_kind: "willow",
+        leaf_kind: "mimosa-leaflet",
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             form: LeafForm::Pinnate(Pinnate {
@@ -304,7 +304,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "horse-chestnut",
-        leaf_kind: "beech",
+        leaf_kind: "horse-chestnut-leaflet",
         leaves: LeafParams {
             arrangement: Phyllotaxis::Decussate,
             form: LeafForm::Palmate(Palmate::DEFAULT),
@@ -331,7 +331,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "spruce",
-        leaf_kind: "willow",
+        leaf_kind: "needle",
         leaves: LeafParams {
             spacing: 0.0011,
             bearing: 0.35,
@@ -357,7 +357,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "pine",
-        leaf_kind: "willow",
+        leaf_kind: "needle",
         leaves: LeafParams {
             form: LeafForm::Fascicle { needles: 2, spread: 0.14 },
             spacing: 0.0035,
@@ -379,7 +379,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "larch",
-        leaf_kind: "willow",
+        leaf_kind: "needle",
         leaves: LeafParams {
             form: LeafForm::Rosette { needles: 30, spread: 1.25 },
             spacing: 0.013,
@@ -396,7 +396,7 @@ pub const SPECIES: &[SpeciesPreset] = &[
     },
     SpeciesPreset {
         name: "palm",
-        leaf_kind: "willow",
+        leaf_kind: "palm-leaflet",
         leaves: LeafParams {
             form: LeafForm::Pinnate(Pinnate {
                 pairs: 60,
