@@ -6,7 +6,8 @@
 //! 3. Columns of their final length are cut into parts that threads fill. Where a part lies and what
 //!    is in it depends on the tree alone, so the bytes are the same for any number of threads.
 //!
-//! Cost: O(nodes + leaves + vertices) time; the mesh, 24 bytes an axis and 4 bytes a leaf of memory.
+//! Cost: O(nodes + leaves + vertices) time; the mesh, about 60 bytes a node, 80 a
+//! ring, 250 an axis and 4 a leaf of memory.
 
 use crate::bark::{self, Kind, Plan};
 use crate::error::{MeshError, Result};
@@ -53,7 +54,8 @@ pub struct MeshReport {
     pub skipped_axes: usize,
     /// Laterals whose base was turned or moved because another one has its place.
     pub moved_axes: usize,
-    /// Nodes passed over because they lie within a tenth of a radius of the one before.
+    /// Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
+    /// the wood.
     pub skipped_nodes: usize,
     /// Leaves of size 0, not drawn.
     pub skipped_leaves: usize,
@@ -66,8 +68,8 @@ pub struct MeshReport {
 ///
 /// # Errors
 /// [`MeshError::Parameter`], [`MeshError::LeafMaterials`], [`MeshError::TooLarge`] (coordinates beyond
-/// 1000 km), [`MeshError::Limit`] and [`MeshError::TooManyVertices`], both before the memory is asked
-/// for, or [`MeshError::Cancelled`].
+/// 1000 km), [`MeshError::Limit`] and [`MeshError::TooManyVertices`], both before the memory of the mesh
+/// is asked for, or [`MeshError::Cancelled`].
 ///
 /// # Complexity
 /// O(nodes + leaves + vertices); parallel over axes and leaves. A single axis is not divided.
@@ -113,10 +115,10 @@ pub(crate) fn build_numbered(
     let mut surfaces = vec![bark];
     control.report("leaves", 0.5)?;
     leaves.fill(tree, &axes, params, control, &mut surfaces)?;
-    control.report("done", 1.0)?;
-
+    control.report("wind", 0.95)?;
     let mut branches = wind::branches(skeleton, &axes);
     let branch_of = wind::stand(&mut branches, &mut surfaces, &plan);
+    control.report("done", 1.0)?;
     let mesh = Mesh {
         surfaces,
         materials: std::iter::once(look.bark.clone()).chain(leaves.materials(look)).collect(),

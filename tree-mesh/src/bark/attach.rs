@@ -19,6 +19,10 @@ const STANDOFF: f32 = 0.15;
 /// First step of the walk as a share of both radii, and its growth.
 const STEP: f32 = 0.45;
 const GROWTH: f32 = 1.2;
+/// A lateral is walked in at most about this many steps.
+const STEPS_MAX: f32 = 4096.0;
+/// Longest step as a share of both radii.
+const STEP_MAX: f32 = 1.4;
 /// Steps of the search for the place in between.
 const NARROWINGS: u32 = 3;
 /// Steps of the projection onto the parent's line.
@@ -30,7 +34,7 @@ const COLLAR: f32 = 1.35;
 /// but not where the lateral leans over the wall, and would cover the rim.
 const LEE: f32 = 1.1;
 /// A lateral that comes back into the wall within this many radii of both has not left it yet.
-const RETURN: f32 = 4.0;
+const RETURN: f32 = 3.0;
 /// Smallest sine of the angle between branches that a hole is stretched by.
 const SINE_MIN: f32 = 0.25;
 
@@ -72,7 +76,8 @@ pub(crate) struct Host<'a> {
 }
 
 impl Host<'_> {
-    fn gap(&self, place: &Place, mut along: f32) -> Gap {
+    fn gap(&self, place: &Place, along: f32) -> Gap {
+        let mut along = along.clamp(0.0, self.curve.length());
         let mut nearest = self.curve.at(along);
         for _ in 0..PROJECTIONS {
             let offset = place.station.position - nearest.station.position;
@@ -109,14 +114,20 @@ impl Host<'_> {
     pub(crate) fn exit(&self, fork: f32, lateral: &Curve<'_>) -> Option<Exit> {
         let length = lateral.length();
         let widest = self.curve.at(fork).station.radius + lateral.at(0.0).station.radius;
+        // However thin: no step may vanish in the length, and their number is bounded.
+        let widest = widest.max(length / STEPS_MAX);
         let mut step = STEP * widest;
         let (mut at, mut along) = (0.0, fork);
+        let mut from = lateral.at(at).station.position;
         let mut inside = self.gap(&lateral.at(at), along);
         let mut wall: Option<(f32, Gap)> = None;
         let mut clear: Option<f32> = None;
         while at < length && clear.is_none_or(|clear| at < clear + RETURN * widest) {
             let next = (at + step).min(length);
-            let gap = self.gap(&lateral.at(next), along);
+            let place = lateral.at(next);
+            // From where the parent is likely nearest, one step of projection is enough mostly.
+            let way = place.station.position - from;
+            let gap = self.gap(&place, along + way.dot(inside.up));
             if gap.outside <= 0.0 {
                 (wall, clear) = (None, None);
             } else if wall.is_none() {
@@ -124,11 +135,11 @@ impl Host<'_> {
             }
             if gap.clear > 0.0 && clear.is_none() {
                 clear = Some(self.narrow(lateral, (at, &inside), (next, gap), |gap| gap.clear).0);
-            } else if gap.clear < -0.5 * STANDOFF * lateral.at(next).station.radius {
+            } else if gap.clear < -0.5 * STANDOFF * place.station.radius {
                 clear = None;
             }
-            (at, along, inside) = (next, gap.along, gap);
-            step = (GROWTH * step).min(widest);
+            (at, along, inside, from) = (next, gap.along, gap, place.station.position);
+            step = (GROWTH * step).min(STEP_MAX * widest);
         }
         let (crossing, gap) = wall?;
         let place = lateral.at(crossing);

@@ -1,11 +1,11 @@
 //! The light map of bark: every axis unrolled into a rectangle of its own.
 //!
-//! An axis is as wide as its girth at the base and as high as it is long; a hole over the seam makes it
+//! An axis is as wide as its largest girth and as high as it is long; a hole over the seam makes it
 //! wider by what reaches beyond. Bridges lie in the holes of their host's rectangle, the trunk's base in
 //! a square of its own. Rectangles are laid on shelves, tallest first, at the largest scale at which
 //! they fit. So texels have about the same size on thick wood; thin ends get more than their share.
 //!
-//! Cost: O(axes · log axes).
+//! Cost: O(axes · log axes), a few rounds of shelves, and one pass over the vertices.
 
 use super::plan::{Kind, NONE, Plan};
 use crate::error::Result;
@@ -96,7 +96,9 @@ fn charts(plan: &Plan, params: &MeshParams) -> Vec<Chart> {
             let tip = plan.curves.get(axis as u32).map_or(0.0, |curve| curve.length());
             let top = tip.max(high.station.along) + 2.0 * high.station.radius;
             let rise = top - low.station.along;
-            let widest = rings.iter().map(|ring| ring.station.radius).fold(0.0, f32::max);
+            let flare = plan.flare(axis as u32);
+            let wide_of = |s: super::curve::Station| s.radius * flare.widest(s.along);
+            let widest = rings.iter().map(|ring| wide_of(ring.station)).fold(0.0, f32::max);
             Chart {
                 from: Vec2::new(0.0, -top / params.bark_length),
                 extent: Vec2::new(plan.axes[axis].repeats * wide, rise / params.bark_length),

@@ -112,7 +112,9 @@ fn draw_part(
         let drawn = drawing.draw(params);
         part.n_dropped += u64::from(drawing.n_dropped);
         let start = part.nodes.len() as u32;
-        let at = |&kept: &u32| drawing.nodes.get(kept as usize).map_or(0.0, |node| node.along);
+        // A tip that was left out after the node before it had gone is stood for by the last.
+        let node = |kept: u32| drawing.nodes.get(kept as usize).or(drawing.nodes.last());
+        let at = |&kept: &u32| node(kept).map_or(0.0, |node| node.along);
         part.along.extend(drawing.kept.iter().skip(n_extra).map(at));
         let len = if drawn { drawing.nodes.len() as u32 } else { 0 };
         part.spans.push(Span { start, len, pointed: drawing.pointed });

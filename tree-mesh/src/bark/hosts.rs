@@ -65,29 +65,26 @@ impl Forest<'_> {
                 Ok(Leaving { host, exit: self.leave(axis, host, fork) })
             })
             .collect::<Result<Vec<_>>>()?;
-        self.hand_on(&mut all);
+        self.hand_on(&mut all, control)?;
         let wishes = Wishes::group(&all);
         let fused = (0..all.len())
             .into_par_iter()
             .with_min_len(AXES_PER_PART)
-            .flat_map_iter(|host| self.fuse(host as u32, wishes.of(host), &all))
-            .collect::<Vec<_>>();
-        control.check()?;
-        for (axis, leaving) in fused {
+            .map(|host| {
+                control.check()?;
+                Ok(self.fuse(host as u32, wishes.of(host), &all))
+            })
+            .collect::<Result<Vec<_>>>()?;
+        for (axis, leaving) in fused.into_iter().flatten() {
             all[axis as usize] = leaving;
         }
         // A sibling may come later in the order than what stands on it.
         for _ in 0..ROUNDS {
-            if !self.hand_on(&mut all) {
+            if !self.hand_on(&mut all, control)? {
                 break;
             }
         }
-        for axis in 1..all.len() {
-            let host = all[axis].host;
-            if host != 0 && host != NONE && !all[host as usize].carries() {
-                all[axis].exit = None;
-            }
-        }
+        while drop_unsettled(&mut all) {}
         Ok(all)
     }
 
@@ -109,9 +106,12 @@ impl Forest<'_> {
 
     /// Hands on laterals that fork where their host has no wall. Parents come first. Tells whether
     /// there were any.
-    fn hand_on(&self, all: &mut [Leaving]) -> bool {
+    fn hand_on(&self, all: &mut [Leaving], control: &Control) -> Result<bool> {
         let mut any = false;
         for axis in 1..all.len() {
+            if axis % AXES_PER_PART == 0 {
+                control.check()?;
+            }
             let Leaving { mut host, mut exit } = all[axis];
             loop {
                 if host == 0 || host == NONE {
@@ -132,7 +132,7 @@ impl Forest<'_> {
             }
             all[axis] = Leaving { host, exit };
         }
-        any
+        Ok(any)
     }
 
     /// Laterals of a host that rather stand on thicker siblings.
@@ -151,7 +151,10 @@ impl Forest<'_> {
                 let Leaving { host: on, exit: Some(base) } = all[sibling.lateral as usize] else {
                     continue;
                 };
+                // On the other side of the host they cannot meet.
+                let beside = sibling.out.dot(wish.out) > 0.0;
                 if !thicker
+                    || !beside
                     || on != host
                     || base.stub
                     || apart > wish.reach[0] + sibling.reach[0] + wish.reach[1] + sibling.reach[1]
@@ -178,6 +181,19 @@ impl Forest<'_> {
         }
         fused
     }
+}
+
+/// Leaves out what stands on an axis without a wall; tells whether there was any, for then more may.
+fn drop_unsettled(all: &mut [Leaving]) -> bool {
+    let mut any = false;
+    for axis in 1..all.len() {
+        let Leaving { host, exit } = all[axis];
+        if exit.is_some() && host != 0 && host != NONE && !all[host as usize].carries() {
+            all[axis].exit = None;
+            any = true;
+        }
+    }
+    any
 }
 
 /// Holes wanted in each axis, lowest first.

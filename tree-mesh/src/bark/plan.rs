@@ -20,7 +20,8 @@ use crate::error::Result;
 use crate::params::MeshParams;
 use glam::Vec3;
 use rayon::prelude::*;
-use tree_core::{Axes, Control, Skeleton};
+use std::sync::atomic::{AtomicU64, Ordering};
+use tree_core::{Axes, Control, Resource, Skeleton};
 
 /// Holes keep clear of the wall's ends by this share of its length, or by so many radii.
 const MARGIN: f32 = 0.02;
@@ -95,7 +96,7 @@ impl Plan {
     /// Plans the bark.
     ///
     /// # Complexity
-    /// O(nodes + rings), and sorting the laterals of each axis.
+    /// O(nodes + rings + steps of the laterals' walks), and sorting the laterals of each axis.
     pub(crate) fn new(
         skeleton: &Skeleton,
         axes: &Axes,
@@ -110,7 +111,13 @@ impl Plan {
         let wishes = Wishes::group(&exits);
         control.check()?;
 
-        let fineness = Fineness { error: params.error.metres(), longest: params.strip_max };
+        let cap = control.limits.cap(Resource::Triangles);
+        let fineness = Fineness {
+            error: params.error.metres(),
+            longest: params.strip_max,
+            rings_max: usize::try_from(cap / 3).unwrap_or(usize::MAX).saturating_add(2),
+        };
+        let planned = AtomicU64::new(0);
         let planner = Planner { curves: &curves, circles: &circles, flare, params, fineness };
         let parts = (0..axes.len().div_ceil(AXES_PER_PART))
             .into_par_iter()
@@ -121,6 +128,11 @@ impl Plan {
                 for (axis, exit) in exits.iter().enumerate().skip(first).take(AXES_PER_PART) {
                     planner.plan(axis as u32, exit, wishes.of(axis), scratch, &mut out);
                 }
+                // Each side of a ring is a triangle at least: too many are refused before all rings
+                // are kept.
+                let sides = out.rings.iter().map(|ring| u64::from(ring.n)).sum();
+                let sum = planned.fetch_add(sides, Ordering::Relaxed).saturating_add(sides);
+                control.limits.check(Resource::Triangles, sum.min(cap.saturating_add(1)))?;
                 Ok(out)
             })
             .collect::<Result<Vec<Part>>>()?;

@@ -51,6 +51,8 @@ pub(crate) struct Fineness {
     pub(crate) error: f32,
     /// Longest strip.
     pub(crate) longest: f32,
+    /// Rings of one axis after which no more are set: there are too many triangles then.
+    pub(crate) rings_max: usize,
 }
 
 /// Finds rings; reused from axis to axis.
@@ -137,7 +139,7 @@ impl RingFinder {
         let near = |place: &Place| (CLEARANCE * place.station.radius).min(room);
         let low = from.station.along + near(from);
         let high = to.station.along - if open { 0.0 } else { near(to) };
-        self.sample(wall, low, high, fineness.error);
+        self.sample(wall, low, high, fineness);
         let mut end = *to;
         if open && wall.curve.pointed {
             end.station.radius = 0.0;
@@ -149,7 +151,7 @@ impl RingFinder {
         };
         let mut last = widened(*from);
         let mut kept = 0;
-        while kept < self.samples.len() {
+        while kept < self.samples.len() && self.rings.len() < fineness.rings_max {
             let mut ahead = kept;
             while let Some(next) = self.samples.get(ahead + 1)
                 && ahead - kept < WINDOW
@@ -174,7 +176,7 @@ impl RingFinder {
     }
 
     /// Places between `low` and `high` where the line could need a ring.
-    fn sample(&mut self, wall: &Wall<'_>, low: f32, high: f32, error: f32) {
+    fn sample(&mut self, wall: &Wall<'_>, low: f32, high: f32, fineness: Fineness) {
         self.samples.clear();
         let curve = &wall.curve;
         let nodes = curve.nodes;
@@ -184,11 +186,15 @@ impl RingFinder {
             if a >= high {
                 break;
             }
-            let n = curve.n_pieces(i, error);
+            let strips = ((b - a) / fineness.longest).ceil() as u32;
+            let n = curve.n_pieces(i, fineness.error).max(strips);
             for k in 0..n {
                 let along = a + (b - a) * k as f32 / n as f32;
                 if along > low && along < high {
                     self.samples.push(curve.on(i, along));
+                }
+                if self.samples.len() > WINDOW.saturating_mul(fineness.rings_max) {
+                    return;
                 }
             }
         }

@@ -235,6 +235,9 @@ pub(crate) fn columns_mask(first: u32, width: u32, n: u32) -> u128 {
 
 /// Free columns as near as can be to the wanted ones, fewer if need be; `None` when all are taken.
 fn free_columns(mask: u128, column: u32, width: u32, n: u32) -> Option<(u32, u32)> {
+    if mask.count_ones() >= n {
+        return None;
+    }
     (1..=width).rev().find_map(|width| {
         let shifts = (0..n).map(|i| if i % 2 == 0 { i / 2 } else { n - i.div_ceil(2) });
         shifts

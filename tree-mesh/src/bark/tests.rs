@@ -197,6 +197,37 @@ fn tangents_run_with_u_and_complete_a_frame_up_the_picture() {
 }
 
 #[test]
+fn no_strip_is_longer_than_allowed() {
+    let skeleton = chain(&[(Vec3::ZERO, 0.2), (Vec3::Y * 10.0, 0.2)]);
+    let params = MeshParams { strip_max: 1.0, ..plain() };
+    let bark = mesh_of(&bare(skeleton), &params).mesh.surfaces[0].clone();
+    let mut heights: Vec<f32> = bark.positions.iter().map(|p| p.y).collect();
+    heights.sort_by(f32::total_cmp);
+    let gap = heights.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f32::max);
+    assert!(gap < 1.01, "{gap}");
+}
+
+#[test]
+fn a_thread_along_a_giant_is_walked_in_bounded_time() {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.0005).unwrap();
+    builder.add(0, Vec3::Y * 1e5, 100.0).unwrap();
+    builder.add(0, Vec3::new(1.0, 1e5, 0.0), 0.001).unwrap();
+    let built = mesh_of(&bare(builder.finish()), &plain());
+    assert_closed(&built.mesh.surfaces[0]);
+}
+
+#[test]
+fn rings_beyond_the_limit_are_refused_before_they_are_all_planned() {
+    let points: Vec<_> =
+        (0..5000).map(|i| (Vec3::new(0.1 * (i % 2) as f32, 0.05 * i as f32, 0.0), 0.01)).collect();
+    let tree = bare(chain(&points));
+    let limits = tree_core::Limits { triangles: 100, ..Default::default() };
+    let control = Control::default().with_limits(limits);
+    let error = build(&tree, &Look::plain(tree.species()), &plain(), &control).unwrap_err();
+    assert!(matches!(error, crate::MeshError::Limit(_)), "{error}");
+}
+
+#[test]
 fn thick_axes_that_end_thin_change_their_count_and_stay_closed() {
     let points: Vec<_> =
         (0..20).map(|i| (Vec3::Y * i as f32 * 0.5, 0.4 * (1.0 - i as f32 / 20.0))).collect();

@@ -109,7 +109,11 @@ impl Textures {
     /// O(branches).
     pub fn new(mesh: &Mesh) -> Result<Self> {
         let branches = &mesh.branches;
-        let levels = branches.iter().map(|branch| branch.level).max().map_or(0, |level| level + 1);
+        let levels = branches
+            .iter()
+            .map(|branch| branch.level)
+            .max()
+            .map_or(0, |level| level.saturating_add(1));
         let fits = |kept: u32| {
             branches.iter().filter(|branch| branch.level < kept).count() <= ELEMENTS_MAX
         };
@@ -173,7 +177,8 @@ impl Textures {
     #[must_use]
     pub fn element_at(&self, uv: Vec2) -> Option<u32> {
         let (column, row) = (uv.x * self.width as f32, uv.y * self.height as f32);
-        if !(column >= 0.0 && row >= 0.0 && column < self.width as f32) {
+        let inside = column < self.width as f32 && row < self.height as f32;
+        if !(column >= 0.0 && row >= 0.0 && inside) {
             return None;
         }
         let element = row as u32 * self.width + column as u32;

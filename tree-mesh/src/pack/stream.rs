@@ -103,7 +103,9 @@ impl Stream {
     #[must_use]
     pub fn row(&self, vertex: usize) -> Vec4 {
         let first = vertex.saturating_mul(self.components);
-        let at = |i: usize| if i < self.components { self.data.get(first + i) } else { 0.0 };
+        let at = |i: usize| {
+            if i < self.components { self.data.get(first.saturating_add(i)) } else { 0.0 }
+        };
         Vec4::new(at(0), at(1), at(2), at(3))
     }
 
@@ -141,7 +143,10 @@ impl Packed {
     /// Bytes of one vertex, all attributes together.
     #[must_use]
     pub fn vertex_bytes(&self) -> usize {
-        self.streams.iter().map(|stream| stream.components * stream.data.width()).sum()
+        self.streams
+            .iter()
+            .map(|stream| stream.components.saturating_mul(stream.data.width()))
+            .sum()
     }
 
     /// Every vertex's row of an attribute; nothing when there is no such attribute.

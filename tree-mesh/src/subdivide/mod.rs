@@ -59,7 +59,7 @@ pub struct SubdivideParams {
     /// Angle between normals in radians above which an edge is a crease, 0 to π. Default 1.
     pub crease: f32,
     /// Rounds in which the limit surface is brought to the old points, 0 (Loop's own, which shrinks) to
-    /// 20. Default 5. Meant for coarse meshes: where rings stand much closer than they are wide, as at
+    /// 20. Default 1. More is for coarse meshes: where rings stand much closer than they are wide, as at
     /// the joints of a fine mesh, each round overshoots and the surface can fold. Fine meshes shrink
     /// little: 0 or 1 is enough.
     pub fit: u32,
@@ -67,7 +67,7 @@ pub struct SubdivideParams {
 
 impl Default for SubdivideParams {
     fn default() -> Self {
-        Self { levels: 2, crease: 1.0, fit: 5 }
+        Self { levels: 2, crease: 1.0, fit: 1 }
     }
 }
 

@@ -26,14 +26,15 @@ pub(crate) fn stand(branches: &mut Vec<Branch>, surfaces: &mut [Surface], plan: 
         };
         let pivot = below.station.position.midpoint(above.station.position);
         (branch.parent, branch.pivot) = (axis.host, pivot);
-        let rings = plan.rings(number as u32);
-        if let (Some(first), Some(last)) = (rings.first(), rings.last()) {
-            let out = first.station.position.distance(pivot);
-            branch.length = out + last.station.along - first.station.along;
-            branch.collar = (out + first.station.radius).min(COLLAR_MAX * branch.length);
-            branch.axis = (last.station.position - pivot).normalize_or(branch.axis);
-            branch.stiffness = stiffness(branch.length, branch.radius);
-        }
+        let Some(line) = plan.curves.get(number as u32) else { continue };
+        let tip = line.at(line.length()).station;
+        // A stub has no ring: all of it that shows is its tip.
+        let first = plan.rings(number as u32).first().map_or(tip, |ring| ring.station);
+        let out = first.position.distance(pivot);
+        branch.length = out + tip.along - first.along;
+        branch.collar = (out + first.radius).min(COLLAR_MAX * branch.length);
+        branch.axis = (tip.position - pivot).normalize_or(branch.axis);
+        branch.stiffness = stiffness(branch.length, branch.radius);
     }
     let late = |(number, branch): (usize, &Branch)| branch.parent as usize > number;
     let branch_of = if branches.iter().enumerate().any(late) {

@@ -123,6 +123,10 @@ impl<'a> Columns<'a> {
         };
         let sparse = match &accessor.sparse {
             Some(sparse) => {
+                if sparse.count > accessor.count {
+                    let (found, rows) = (sparse.count, accessor.count);
+                    return Err(fail(format!("{found} sparse rows, the accessor has {rows}")));
+                }
                 let index_component = Component::of(sparse.indices.component_type)
                     .filter(|c| matches!(c, Component::U8 | Component::U16 | Component::U32))
                     .ok_or_else(|| fail("sparse indices that are no unsigned integers".into()))?;
