@@ -112,6 +112,13 @@ impl Plan {
         control.check()?;
 
         let cap = control.limits.cap(Resource::Triangles);
+        // No axis has fewer rings than its length asks for, nor a ring fewer than three sides.
+        let strips: f64 = (0..axes.len() as u32)
+            .filter_map(|axis| curves.get(axis))
+            .map(|curve| f64::from(curve.length() / params.strip_max).floor())
+            .sum();
+        // A cast from float saturates.
+        control.limits.check(Resource::Triangles, (3.0 * strips) as u64)?;
         let fineness = Fineness {
             error: params.error.metres(),
             longest: params.strip_max,

@@ -208,6 +208,15 @@ fn no_strip_is_longer_than_allowed() {
 }
 
 #[test]
+fn strips_that_no_memory_holds_are_refused() {
+    let tree = bare(chain(&[(Vec3::ZERO, 10.0), (Vec3::Y * 1e6, 10.0)]));
+    let params = MeshParams { strip_max: 0.001, ..plain() };
+    let look = Look::plain(tree.species());
+    let error = build(&tree, &look, &params, &Control::default()).unwrap_err();
+    assert!(matches!(error, crate::MeshError::Limit(_)), "{error}");
+}
+
+#[test]
 fn a_thread_along_a_giant_is_walked_in_bounded_time() {
     let mut builder = Skeleton::builder(Vec3::ZERO, 0.0005).unwrap();
     builder.add(0, Vec3::Y * 1e5, 100.0).unwrap();
