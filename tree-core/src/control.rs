@@ -38,6 +38,7 @@ impl CancelFlag {
 }
 
 type Callback = dyn Fn(Progress) + Send + Sync;
+type Stop = dyn Fn() -> bool + Send + Sync;
 
 /// What a caller hands to long work: where to report progress, when to stop, how much to use.
 ///
@@ -58,6 +59,7 @@ pub struct Control {
     pub limits: Limits,
     progress: Option<Arc<Callback>>,
     cancel: CancelFlag,
+    stop: Option<Arc<Stop>>,
 }
 
 impl Control {
@@ -75,6 +77,14 @@ impl Control {
         self
     }
 
+    /// Stops when `stop` says so: for conditions that are asked after instead of announced, such as the
+    /// memory in use. It is asked at every check, from any thread, so it must be cheap.
+    #[must_use]
+    pub fn with_stop(mut self, stop: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        self.stop = Some(Arc::new(stop));
+        self
+    }
+
     /// Replaces the limits.
     #[must_use]
     pub fn with_limits(mut self, limits: Limits) -> Self {
@@ -82,12 +92,13 @@ impl Control {
         self
     }
 
-    /// Cheap enough for inner loops (one relaxed load).
+    /// Cheap enough for inner loops (one relaxed load, and what [`with_stop`](Self::with_stop) costs).
     ///
     /// # Errors
-    /// [`Cancelled`] once the flag is set.
+    /// [`Cancelled`] once the flag is set or the stop condition holds.
     pub fn check(&self) -> Result<(), Cancelled> {
-        if self.cancel.is_cancelled() { Err(Cancelled) } else { Ok(()) }
+        let stopped = || self.stop.as_ref().is_some_and(|stop| stop());
+        if self.cancel.is_cancelled() || stopped() { Err(Cancelled) } else { Ok(()) }
     }
 
     /// Reports progress, then checks for cancellation.
@@ -136,5 +147,15 @@ mod tests {
         assert_eq!(clone.check(), Ok(()));
         flag.cancel();
         assert_eq!(clone.report("x", 0.5), Err(Cancelled));
+    }
+
+    #[test]
+    fn a_stop_condition_is_asked_at_every_check() {
+        let flag = CancelFlag::default();
+        let asked = flag.clone();
+        let control = Control::default().with_stop(move || asked.is_cancelled());
+        assert_eq!(control.check(), Ok(()));
+        flag.cancel();
+        assert_eq!(control.check(), Err(Cancelled));
     }
 }

@@ -51,6 +51,21 @@ pub struct LimitError {
     pub cap: u64,
 }
 
+/// Bytes of a skeleton's node while it is meshed: 16 for itself, the rest for axes, rings and orders.
+const NODE_BYTES: u64 = 160;
+/// Bytes of an arc while a graph is linked.
+const ARC_BYTES: u64 = 16;
+/// Bytes of a leaf while foliage grows: rows are gathered thread by thread and then joined.
+const LEAF_BYTES: u64 = 96;
+/// Bytes of a cell: a grid of f64 and a copy.
+const VOXEL_BYTES: u64 = 16;
+/// Bytes of a supersample while a picture is drawn.
+const PIXEL_BYTES: u64 = 48;
+/// Bytes of a triangle with every column there is: two vertices (leaf cards) and three indices.
+const TRIANGLE_BYTES: u64 = 160;
+/// Memory that a byte of a file may come to when it is read.
+const INPUT_BYTES: u64 = 16;
+
 /// Caps for one operation. The defaults fit a workstation: a few gigabytes at worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
@@ -89,6 +104,38 @@ impl Default for Limits {
 }
 
 impl Limits {
+    /// Limits for work that may take about `bytes` of memory: each cap is what so many bytes hold of that
+    /// resource at the peak of the work that makes it, and at most the default.
+    #[must_use]
+    pub fn for_memory(bytes: u64) -> Self {
+        Self {
+            nodes: bytes / NODE_BYTES,
+            graph_nodes: bytes / NODE_BYTES,
+            graph_arcs: bytes / ARC_BYTES,
+            leaves: bytes / LEAF_BYTES,
+            voxels: bytes / VOXEL_BYTES,
+            pixels: bytes / PIXEL_BYTES,
+            triangles: bytes / TRIANGLE_BYTES,
+            input_bytes: bytes / INPUT_BYTES,
+        }
+        .min(&Self::default())
+    }
+
+    /// The lower of both caps on each resource.
+    #[must_use]
+    pub fn min(&self, other: &Self) -> Self {
+        Self {
+            nodes: self.nodes.min(other.nodes),
+            graph_nodes: self.graph_nodes.min(other.graph_nodes),
+            graph_arcs: self.graph_arcs.min(other.graph_arcs),
+            leaves: self.leaves.min(other.leaves),
+            voxels: self.voxels.min(other.voxels),
+            pixels: self.pixels.min(other.pixels),
+            triangles: self.triangles.min(other.triangles),
+            input_bytes: self.input_bytes.min(other.input_bytes),
+        }
+    }
+
     /// The cap on `resource`.
     #[must_use]
     pub const fn cap(&self, resource: Resource) -> u64 {
@@ -124,5 +171,13 @@ mod tests {
         assert_eq!(limits.check(Resource::Nodes, 10), Ok(()));
         let error = limits.check(Resource::Nodes, 11).unwrap_err();
         assert_eq!(error.to_string(), "nodes would be 11, Limits::nodes allows 10");
+    }
+
+    #[test]
+    fn less_memory_lowers_every_cap_and_endless_memory_none() {
+        assert_eq!(Limits::for_memory(u64::MAX), Limits::default());
+        let small = Limits::for_memory(1 << 20);
+        assert_eq!(small, small.min(&Limits::default()));
+        assert!(small.nodes < 10_000 && small.triangles < 10_000 && small.pixels > 10_000);
     }
 }

@@ -1,0 +1,1 @@
+//! How thick branches are.

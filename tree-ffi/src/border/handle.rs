@@ -1,0 +1,132 @@
+//! Opaque objects. A register knows which are alive, so that a handle that was freed, is of another kind
+//! or never was one is an error instead of a crash.
+//!
+//! An object is a box; its handle is the box's address. Looking one up costs a read lock and a search
+//! among the handles of one of [`SHARDS`] parts, some ten nanoseconds.
+
+use super::failure::{Failure, Result};
+use super::status::TREE_ERROR_HANDLE;
+use std::collections::BTreeMap;
+use std::sync::{PoisonError, RwLock};
+
+/// Parts of the register: threads that work on different objects rarely wait for each other.
+const SHARDS: usize = 16;
+
+/// A type that callers hold by an opaque pointer.
+pub(crate) trait Handle: Send + Sync + 'static {
+    /// Its name in C.
+    const NAME: &'static str;
+}
+
+/// Addresses are kept with all bits turned over: a leak checker that looks through memory for pointers
+/// shall not take the register for an owner.
+type Shard = RwLock<BTreeMap<usize, &'static str>>;
+
+static LIVE: [Shard; SHARDS] = [const { RwLock::new(BTreeMap::new()) }; SHARDS];
+
+fn key<T>(pointer: *const T) -> usize {
+    !pointer.addr()
+}
+
+fn shard(key: usize) -> &'static Shard {
+    // Boxes lie at multiples of 16: the bits above tell them apart.
+    &LIVE[(key >> 4) % SHARDS]
+}
+
+fn check<T: Handle>(pointer: *const T, argument: &str) -> Result<()> {
+    if pointer.is_null() {
+        return Err(Failure::null(argument));
+    }
+    let key = key(pointer);
+    let live = shard(key).read().unwrap_or_else(PoisonError::into_inner);
+    match live.get(&key) {
+        Some(&name) if name == T::NAME => Ok(()),
+        Some(&name) => Err(wrong(argument, T::NAME, &format!("it is a {name}"))),
+        None => Err(wrong(argument, T::NAME, "it was freed, or never was a handle")),
+    }
+}
+
+fn wrong(argument: &str, expected: &str, why: &str) -> Failure {
+    Failure::new(TREE_ERROR_HANDLE, format!("{argument} is not a live {expected}: {why}"))
+}
+
+/// The object of a handle.
+///
+/// # Safety
+/// No other thread frees it before the reference's last use: that is the caller's part of the contract.
+pub(crate) unsafe fn get<'a, T: Handle>(pointer: *const T, argument: &str) -> Result<&'a T> {
+    check(pointer, argument)?;
+    // SAFETY: alive and of this type, by the register.
+    Ok(unsafe { &*pointer })
+}
+
+/// As [`get`]; NULL is none.
+///
+/// # Safety
+/// As [`get`].
+pub(crate) unsafe fn get_opt<'a, T: Handle>(
+    pointer: *const T,
+    argument: &str,
+) -> Result<Option<&'a T>> {
+    if pointer.is_null() { Ok(None) } else { unsafe { get(pointer, argument) }.map(Some) }
+}
+
+/// Ends an object. NULL is none.
+///
+/// # Safety
+/// No other thread uses it.
+pub(crate) unsafe fn free<T: Handle>(pointer: *mut T, argument: &str) -> Result<()> {
+    if pointer.is_null() {
+        return Ok(());
+    }
+    check(pointer.cast_const(), argument)?;
+    let key = key(pointer.cast_const());
+    let gone = shard(key).write().unwrap_or_else(PoisonError::into_inner).remove(&key);
+    if gone.is_none() {
+        return Err(wrong(argument, T::NAME, "another thread freed it in this moment"));
+    }
+    // SAFETY: it was alive and of this type, and only one caller takes it out of the register.
+    drop(unsafe { Box::from_raw(pointer) });
+    Ok(())
+}
+
+fn register<T: Handle>(object: T) -> *mut T {
+    let pointer = Box::into_raw(Box::new(object));
+    let key = key(pointer.cast_const());
+    shard(key).write().unwrap_or_else(PoisonError::into_inner).insert(key, T::NAME);
+    pointer
+}
+
+/// A handle that is never freed, for constants.
+pub(crate) fn register_for_ever<T: Handle>(object: T) -> *const T {
+    register(object)
+}
+
+/// Number of objects alive.
+pub(crate) fn n_live() -> usize {
+    LIVE.iter().map(|shard| shard.read().unwrap_or_else(PoisonError::into_inner).len()).sum()
+}
+
+/// Where a new handle goes; NULL is there until it is [put](Out::put).
+pub(crate) struct Out<T>(*mut *mut T);
+
+/// Takes the place for a new handle and writes NULL there.
+///
+/// # Safety
+/// `place` is NULL or may be written to until the returned value is gone.
+pub(crate) unsafe fn out<T: Handle>(place: *mut *mut T, argument: &str) -> Result<Out<T>> {
+    if place.is_null() {
+        return Err(Failure::null(argument));
+    }
+    // SAFETY: not NULL, and writable by contract.
+    unsafe { place.write(std::ptr::null_mut()) };
+    Ok(Out(place))
+}
+
+impl<T: Handle> Out<T> {
+    /// Hands the object out.
+    pub(crate) fn put(self, object: T) {
+        // SAFETY: checked by `out`.
+        unsafe { self.0.write(register(object)) };
+    }
+}

@@ -1,0 +1,1 @@
+//! What engines want besides triangles: wind, packed vertices, capsules, other axes.

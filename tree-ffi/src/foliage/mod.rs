@@ -1,0 +1,1 @@
+//! Twigs and leaves on any skeleton.

@@ -1,0 +1,1 @@
+//! A few unique twigs, set down many times.

@@ -1,0 +1,5 @@
+//! Meshes to and from files, on disk and in memory.
+
+mod bytes;
+
+pub use bytes::*;

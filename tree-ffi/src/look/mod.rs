@@ -1,0 +1,1 @@
+//! Textures, materials, and what a species looks like.

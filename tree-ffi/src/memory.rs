@@ -1,0 +1,237 @@
+//! Memory: how much is in use, a budget for all calls together, and the host's own allocator.
+//!
+//! With the feature `allocator` (on by default) every allocation of the library passes through here and
+//! is counted. The budget acts twice: before a call begins, its limits are lowered to what the rest of
+//! the budget holds; while it runs, each check for cancellation looks whether the budget is exceeded. An
+//! allocation itself never fails because of the budget: Rust would abort.
+
+use crate::border::{
+    Failure, TREE_ERROR_NULL, TREE_ERROR_ORDER, Versioned, call, read, tree_status,
+};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::ffi::c_void;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+use tree_model::tree_core::Limits;
+
+static USED: AtomicU64 = AtomicU64::new(0);
+static PEAK: AtomicU64 = AtomicU64::new(0);
+static BUDGET: AtomicU64 = AtomicU64::new(NO_BUDGET);
+static HOST: OnceLock<tree_allocator> = OnceLock::new();
+
+const NO_BUDGET: u64 = u64::MAX;
+
+/// Bytes that the library has allocated and not freed, objects and work in progress together.
+#[unsafe(no_mangle)]
+pub extern "C" fn tree_memory_used() -> u64 {
+    USED.load(Ordering::Relaxed)
+}
+
+/// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`.
+#[unsafe(no_mangle)]
+pub extern "C" fn tree_memory_peak() -> u64 {
+    PEAK.load(Ordering::Relaxed)
+}
+
+/// Lets the peak begin anew at what is in use now.
+#[unsafe(no_mangle)]
+pub extern "C" fn tree_memory_reset_peak() {
+    PEAK.store(USED.load(Ordering::Relaxed), Ordering::Relaxed);
+}
+
+/// Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
+/// at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
+/// or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
+/// once may all be told so. Small calls, such as looking at a mesh, never fail.
+#[unsafe(no_mangle)]
+pub extern "C" fn tree_memory_set_budget(bytes: u64) {
+    BUDGET.store(if bytes == 0 { NO_BUDGET } else { bytes }, Ordering::Relaxed);
+}
+
+/// The budget in bytes; 0 when there is none.
+#[unsafe(no_mangle)]
+pub extern "C" fn tree_memory_budget() -> u64 {
+    match budget() {
+        NO_BUDGET => 0,
+        bytes => bytes,
+    }
+}
+
+/// The host's allocator. Its functions are called from any thread and must not call the library.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct tree_allocator {
+    /// `sizeof(tree_allocator)`.
+    pub struct_size: usize,
+    /// Handed to the functions.
+    pub user: *mut c_void,
+    /// `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
+    pub alloc:
+        Option<unsafe extern "C" fn(user: *mut c_void, size: usize, align: usize) -> *mut c_void>,
+    /// Gives back what `alloc` gave for this size and alignment.
+    pub free: Option<
+        unsafe extern "C" fn(user: *mut c_void, block: *mut c_void, size: usize, align: usize),
+    >,
+}
+
+// SAFETY: the functions are called from any thread, which is part of their contract.
+unsafe impl Send for tree_allocator {}
+// SAFETY: as above.
+unsafe impl Sync for tree_allocator {}
+
+// SAFETY: repr(C), begins with its size, and holds pointers only.
+unsafe impl Versioned for tree_allocator {
+    const NAME: &'static str = "tree_allocator";
+    const FIRST: usize = size_of::<Self>();
+    fn default_value() -> Self {
+        Self { struct_size: size_of::<Self>(), user: std::ptr::null_mut(), alloc: None, free: None }
+    }
+}
+
+/// Lets the library take its memory from the host's allocator. Only before anything else: once the
+/// library has memory of its own it is `TREE_ERROR_ORDER`. When `alloc` gives NULL the process aborts, as
+/// Rust does; set a budget below what the allocator has.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_memory_set_allocator(
+    allocator: *const tree_allocator,
+) -> tree_status {
+    let used = tree_memory_used();
+    call(|| {
+        let allocator = unsafe { read(allocator, "allocator") }?;
+        if allocator.alloc.is_none() || allocator.free.is_none() {
+            return Err(Failure::new(TREE_ERROR_NULL, "allocator.alloc or allocator.free is NULL"));
+        }
+        if !cfg!(feature = "allocator") {
+            let text = "this library was built without the feature `allocator`";
+            return Err(Failure::new(TREE_ERROR_ORDER, text));
+        }
+        if used > 0 || HOST.set(allocator).is_err() {
+            let text = format!("{used} bytes are in use: set the allocator first, and once");
+            return Err(Failure::new(TREE_ERROR_ORDER, text));
+        }
+        Ok(())
+    })
+}
+
+/// The budget in bytes; the largest number when there is none.
+pub(crate) fn budget() -> u64 {
+    BUDGET.load(Ordering::Relaxed)
+}
+
+/// Bytes in use, if that is more than the budget.
+pub(crate) fn over_budget() -> Option<u64> {
+    let used = USED.load(Ordering::Relaxed);
+    (used > budget()).then_some(used)
+}
+
+/// The limits `own`, and no more than the rest of the budget holds.
+pub(crate) fn limits(own: &Limits) -> Limits {
+    match budget() {
+        NO_BUDGET => *own,
+        bytes => own.min(&Limits::for_memory(bytes.saturating_sub(tree_memory_used()))),
+    }
+}
+
+#[cfg(feature = "allocator")]
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// The system's allocator or the host's, counted.
+#[cfg_attr(not(feature = "allocator"), expect(dead_code, reason = "the feature switches it on"))]
+struct Counting;
+
+impl Counting {
+    fn took(bytes: usize) {
+        let used = USED.fetch_add(bytes as u64, Ordering::Relaxed) + bytes as u64;
+        if used > PEAK.load(Ordering::Relaxed) {
+            PEAK.fetch_max(used, Ordering::Relaxed);
+        }
+    }
+
+    fn gave(bytes: usize) {
+        USED.fetch_sub(bytes as u64, Ordering::Relaxed);
+    }
+}
+
+/// A block of the host's.
+///
+/// # Safety
+/// As [`GlobalAlloc::alloc`].
+unsafe fn host_alloc(host: &tree_allocator, layout: Layout) -> *mut u8 {
+    match host.alloc {
+        // SAFETY: the host's function with the host's pointer.
+        Some(alloc) => unsafe { alloc(host.user, layout.size(), layout.align()) }.cast(),
+        None => std::ptr::null_mut(),
+    }
+}
+
+/// # Safety
+/// As [`GlobalAlloc::dealloc`].
+unsafe fn host_free(host: &tree_allocator, block: *mut u8, layout: Layout) {
+    if let Some(free) = host.free {
+        // SAFETY: the host's function with a block of the host's.
+        unsafe { free(host.user, block.cast(), layout.size(), layout.align()) };
+    }
+}
+
+// SAFETY: hands every request on to one allocator, which never changes while a block is out.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        let block = match HOST.get() {
+            None => unsafe { System.alloc(layout) },
+            Some(host) => unsafe { host_alloc(host, layout) },
+        };
+        if !block.is_null() {
+            Self::took(layout.size());
+        }
+        block
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        let block = match HOST.get() {
+            None => unsafe { System.alloc_zeroed(layout) },
+            Some(host) => {
+                let block = unsafe { host_alloc(host, layout) };
+                if !block.is_null() {
+                    // SAFETY: a block of this size.
+                    unsafe { block.write_bytes(0, layout.size()) };
+                }
+                block
+            }
+        };
+        if !block.is_null() {
+            Self::took(layout.size());
+        }
+        block
+    }
+
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        match HOST.get() {
+            None => unsafe { System.dealloc(block, layout) },
+            Some(host) => unsafe { host_free(host, block, layout) },
+        }
+        Self::gave(layout.size());
+    }
+
+    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        let new = match HOST.get() {
+            None => unsafe { System.realloc(block, layout, size) },
+            Some(host) => {
+                // SAFETY: the caller's contract says that size and alignment make a layout.
+                let grown = unsafe { Layout::from_size_align_unchecked(size, layout.align()) };
+                let new = unsafe { host_alloc(host, grown) };
+                if !new.is_null() {
+                    // SAFETY: both blocks have at least so many bytes.
+                    unsafe { new.copy_from_nonoverlapping(block, layout.size().min(size)) };
+                    unsafe { host_free(host, block, layout) };
+                }
+                new
+            }
+        };
+        if !new.is_null() {
+            Self::took(size);
+            Self::gave(layout.size());
+        }
+        new
+    }
+}

@@ -1,0 +1,1 @@
+//! Pictures, masks and silhouettes of meshes.

@@ -1,0 +1,1 @@
+//! A polygon tree becomes a skeleton and leaves.
