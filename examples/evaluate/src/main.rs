@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release -p evaluate -- SYSTEM [--json]`
 
+mod ffi;
 mod measure;
 mod mesh;
 mod path;
@@ -14,7 +15,8 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 2] = [("path", path::evaluate), ("mesh", mesh::evaluate)];
+const SYSTEMS: [(&str, Evaluation); 3] =
+    [("path", path::evaluate), ("mesh", mesh::evaluate), ("ffi", ffi::evaluate)];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

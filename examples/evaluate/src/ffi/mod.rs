@@ -1,0 +1,225 @@
+//! The C ABI against the Rust it stands on: what a call costs, a whole oak both ways, and that meshes
+//! are handed out without a copy.
+//!
+//! A C program (`bench.c`) is compiled against the release library and measured from within, in turn with
+//! the same work done in Rust here, so that a busy machine is busy for both.
+
+use crate::table::{Aim, Row, Table};
+use std::hint::black_box;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::time::Instant;
+use tree_core::{Control, Seed};
+use tree_mesh::{Look, MeshParams, build};
+use tree_model::path::Preset;
+
+type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;
+
+/// What the issue asks for: at most two percent more through C.
+const OVERHEAD: f64 = 1.02;
+/// Rounds of each comparison; odd, so that there is a middle one.
+const ROUNDS: usize = 15;
+/// Resident size may grow by so much from the 200th to the 1000th cycle: arenas of the allocator.
+const GROWTH: f64 = 1.05;
+/// Budgets in megabytes that a whole oak is made under; the smallest are too small for it.
+const BUDGETS: [u64; 5] = [4, 16, 48, 96, 512];
+
+pub(crate) fn evaluate(table: &mut Table) -> Outcome {
+    let mut c = CProgram::start()?;
+    calls(table, &mut c)?;
+    for preset in ["oak", "a", "g"] {
+        whole(table, &mut c, preset)?;
+    }
+    fetches(table, &mut c)?;
+    cycles(table, &mut c)?;
+    BUDGETS.iter().try_for_each(|&budget| within(table, &mut c, budget))
+}
+
+fn calls(table: &mut Table, c: &mut CProgram) -> Outcome {
+    let [nothing, view, refused] = c.ask("calls")?;
+    let case = "one call through C";
+    let mut row = |metric, ours, unit, aim| {
+        table.row(&Row { case, metric, paper: None, peer: None, ours, unit, aim });
+    };
+    row("tree_abi_version", nothing, "ns", Aim::None);
+    row("tree_mesh_surface", view, "ns", Aim::None);
+    row("a refused NULL, with its text", refused, "ns", Aim::None);
+    Ok(())
+}
+
+fn whole(table: &mut Table, c: &mut CProgram, preset: &str) -> Outcome {
+    let ask = format!("whole {preset}");
+    // Once each for warm caches and pools.
+    let [_, c_vertices] = c.ask(&ask)?;
+    let (_, n_vertices) = whole_in_rust(preset)?;
+    if c_vertices != n_vertices as f64 {
+        return Err(
+            format!("{preset}: {c_vertices} vertices through C, {n_vertices} in Rust").into()
+        );
+    }
+    let mut rounds = Vec::new();
+    for round in 0..ROUNDS {
+        // Who goes first changes, so that neither always finds the caches the other left.
+        let (rust, through_c) = if round % 2 == 0 {
+            (whole_in_rust(preset)?.0, c.ask::<2>(&ask)?[0])
+        } else {
+            let [through_c, _] = c.ask(&ask)?;
+            (whole_in_rust(preset)?.0, through_c)
+        };
+        rounds.push((rust, through_c));
+    }
+    let rust = middle(rounds.iter().map(|round| round.0));
+    let ours = middle(rounds.iter().map(|round| round.1));
+    let fastest =
+        |pick: fn(&(f64, f64)) -> f64| rounds.iter().map(pick).fold(f64::INFINITY, f64::min);
+    let ratio = fastest(|round| round.1) / fastest(|round| round.0);
+    let case = format!("preset {preset}: grow, mesh, free");
+    table.row(&Row {
+        case: &case,
+        metric: "time (peer: through Rust)",
+        paper: None,
+        peer: Some(1e3 * rust),
+        ours: 1e3 * ours,
+        unit: "ms",
+        aim: Aim::None,
+    });
+    table.row(&Row {
+        case: &case,
+        metric: "through C over through Rust",
+        paper: None,
+        peer: None,
+        ours: ratio,
+        unit: "×",
+        aim: Aim::AtMost(OVERHEAD),
+    });
+    Ok(())
+}
+
+fn whole_in_rust(preset: &str) -> Outcome<(f64, usize)> {
+    let start = Instant::now();
+    let control = Control::default();
+    let grown = Preset::find(preset)?.params()?.grow(Seed(1), &control)?;
+    let look = Look::built_in(grown.tree.species())?;
+    let built = build(&grown.tree, &look, &MeshParams::default(), &control)?;
+    let n_vertices = black_box(&built.mesh).n_vertices();
+    drop((built, look, grown));
+    Ok((start.elapsed().as_secs_f64(), n_vertices))
+}
+
+fn fetches(table: &mut Table, c: &mut CProgram) -> Outcome {
+    let [bytes, moved] = c.ask("fetch")?;
+    let case = "1000 fetches of the oak's mesh";
+    let mut row = |metric, ours, unit| {
+        let aim = Aim::AtMost(0.0);
+        table.row(&Row { case, metric, paper: None, peer: None, ours, unit, aim });
+    };
+    row("bytes taken for them", bytes, "bytes");
+    row("pointers that moved", moved, "");
+    Ok(())
+}
+
+fn cycles(table: &mut Table, c: &mut CProgram) -> Outcome {
+    let [early, late, left] = c.ask("cycles")?;
+    let case = "1000 trees made and freed";
+    let mut row = |metric, ours, unit, most| {
+        let aim = Aim::AtMost(most);
+        table.row(&Row { case, metric, paper: None, peer: None, ours, unit, aim });
+    };
+    row("resident size, 1000th over 200th", late / early, "×", GROWTH);
+    row("objects left", left, "", 0.0);
+    Ok(())
+}
+
+fn within(table: &mut Table, c: &mut CProgram, budget: u64) -> Outcome {
+    let [peak, status] = c.ask(&format!("budget {budget}"))?;
+    let ended = match status as i32 {
+        0 => "made",
+        9 => "refused beforehand",
+        10 => "stopped on the way",
+        other => return Err(format!("status {other} under a budget of {budget} MB").into()),
+    };
+    let case = format!("oak in a budget of {budget} MB: {ended}");
+    table.row(&Row {
+        case: &case,
+        metric: "peak over budget",
+        paper: None,
+        peer: None,
+        ours: peak / (budget << 20) as f64,
+        unit: "×",
+        aim: Aim::AtMost(1.0),
+    });
+    Ok(())
+}
+
+fn middle(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// The compiled `bench.c`, waiting for the next question.
+struct CProgram {
+    child: Child,
+    questions: ChildStdin,
+    answers: BufReader<ChildStdout>,
+}
+
+impl CProgram {
+    fn start() -> Outcome<Self> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let library = release_library(&root)?;
+        let program = library.join("evaluate_ffi_bench");
+        let built = Command::new("cc")
+            .args(["-std=c11", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-I"])
+            .arg(root.join("include"))
+            .arg(root.join("examples/evaluate/src/ffi/bench.c"))
+            .arg("-L")
+            .arg(&library)
+            .arg("-ltree_ffi")
+            .arg(format!("-Wl,-rpath,{}", library.display()))
+            .arg("-o")
+            .arg(&program)
+            .status()
+            .map_err(|error| format!("a C compiler named cc is needed: {error}"))?;
+        if !built.success() {
+            return Err("bench.c does not compile".into());
+        }
+        let mut child =
+            Command::new(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+        let questions = child.stdin.take().ok_or("no pipe")?;
+        let answers = BufReader::new(child.stdout.take().ok_or("no pipe")?);
+        Ok(Self { child, questions, answers })
+    }
+
+    /// One question, and the numbers that answer it.
+    fn ask<const N: usize>(&mut self, question: &str) -> Outcome<[f64; N]> {
+        writeln!(self.questions, "{question}")?;
+        let mut line = String::new();
+        self.answers.read_line(&mut line)?;
+        let numbers: Vec<f64> =
+            line.split_whitespace().map(str::parse).collect::<Result<_, _>>()?;
+        numbers.try_into().map_err(|_| format!("{question}: the C program says '{line}'").into())
+    }
+}
+
+impl Drop for CProgram {
+    fn drop(&mut self) {
+        // It ends by itself when its input does; a program that hangs must not outlive us.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Builds the shared library as this program was built, and says where it is.
+fn release_library(root: &Path) -> Outcome<PathBuf> {
+    let folder = std::env::current_exe()?.parent().ok_or("no folder")?.to_path_buf();
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let target = folder.parent().ok_or("no target folder")?;
+    let built = Command::new(cargo)
+        .args(["build", "--release", "--quiet", "-p", "tree-ffi", "--lib", "--target-dir"])
+        .arg(target)
+        .current_dir(root)
+        .status()?;
+    if built.success() { Ok(folder) } else { Err("libtree_ffi does not build".into()) }
+}
