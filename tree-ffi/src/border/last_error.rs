@@ -7,8 +7,11 @@ use super::status::{TREE_OK, tree_status};
 use std::cell::RefCell;
 use std::ffi::{CString, c_char};
 
+/// No text takes no memory: hosts set their allocator before the library has any.
+type Last = (tree_status, Option<CString>);
+
 thread_local! {
-    static LAST: RefCell<(tree_status, CString)> = RefCell::new((TREE_OK, CString::default()));
+    static LAST: RefCell<Last> = const { RefCell::new((TREE_OK, None)) };
 }
 
 /// Keeps the failure for this thread.
@@ -16,7 +19,7 @@ pub(super) fn remember(failure: Failure) {
     let mut bytes = failure.text.into_bytes();
     bytes.retain(|&byte| byte != 0);
     // Without NUL bytes there is always a C string.
-    let text = CString::new(bytes).unwrap_or_default();
+    let text = CString::new(bytes).ok();
     // A thread that is ending has no place for it any more.
     let _ = LAST.try_with(|last| {
         if let Ok(mut last) = last.try_borrow_mut() {
@@ -30,9 +33,9 @@ pub(super) fn remember(failure: Failure) {
 /// call that fails in this thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn tree_error_text() -> *const c_char {
-    LAST.try_with(|last| last.try_borrow().map(|last| last.1.as_ptr()))
+    LAST.try_with(|last| last.try_borrow().ok()?.1.as_ref().map(|text| text.as_ptr()))
         .ok()
-        .and_then(Result::ok)
+        .flatten()
         .unwrap_or(c"".as_ptr())
 }
 
@@ -50,7 +53,7 @@ pub extern "C" fn tree_error_status() -> tree_status {
 pub extern "C" fn tree_error_clear() {
     let _ = LAST.try_with(|last| {
         if let Ok(mut last) = last.try_borrow_mut() {
-            *last = (TREE_OK, CString::default());
+            *last = (TREE_OK, None);
         }
     });
 }
