@@ -3,7 +3,7 @@
 
 /* 0 below the height that `user` points at, and twice as many above. */
 static float above(void *user, const float *position) {
-    return position[1] < *(const float *)user ? 0.0f : 2.0f;
+    return position[1] < *(const float *)user ? 0.0f : (float)TREE_DENSITY_CAP / 2;
 }
 
 static float not_a_number(void *user, const float *position) {
