@@ -3,12 +3,14 @@
 mod branches;
 mod build;
 mod continuation;
+mod materials;
 mod params;
 mod view;
 
 pub use branches::*;
 pub use build::*;
 pub use continuation::*;
+pub use materials::*;
 pub use params::*;
 pub use view::*;
 
