@@ -92,7 +92,9 @@ impl tree_mesh_part {
             unsafe { vec2s(self.uvs, n, &indices, resource, &field("uvs")) }?
         };
         Ok(Part {
-            positions: unsafe { vec3s(self.positions, n, &indices, resource, &field("positions")) }?,
+            positions: unsafe {
+                vec3s(self.positions, n, &indices, resource, &field("positions"))
+            }?,
             uvs,
             indices: unsafe {
                 slice(self.indices, self.n_indices, &indices, resource, &field("indices"))

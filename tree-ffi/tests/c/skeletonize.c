@@ -181,9 +181,57 @@ static void stage_by_stage(const tree_mesh_part parts[2]) {
     OK(tree_separation_free(other));
 }
 
+/* What this library drew, read back. */
+static void of_a_mesh(void) {
+    tree_tree *tree = an_oak_twig(), *again;
+    tree_look *look;
+    tree_mesh *mesh;
+    OK(tree_look_of_tree(tree, 1, &look));
+    OK(tree_mesh_build(tree, look, NULL, NULL, NULL, &mesh));
+    OK(tree_look_free(look));
+    OK(tree_tree_free(tree));
+    tree_mesh_totals totals = {.struct_size = sizeof totals};
+    OK(tree_mesh_count(mesh, &totals));
+
+    tree_skeletonize_report report = {.struct_size = sizeof report};
+    OK(tree_skeletonize_mesh(mesh, NULL, 0, NULL, NULL, &report, &again));
+    CHECK(report.n_triangles == totals.n_triangles && report.n_leaves == 3);
+    CHECK(report.n_pieces >= 1 && report.n_left_out == 0);
+    tree_skeleton *skeleton;
+    float box[6];
+    OK(tree_tree_skeleton(again, &skeleton));
+    OK(tree_skeleton_bounds(skeleton, &box));
+    CHECK(fabsf(box[4] - 2.5f) < 0.1f && fabsf(box[3] - 0.5f) < 0.1f);
+    OK(tree_skeleton_free(skeleton));
+    OK(tree_tree_free(again));
+
+    const uint32_t hints[] = {TREE_HINT_WOOD, TREE_HINT_IGNORE};
+    OK(tree_skeletonize_mesh(mesh, hints, 2, NULL, NULL, &report, &again));
+    CHECK(report.n_leaves == 0);
+    OK(tree_tree_free(again));
+    FAILS(TREE_ERROR_INVALID, "surfaces",
+          tree_skeletonize_mesh(mesh, hints, 1, NULL, NULL, NULL, &again));
+    tree_separation *separation;
+    OK(tree_separation_of_mesh(mesh, hints, 2, NULL, NULL, &separation));
+    tree_separation_columns view = {.struct_size = sizeof view};
+    /* The copies outlive the mesh. */
+    OK(tree_mesh_free(mesh));
+    OK(tree_separation_view(separation, &view));
+    tree_pieces *pieces;
+    size_t n_pieces;
+    OK(tree_separation_follow(separation, NULL, NULL, &pieces));
+    OK(tree_pieces_count(pieces, &n_pieces));
+    CHECK(n_pieces == report.n_pieces && view.n_components >= n_pieces);
+    OK(tree_pieces_free(pieces));
+    OK(tree_separation_free(separation));
+    FAILS(TREE_ERROR_HANDLE, "mesh",
+          tree_skeletonize_mesh(mesh, NULL, 0, NULL, NULL, NULL, &again));
+}
+
 void test_skeletonize(void) {
     tree_mesh_part parts[2];
     build(parts);
     whole(parts);
     stage_by_stage(parts);
+    of_a_mesh();
 }

@@ -1,9 +1,7 @@
 //! Leaves found in a mesh.
 
 use super::separation::tree_separation;
-use crate::border::{
-    Handle, Versioned, call, free, get, out, tree_status, tree_str, write,
-};
+use crate::border::{Handle, Versioned, call, free, get, out, tree_status, tree_str, write};
 use crate::control::{run, tree_control};
 use crate::skeleton::tree_skeleton;
 use crate::tree::tree_foliage;
@@ -68,8 +66,7 @@ pub unsafe extern "C" fn tree_separation_leaves(
         let place = unsafe { out(leaves, "leaves") }?;
         let separation = unsafe { get(separation, "separation") }?.rust();
         let skeleton = unsafe { get(skeleton, "skeleton") }?.rust();
-        let leaves =
-            unsafe { run(control, |control| Ok(separation.leaves(skeleton, control)?)) }?;
+        let leaves = unsafe { run(control, |control| Ok(separation.leaves(skeleton, control)?)) }?;
         let names = Names(leaves.kinds.iter().map(|kind| tree_str::of(kind)).collect());
         place.put(tree_found_leaves { leaves, names });
         Ok(())

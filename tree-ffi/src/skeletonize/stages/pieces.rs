@@ -45,8 +45,7 @@ pub unsafe extern "C" fn tree_separation_follow(
         let place = unsafe { out(pieces, "pieces") }?;
         let separation = unsafe { get(separation, "separation") }?.rust();
         let params = unsafe { read_or_default(params, "params") }?.rust();
-        let found =
-            unsafe { run(control, |control| Ok(separation.follow(&params, control)?)) }?;
+        let found = unsafe { run(control, |control| Ok(separation.follow(&params, control)?)) }?;
         place.put(tree_pieces(found));
         Ok(())
     })

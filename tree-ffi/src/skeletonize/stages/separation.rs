@@ -1,8 +1,8 @@
 //! Triangles sorted into wood and leaves.
 
 use crate::border::{
-    Failure, Handle, Result, Versioned, call, free, get, out, read_or_default, slice, tree_status,
-    write, TREE_ERROR_INVALID,
+    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, free, get, out, read_or_default,
+    slice, tree_status, write,
 };
 use crate::control::{limits, run, tree_control};
 use crate::mesh::tree_mesh;
@@ -95,9 +95,8 @@ impl tree_separation {
         let own: Vec<Part<'static>> = own.collect();
         // SAFETY: the handle keeps what the separation borrows, in vectors that never change.
         let borrowed = unsafe { lengthen(own.as_slice()) };
-        let separation = unsafe {
-            run(control, |control| Ok(Separation::new(borrowed, &params, control)?))
-        }?;
+        let separation =
+            unsafe { run(control, |control| Ok(Separation::new(borrowed, &params, control)?)) }?;
         let (starts, sources) = rows(&separation);
         let kept = Arc::new(Kept { _parts: own, _columns: columns, starts, sources });
         Ok(Self::of(separation, kept))
