@@ -103,7 +103,8 @@ unsafe impl Versioned for tree_leaf_shape {
 }
 
 /// What a constant borrows: all shapes of this crate are constants.
-fn constant<T: Clone>(column: Cow<'static, [T]>) -> &'static [T] {
+#[expect(clippy::ptr_arg, reason = "what is borrowed lives longer than the Cow")]
+fn constant<T: Clone>(column: &Cow<'static, [T]>) -> &'static [T] {
     match column {
         Cow::Borrowed(rows) => rows,
         Cow::Owned(_) => &[],
@@ -113,7 +114,7 @@ fn constant<T: Clone>(column: Cow<'static, [T]>) -> &'static [T] {
 impl tree_leaf_shape {
     /// A view of a shape whose outline and veins are constants.
     fn of(shape: &LeafShape) -> Self {
-        let (outline, rays) = (constant(shape.outline.clone()), constant(shape.veins.rays.clone()));
+        let (outline, rays) = (constant(&shape.outline), constant(&shape.veins.rays));
         let spray = shape.spray.unwrap_or_default();
         Self {
             struct_size: size_of::<Self>(),
