@@ -50,13 +50,13 @@ void test_instance(void) {
     OK(tree_mesh_params_init(&mesh_params, sizeof mesh_params));
     mesh_params.sides_max = 4;
     mesh_params.error = 0.05f;
-    tree_twig_params params;
-    OK(tree_twig_params_init(&params, sizeof params));
+    tree_instancing_params params;
+    OK(tree_instancing_params_init(&params, sizeof params));
     CHECK(params.twigs_max == 30 && params.ratio == 11.0f && params.reach == 0.0f);
     params.twigs_max = 4;
     params.ratio = 2;
     params.reach = 1.9f;
-    tree_twig_report report = {.struct_size = sizeof report}, again = report;
+    tree_instancing_report report = {.struct_size = sizeof report}, again = report;
     tree_twigs *twigs = NULL;
     OK(tree_twigs_build(bush, look, &mesh_params, &params, 7, NULL, &report, &twigs));
     CHECK(report.n_twigs >= 1 && report.n_twigs <= 4 && report.n_instances >= 8);
