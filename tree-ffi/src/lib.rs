@@ -52,28 +52,20 @@ mod tree;
 mod version;
 mod volume;
 
-#[allow(unused_imports, reason = "until it has functions")]
 pub use allometry::*;
 pub use border::*;
 pub use control::*;
-#[allow(unused_imports, reason = "until it has functions")]
 pub use engine::*;
-#[allow(unused_imports, reason = "until it has functions")]
 pub use foliage::*;
-#[allow(unused_imports, reason = "until it has functions")]
 pub use instance::*;
 pub use io::*;
-#[allow(unused_imports, reason = "until it has functions")]
 pub use look::*;
 pub use memory::*;
 pub use mesh::*;
-#[allow(unused_imports, reason = "until it has functions")]
 pub use path::*;
 pub use pool::*;
-#[allow(unused_imports, reason = "until it has functions")]
 pub use preview::*;
 pub use skeleton::*;
-#[allow(unused_imports, reason = "until it has functions")]
 pub use skeletonize::*;
 pub use tree::*;
 pub use version::*;

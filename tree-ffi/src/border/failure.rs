@@ -44,8 +44,9 @@ impl Failure {
 impl From<CoreError> for Failure {
     fn from(error: CoreError) -> Self {
         let status = match &error {
-            CoreError::OutOfRange { .. } => TREE_ERROR_PARAMETER,
-            CoreError::Volume { .. } => TREE_ERROR_PARAMETER,
+            CoreError::OutOfRange { .. }
+            | CoreError::NotFinite { .. }
+            | CoreError::Volume { .. } => TREE_ERROR_PARAMETER,
             CoreError::Swc { .. } => TREE_ERROR_FORMAT,
             CoreError::Limit(_) => TREE_ERROR_LIMIT,
             CoreError::Cancelled(_) => TREE_ERROR_CANCELLED,
@@ -84,6 +85,8 @@ impl From<MeshError> for Failure {
             MeshError::Core(error) => return error.into(),
             MeshError::Parameter { .. }
             | MeshError::Material { .. }
+            | MeshError::NotFinite { .. }
+            | MeshError::NotUnit { .. }
             | MeshError::TooLarge { .. } => TREE_ERROR_PARAMETER,
             MeshError::Unknown { .. } => TREE_ERROR_UNKNOWN_NAME,
             MeshError::Malformed { .. }

@@ -18,10 +18,9 @@ pub const TREE_ERROR_STRUCT_SIZE: i32 = 3;
 pub const TREE_ERROR_TEXT: i32 = 4;
 /// A number that should be one of a set of constants is none of them.
 pub const TREE_ERROR_ENUM: i32 = 5;
-/// A parameter lies outside its range, or is not finite.
+/// A number, in a parameter or in a column, lies outside its range or is not finite.
 pub const TREE_ERROR_PARAMETER: i32 = 6;
-/// Columns do not fit together: lengths, orders, indices that name nothing, coordinates that are not
-/// finite.
+/// Columns do not fit together: lengths, orders, indices that name nothing.
 pub const TREE_ERROR_INVALID: i32 = 7;
 /// No preset, texture or format has this name.
 pub const TREE_ERROR_UNKNOWN_NAME: i32 = 8;

@@ -64,7 +64,9 @@ pub(crate) unsafe fn bytes<'a>(
     }
     if len == NUL_TERMINATED {
         // SAFETY: by contract there is a NUL.
-        return Ok(unsafe { CStr::from_ptr(data.cast()) }.to_bytes());
+        let bytes = unsafe { CStr::from_ptr(data.cast()) }.to_bytes();
+        limits.check(Resource::InputBytes, bytes.len() as u64)?;
+        return Ok(bytes);
     }
     unsafe { super::slice(data, len, limits, Resource::InputBytes, argument) }
 }

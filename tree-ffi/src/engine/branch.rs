@@ -4,8 +4,9 @@ use crate::border::{
     Failure, Handle, Result, TREE_ERROR_PARAMETER, Versioned, call, floats, free, get, out,
     out_value, tree_status, write,
 };
-use crate::mesh::{column, continuation, tree_continuation, tree_mesh, tree_wind_branch};
+use crate::mesh::{column, tree_mesh, tree_wind_branch};
 use crate::skeleton::tree_skeleton;
+use crate::skeleton::{continuation, tree_continuation};
 use ::tree_mesh::wind::{self, Branch};
 
 /// What follows from a row of the table of branches.

@@ -5,8 +5,9 @@ use crate::border::{
     view,
 };
 use crate::control::{run, tree_control};
-use crate::mesh::{column, continuation, continuation_number, tree_continuation};
+use crate::mesh::column;
 use crate::skeleton::tree_skeleton;
+use crate::skeleton::{continuation, continuation_of, tree_continuation};
 use ::tree_mesh::collide::{self, Capsule, CapsuleParams, CapsuleReport};
 use std::mem::offset_of;
 
@@ -66,7 +67,7 @@ unsafe impl Versioned for tree_capsule_params {
             count_max: default.count_max,
             radius_min: default.radius_min,
             share: default.share,
-            continuation: continuation_number(default.continuation),
+            continuation: continuation_of(default.continuation),
         }
     }
 }

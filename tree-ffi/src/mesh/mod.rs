@@ -2,7 +2,6 @@
 
 mod branches;
 mod build;
-mod continuation;
 mod finish;
 mod import;
 mod materials;
@@ -12,7 +11,6 @@ mod view;
 
 pub use branches::*;
 pub use build::*;
-pub use continuation::*;
 pub use finish::*;
 pub use import::*;
 pub use materials::*;

@@ -1,9 +1,9 @@
 //! How fine a mesh is, and how bark and leaves are laid on.
 
-use super::{continuation, continuation_number, tree_continuation};
 use crate::border::{
     Failure, Result, Versioned, call, init, out_value, read_or_default, tree_status,
 };
+use crate::skeleton::{continuation, continuation_of, tree_continuation};
 use ::tree_mesh::{CurveFit, ErrorBound, MeshParams};
 
 /// The line that is drawn through the nodes of an axis.
@@ -95,7 +95,7 @@ unsafe impl Versioned for tree_mesh_params {
         let bound = Bound::of(default.error);
         Self {
             struct_size: size_of::<Self>(),
-            continuation: continuation_number(default.continuation),
+            continuation: continuation_of(default.continuation),
             sides_min: default.sides_min,
             sides_max: default.sides_max,
             fit: match default.fit {

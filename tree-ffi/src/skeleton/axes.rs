@@ -25,7 +25,6 @@ pub(crate) fn continuation(found: tree_continuation, name: &str) -> Result<Conti
 }
 
 /// The constant of a rule.
-#[allow(dead_code, reason = "defaults of parameters that choose a continuation")]
 pub(crate) const fn continuation_of(rule: Continuation) -> tree_continuation {
     match rule {
         Continuation::Thickest => TREE_CONTINUATION_THICKEST,
