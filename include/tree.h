@@ -9,6 +9,33 @@
 /* Length of a text that ends with a NUL byte instead. */
 #define TREE_NUL_TERMINATED SIZE_MAX
 
+// Exponent of the pipe model by Leonardo da Vinci: the cross-sections above a fork together are the
+// cross-section below.
+#define TREE_PIPE_DA_VINCI 2.0
+
+// Exponent of the pipe model by Murray (1927), who measured circumferences against the weight they
+// carry.
+#define TREE_PIPE_MURRAY 2.49
+
+// Exponent of the pipe model by Mandelbrot (1983), 8/3.
+#define TREE_PIPE_MANDELBROT 2.6666667
+
+// The pipe model, for most trees: at every fork the powers of the radii above add up to that below
+// (da Vinci, Murray, Mandelbrot).
+#define TREE_RADII_PIPE 0
+
+// The further from the tip, the thicker; the higher the order of the axis, the thinner (Xu & Mould).
+#define TREE_RADII_TIP_DISTANCE 1
+
+// By counting strands that run from the base to the tips (Holton).
+#define TREE_RADII_STRANDS 2
+
+// One strand for each tip, which makes the rule da Vinci's.
+#define TREE_STRANDS_PER_TIP 0
+
+// A number at the base, shared out at forks: the less a branch turns away, the more it gets.
+#define TREE_STRANDS_BY_ANGLE 1
+
 // Done.
 #define TREE_OK 0
 
@@ -27,11 +54,10 @@
 // A number that should be one of a set of constants is none of them.
 #define TREE_ERROR_ENUM 5
 
-// A parameter lies outside its range, or is not finite.
+// A number, in a parameter or in a column, lies outside its range or is not finite.
 #define TREE_ERROR_PARAMETER 6
 
-// Columns do not fit together: lengths, orders, indices that name nothing, coordinates that are not
-// finite.
+// Columns do not fit together: lengths, orders, indices that name nothing.
 #define TREE_ERROR_INVALID 7
 
 // No preset, texture or format has this name.
@@ -64,12 +90,422 @@
 // A defect in the library. Please report it with the text.
 #define TREE_ERROR_PANIC 17
 
+// Ours: glTF, also Bevy and three.js.
+#define TREE_CONVENTION_GLTF 0
+
+// Godot 4.
+#define TREE_CONVENTION_GODOT 1
+
+// Unity.
+#define TREE_CONVENTION_UNITY 2
+
+// Unreal Engine.
+#define TREE_CONVENTION_UNREAL 3
+
+// Blender.
+#define TREE_CONVENTION_BLENDER 4
+
+// From our axes to theirs.
+#define TREE_CONVERT_TO 0
+
+// From their axes back to ours.
+#define TREE_CONVERT_BACK 1
+
+// Unity's SpeedTree 8 shader: one branch, and leaves.
+//
+// POSITION 3 f32, metres in Unity's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion three
+// times, blend (1); UV0 4 f32: u, v, branch weight, branch direction; UV1 4 f32: light map u, v, anchor
+// x, y; UV2 4 f32: the vertex's place in the next level of detail (itself), anchor z; UV3 4 f32: leaf
+// scale, growth, ripple, kind (0 wood, 2 leaf).
+#define TREE_LAYOUT_SPEEDTREE8 0
+
+// Unity's SpeedTree 9 shader: two branches, and leaves. `stretch_limits` of the view belong into
+// `_ST_BranchStretchLimits`.
+//
+// POSITION 3 f32, metres in Unity's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion three
+// times, blend (1); UV0 4 f32: u, v, noise and direction of branch 1; UV1 4 f32: light map u, v, weight
+// of branch 1, ripple weight; UV2 4 f32: noise, direction and weight of branch 2, 0; UV3 4 f32: anchor
+// x, y, z, 0.
+#define TREE_LAYOUT_SPEEDTREE9 1
+
+// Unity's Tree Creator shaders, and most vegetation shaders: bend weights and a phase.
+//
+// POSITION 3 f32, metres in Unity's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: branch phase,
+// edge flutter, 0, occlusion; UV0 2 f32: u, v; UV1 2 f32: primary and secondary bend.
+#define TREE_LAYOUT_TREE_CREATOR 2
+
+// Unreal's Pivot Painter 2: the hierarchy, at most 4 levels, in two textures that
+// `tree_packed_pivots` views.
+//
+// POSITION 3 f32, centimetres in Unreal's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion,
+// flutter, leaf phase, 1; UV0 2 f32: u, v; UV1 2 f32: light map u, v; UV2 2 f32: texel of the element.
+#define TREE_LAYOUT_PIVOT_PAINTER 3
+
+// Godot 4, `CUSTOM0` to `CUSTOM3` as floats: the own branch in full, and the parent's part.
+//
+// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion three times, 1; UV 2
+// f32: u, v; UV2 2 f32: light map u, v; CUSTOM0 4: pivot x, y, z, reach; CUSTOM1 4: axis x, y, z, phase;
+// CUSTOM2 4: stiffness, level, flutter, leaf phase; CUSTOM3 4: parent's pivot x, y, z, reach of the
+// pivot on the parent.
+#define TREE_LAYOUT_GODOT 4
+
+// As `TREE_LAYOUT_GODOT`, with `CUSTOM0` to `CUSTOM3` as halves: 32 bytes a vertex instead of 64. Pivots
+// are rounded to 4 mm at 8 m, 8 mm at 16 m.
+#define TREE_LAYOUT_GODOT_HALF 5
+
+// glTF attributes `_WIND*`: all of it. `tree_mesh_gltf_wind` gives them for files.
+//
+// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; `COLOR_0` 4 unorm8: occlusion three times, 1;
+// `TEXCOORD_0` 2 f32; `TEXCOORD_1` 2 f32; `_WIND_PIVOT` 3 f32; `_WIND_AXIS` 3 f32; `_WIND` 4 f32:
+// reach, phase, stiffness, length in metres; `_WIND_LEAF` 4 f32: flutter, leaf phase, level, 1 for
+// leaves; `_WIND_ANCHOR` 3 f32; `_WIND_BRANCH` 4 u16: branch low, high, parent low, high.
+#define TREE_LAYOUT_GLTF_WIND 6
+
+// Own renderers: 32 bytes a vertex, quantised, in our axes; `tree_packed_vertices` views them. There are
+// no streams.
+#define TREE_LAYOUT_VERTEX 7
+
+// 32-bit floats.
+#define TREE_NUMBER_F32 0
+
+// 16-bit floats.
+#define TREE_NUMBER_F16 1
+
+// Whole numbers of 16 bits, without sign.
+#define TREE_NUMBER_U16 2
+
+// Bytes that stand for 0 to 1.
+#define TREE_NUMBER_UNORM8 3
+
+// Element of a branch that has none.
+#define TREE_NO_ELEMENT 4294967295
+
+// One at a node, each turned by the same angle from the last. Oak, poplar.
+#define TREE_PHYLLOTAXIS_SPIRAL 0
+
+// One at a node, in two rows. Beech, elm, linden.
+#define TREE_PHYLLOTAXIS_DISTICHOUS 1
+
+// Two at a node, all pairs in one plane.
+#define TREE_PHYLLOTAXIS_OPPOSITE 2
+
+// Two at a node, each pair across the last. Maple, ash.
+#define TREE_PHYLLOTAXIS_DECUSSATE 3
+
+// Three or more at a node, each whorl in the gaps of the last.
+#define TREE_PHYLLOTAXIS_WHORLED 4
+
+// Densities above this count as this.
+#define TREE_DENSITY_CAP 4.0
+
+// One blade. Oak, beech, linden.
+#define TREE_LEAVES_SIMPLE 0
+
+// Leaflets along a rachis. Ash, walnut, rowan; palms with feathers.
+#define TREE_LEAVES_PINNATE 1
+
+// Leaflets from one point, like fingers. Horse chestnut; palms with fans.
+#define TREE_LEAVES_PALMATE 2
+
+// A few needles from one sheath, evenly round its axis. Pines.
+#define TREE_LEAVES_FASCICLE 3
+
+// Many needles on a short shoot, from its axis to all sides. Larch, cedar.
+#define TREE_LEAVES_ROSETTE 4
+
+// One main axis, with laterals. Spruce, oak.
+#define TREE_BRANCHING_MONOPODIAL 0
+
+// A chain of modules: each ends, and its topmost lateral takes over. Linden, elm, beech.
+#define TREE_BRANCHING_SYMPODIAL 1
+
+// As the attribute `_OCCLUSION`, which only shaders that know it use.
+#define TREE_GLTF_OCCLUSION_ATTRIBUTE 0
+
+// As grey vertex colours (`COLOR_0`, 8 bits), which every program multiplies with the base colour:
+// visible everywhere, but direct light is darkened too.
+#define TREE_GLTF_OCCLUSION_COLOR 1
+
+// Not at all.
+#define TREE_GLTF_OCCLUSION_OMIT 2
+
+// Primitives, elements or lines that are points or lines, left out.
+#define TREE_NOTE_POINTS_OR_LINES 0
+
+// Primitives without positions, left out.
+#define TREE_NOTE_NO_POSITIONS 1
+
+// Corners left over behind the last whole triangle, or faces with fewer than three.
+#define TREE_NOTE_PARTIAL_FACES 2
+
+// Surfaces (OBJ: corners) whose normals were computed because there were none.
+#define TREE_NOTE_NORMALS_COMPUTED 3
+
+// Single normals of no length, computed from the triangles around.
+#define TREE_NOTE_NORMALS_REPAIRED 4
+
+// Surfaces (OBJ: corners) without texture coordinates, which became 0.
+#define TREE_NOTE_UVS_MISSING 5
+
+// Vertex colours, which a surface has no column for. PLY: their mean became the material's.
+#define TREE_NOTE_VERTEX_COLORS 6
+
+// Skins and morph targets; the mesh is as it rests.
+#define TREE_NOTE_DEFORMATIONS 7
+
+// Nodes a scene lists as roots although they are not.
+#define TREE_NOTE_LISTED_TWICE 8
+
+// Materials that blend by alpha, cut at one half instead.
+#define TREE_NOTE_BLEND_AS_MASK 9
+
+// Normal, roughness, occlusion and emission maps, left out.
+#define TREE_NOTE_OTHER_TEXTURES 10
+
+// Colours and factors outside their range, brought back into it.
+#define TREE_NOTE_CLAMPED 11
+
+// Textures and materials in other files, which were not asked for.
+#define TREE_NOTE_EXTERNAL_REFUSED 12
+
+// Textures and materials in files that are not there.
+#define TREE_NOTE_EXTERNAL_MISSING 13
+
+// Textures that could not be decoded.
+#define TREE_NOTE_TEXTURE_UNREADABLE 14
+
+// Textures without a picture in a known format.
+#define TREE_NOTE_TEXTURE_UNSUPPORTED 15
+
+// Materials that faces name and no file defines.
+#define TREE_NOTE_MATERIAL_UNKNOWN 16
+
+// Statements or elements that are not understood, passed over.
+#define TREE_NOTE_UNKNOWN 17
+
+// Number of notes in this version; new ones may be added.
+#define TREE_N_NOTES 18
+
+// As the file's extension says: `glb`, `gltf`, `obj` or `ply`, in letters of any case.
+#define TREE_MESH_FORMAT_BY_NAME 0
+
+// glTF 2.0, as one file (GLB) or as JSON.
+#define TREE_MESH_FORMAT_GLTF 1
+
+// OBJ.
+#define TREE_MESH_FORMAT_OBJ 2
+
+// PLY, text or binary.
+#define TREE_MESH_FORMAT_PLY 3
+
+// A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
+#define TREE_LEAF_CARD 0
+
+// A polygon of at most `vertices_max` vertices around all of the picture that is not cut away: no visible
+// pixel is lost, few invisible ones are drawn. A picture without a mask, or all of it cut away, stays a
+// card; the report says so.
+#define TREE_LEAF_OUTLINE 1
+
+// A leaf whose margin is modelled: a polygon along the margin of the picture, as much inside as outside,
+// drawn without a mask. For close views and for renderers that pay for masks. Leaves are taken to be
+// alike left and right. Pictures as above stay cards.
+#define TREE_LEAF_MODELLED 2
+
+// A leaf of your own, shared by all leaves of the kind.
+#define TREE_LEAF_MESH 3
+
+// Alpha is ignored.
+#define TREE_ALPHA_OPAQUE 0
+
+// Pixels with alpha below the material's `alpha_cutoff` are not drawn.
+#define TREE_ALPHA_MASK 1
+
+// Straight from node to node.
+#define TREE_CURVE_STRAIGHT 0
+
+// A clamped cubic B-spline through the nodes: what was modelled stays where it is.
+#define TREE_CURVE_THROUGH 1
+
+// A clamped cubic B-spline with the nodes as control points: passes near inner nodes, and calms what
+// jitters, such as scanned skeletons.
+#define TREE_CURVE_NEAR 2
+
+// As a length.
+#define TREE_BOUND_METRES 0
+
+// As what a camera sees: the nearer it comes, the finer the mesh.
+#define TREE_BOUND_PIXELS 1
+
+// A triangle counts as flat when its area is below this share of the squared diagonal of the box around
+// the surface: a square with a side of a ten-millionth of the diagonal, and a tenth as high. For a tree of
+// 10 m that is 1e-13 m².
+#define TREE_FLAT_SHARE 1e-15
+
+// Predecessor of the root, and of nodes that no path leads to.
+#define TREE_NO_NODE 4294967295
+
+// Anywhere in the volume.
+#define TREE_PATH_PLACING_VOLUME 0
+
+// Within one separation of the volume's surface.
+#define TREE_PATH_PLACING_SURFACE 1
+
+// The part of a ball round the root that lies within an angle of the axis.
+#define TREE_PATH_SHAPE_SECTOR 0
+
+// A cone that stands on the root and narrows outwards.
+#define TREE_PATH_SHAPE_CONE 1
+
+// A cone with its tip on the root that widens outwards.
+#define TREE_PATH_SHAPE_INVERTED_CONE 2
+
+// Any volume.
+#define TREE_PATH_SHAPE_CUSTOM 3
+
+// From the root of the graph before through the endpoint.
+#define TREE_PATH_AXIS_OUTWARD 0
+
+// Straight down.
+#define TREE_PATH_AXIS_DOWN 1
+
+// One direction for all.
+#define TREE_PATH_AXIS_FIXED 2
+
+// A random direction for each.
+#define TREE_PATH_AXIS_RANDOM 3
+
+// Through all levels.
+#define TREE_PATH_LIFESPAN_FULL 0
+
+// At each level a branch ends with the chance `lifespan_stop`; else the number of levels left, L, falls
+// by a number drawn from 0 to L. Makes irregular, livelier trees.
+#define TREE_PATH_LIFESPAN_RANDOM 1
+
+// Rows for levels in a report: as many as there can be.
+#define TREE_PATH_REPORT_LEVELS 17
+
+// A clear sky.
+#define TREE_BACKDROP_SKY 0
+
+// Light grey paper under soft white light.
+#define TREE_BACKDROP_STUDIO 1
+
+// It chooses its place so that the whole mesh is in the picture.
+#define TREE_CAMERA_FRAMED 0
+
+// It stands where it is told to.
+#define TREE_CAMERA_PLACED 1
+
+// Far things are smaller.
+#define TREE_LENS_PERSPECTIVE 0
+
+// Parallel projection; what lies behind the eye is not drawn.
+#define TREE_LENS_ORTHOGRAPHIC 1
+
 // Parent of the root: no node.
 #define TREE_NO_PARENT 4294967295
+
+// The child with the largest radius, by length to the tip where radii are equal. The default.
+#define TREE_CONTINUATION_THICKEST 0
+
+// The child with the longest path to a tip.
+#define TREE_CONTINUATION_LONGEST 1
+
+// The child that bends least from the segment below; at the root, the longest.
+#define TREE_CONTINUATION_STRAIGHTEST 2
+
+// +Y, as in this library.
+#define TREE_SWC_UP_Y 0
+
+// +Z, as laser scanners and foresters have it.
+#define TREE_SWC_UP_Z 1
+
+// They stay 0, for example to be found by `tree_skeleton_by_rule`.
+#define TREE_SWC_RADIUS_KEEP 0
+
+// They go from the radius below to the thickest known radius above, in proportion to the path length.
+// Where nothing is known above, the radius below is taken; where nothing is known below, the one above;
+// where nothing is known at all, 0 stays.
+#define TREE_SWC_RADIUS_INTERPOLATE 1
+
+// Not known: name, alpha and shape decide.
+#define TREE_HINT_AUTO 0
+
+// Bark.
+#define TREE_HINT_WOOD 1
+
+// Leaves, needles, flowers, or cards of whole sprays.
+#define TREE_HINT_LEAVES 2
+
+// Neither: ground, pots, labels.
+#define TREE_HINT_IGNORE 3
+
+// Leaf widths in a report: those of the first kinds.
+#define TREE_SKELETONIZE_LEAF_WIDTHS 256
+
+// Bark.
+#define TREE_CLASS_WOOD 0
+
+// A card or a small thin surface: one leaf.
+#define TREE_CLASS_LEAF 1
+
+// A closed body of leaves.
+#define TREE_CLASS_BLOB 2
+
+// Not looked at.
+#define TREE_CLASS_IGNORED 3
 
 // Version of the ABI that this header describes. A library with the same number has every function and
 // struct of this header; additions do not change it.
 #define TREE_ABI_VERSION 1
+
+// None of those below: newer than this header.
+#define TREE_SOLID_OTHER 0
+
+// A ball.
+#define TREE_SOLID_SPHERE 1
+
+// An axis-aligned ellipsoid.
+#define TREE_SOLID_ELLIPSOID 2
+
+// A round cylinder.
+#define TREE_SOLID_CYLINDER 3
+
+// A cone, whole or truncated.
+#define TREE_SOLID_FRUSTUM 4
+
+// All within a distance of a segment.
+#define TREE_SOLID_CAPSULE 5
+
+// An axis-aligned box.
+#define TREE_SOLID_BOX 6
+
+// All on one side of a plane.
+#define TREE_SOLID_HALF_SPACE 7
+
+// The points of a ball within an angle of an axis.
+#define TREE_SOLID_SECTOR 8
+
+// What a profile sweeps.
+#define TREE_SOLID_REVOLUTION 9
+
+// What a closed mesh bounds.
+#define TREE_SOLID_MESH 10
+
+// What lies in any part.
+#define TREE_SOLID_UNION 11
+
+// What lies in all parts.
+#define TREE_SOLID_INTERSECTION 12
+
+// What lies in part 0 but not in part 1.
+#define TREE_SOLID_DIFFERENCE 13
+
+// Part 0, transformed.
+#define TREE_SOLID_TRANSFORMED 14
+
+// All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
+typedef struct tree_axes tree_axes;
 
 // A file in memory.
 typedef struct tree_bytes tree_bytes;
@@ -77,27 +513,136 @@ typedef struct tree_bytes tree_bytes;
 // A switch that cancels the calls it was given to.
 typedef struct tree_cancel tree_cancel;
 
+// Collision capsules of a tree.
+typedef struct tree_capsules tree_capsules;
+
+// Triangles of a surface that cross each other.
+typedef struct tree_crossings tree_crossings;
+
+// Leaves found in a mesh, and their kinds.
+typedef struct tree_found_leaves tree_found_leaves;
+
+// Columns for a glTF file.
+typedef struct tree_gltf_attributes tree_gltf_attributes;
+
+// Leaves of a tree, one small mesh for each kind and where its copies stand.
+typedef struct tree_gltf_leaves tree_gltf_leaves;
+
+// An undirected graph with costs.
+typedef struct tree_graph tree_graph;
+
+// Nodes strewn in a volume, ready to be linked.
+typedef struct tree_graph_nodes tree_graph_nodes;
+
+// The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
+// see how much of its triangles is visible.
+typedef struct tree_leaf_model tree_leaf_model;
+
+// What a species looks like: a material for the bark, and a leaf look for each leaf kind.
+typedef struct tree_look tree_look;
+
+// How much of each pixel a mesh covers.
+typedef struct tree_mask tree_mask;
+
 // Surfaces with their materials, and the branches that move in the wind.
 typedef struct tree_mesh tree_mesh;
+
+// A surface in the axes and the layout of an engine.
+typedef struct tree_packed tree_packed;
+
+// A picture: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
+typedef struct tree_picture tree_picture;
+
+// Connected pieces of wood, each followed from its base.
+typedef struct tree_pieces tree_pieces;
 
 // Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
 // depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
 // threads of calls without a pool never end.
 typedef struct tree_pool tree_pool;
 
+// A drawn profile: radius over height, from the ground up.
+typedef struct tree_profile tree_profile;
+
+// For each node of a skeleton that was made of another, the node there that it comes from.
+typedef struct tree_rows tree_rows;
+
+// The triangles of a mesh, welded and sorted into connected components, each of which is wood, a leaf, a
+// body of leaves or nothing. It holds copies of the parts.
+typedef struct tree_separation tree_separation;
+
 // Branches as a rooted tree of nodes with radii.
 typedef struct tree_skeleton tree_skeleton;
+
+// What an SWC file held: a skeleton, and what a skeleton has no column for.
+typedef struct tree_swc tree_swc;
+
+// A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
+typedef struct tree_texture tree_texture;
 
 // A whole tree: skeleton, leaves and species. Every leaf stands on a node that exists and has a kind
 // that exists.
 typedef struct tree_tree tree_tree;
 
-// A solid, or a combination of solids.
+// A tree as a base mesh and a few unique twigs, set down many times: at a tenth of its memory and less.
+typedef struct tree_twigs tree_twigs;
+
+// What a layout holds of each vertex, back in our axes, metres and winding.
+typedef struct tree_unpacked tree_unpacked;
+
+// A solid, or a combination of solids. Plain solids contain their surface; revolutions and meshes
+// contain one side of it, so that solids set side by side share no point there.
 typedef struct tree_volume tree_volume;
+
+// The branches of a skeleton, as the wind sees them.
+typedef struct tree_wind_branches tree_wind_branches;
 
 // What a function says of itself: `TREE_OK`, or one of the `TREE_ERROR_` codes. New codes may be
 // added: treat those you do not know as errors.
 typedef int32_t tree_status;
+
+// Which rule gives branches their radii: one of the `TREE_RADII_` constants.
+typedef uint32_t tree_radius_kind;
+
+// Where the number of strands comes from: one of the `TREE_STRANDS_` constants.
+typedef uint32_t tree_strand_count;
+
+// How the radii of a whole skeleton are found. Begin with `tree_radius_rule_init`. No rule makes a
+// branch thicker than the one below.
+typedef struct tree_radius_rule {
+    // `sizeof(tree_radius_rule)`.
+    size_t struct_size;
+    // `TREE_STRANDS_BY_ANGLE`: strands at the base, from the number of tips to 2⁵³. No default: 0,
+    // which is refused.
+    uint64_t strand_base;
+    // Which rule. Default `TREE_RADII_PIPE`.
+    tree_radius_kind kind;
+    // Pipe: Δ in r₀^Δ = Σ rᵢ^Δ, 1 to 10. Default 2.49, Murray's; da Vinci's is 2, Mandelbrot's 8/3. A
+    // larger one makes the trunk thinner for the same tips.
+    float exponent;
+    // Pipe: radius of every tip in metres, 1e-6 to 100. Default 0.002. With a `trunk_radius` only its
+    // proportion to `taper` matters.
+    float tip_radius;
+    // Pipe: how much the radius grows per metre towards the base, 0 to 1. Default 0.002: a bare shoot
+    // of one metre is twice as thick at its base as at its tip.
+    float taper;
+    // Pipe: radius of the root node in metres, 1e-6 to 100: all radii, those of tips too, are
+    // multiplied by the one factor that makes it so. Default 0: the tips decide.
+    float trunk_radius;
+    // Tip distance: radius on the trunk one metre from the tip, in metres, 1e-6 to 100. Default 0.05.
+    float scale;
+    // Tip distance: the power of the distance, 0 to 10. Default 0.3. The larger, the quicker branches
+    // taper.
+    float zeta;
+    // Tip distance: smallest radius of any node in metres, 0 to 100. Default 0.001. With 0 a branch
+    // ends in a point.
+    float min_radius;
+    // Strands: diameter of a branch of one strand in metres, 1e-6 to 100; one of S strands has √S
+    // times that. Default 0.004.
+    float strand_diameter;
+    // Strands: where their number comes from. Default `TREE_STRANDS_PER_TIP`.
+    tree_strand_count strand_count;
+} tree_radius_rule;
 
 // Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
 // the share of the whole that is done, 0 to 1. Returns 0 to go on, anything else to cancel. Called from
@@ -143,6 +688,1145 @@ typedef struct tree_control {
     const struct tree_pool *pool;
 } tree_control;
 
+// What follows from a row of the table of branches.
+typedef struct tree_branch_motion {
+    // `sizeof(tree_branch_motion)`.
+    size_t struct_size;
+    // Share of the wind's full turn that it makes, 0 to 1.
+    float give;
+    // Its lowest natural frequency in hertz, as a bare, clamped, uniform rod of green wood; leaves make
+    // it slower, taper faster. Infinite for a branch without length.
+    float frequency;
+    // The direction it swings in: a unit vector square to the axis, another one for each phase.
+    float swing[3];
+} tree_branch_motion;
+
+// Which child continues the axis at a fork: one of the `TREE_CONTINUATION_` constants. Ties go to the
+// child with the lower number.
+typedef uint32_t tree_continuation;
+
+// A branch as the wind sees it: a rod that turns about its pivot, carried by its parent. Has no
+// `struct_size`: it is a row of a table, and never changes.
+typedef struct tree_wind_branch {
+    // The branch that carries this one; itself for the trunk. Parents come first.
+    uint32_t parent;
+    // 0 for the trunk, one more than the parent otherwise.
+    uint32_t level;
+    // Where it is attached: the point it turns about, in metres.
+    float pivot[3];
+    // Unit vector from pivot to tip.
+    float axis[3];
+    // Length along its bends in metres.
+    float length;
+    // Radius at the base in metres.
+    float radius;
+    // Distance from the pivot, in metres, up to which wood moves with the parent.
+    float collar;
+    // Where in the swing it starts, 0 to 1: so that branches do not move in step.
+    float phase;
+    // 1 does not give at all, 0 hangs in the wind: 1 / (1 + (length / radius / 100)³).
+    float stiffness;
+} tree_wind_branch;
+
+// How capsules are made. Begin with `tree_capsule_params_init`.
+typedef struct tree_capsule_params {
+    // `sizeof(tree_capsule_params)`.
+    size_t struct_size;
+    // Most capsules, 1 to 4096. Default 32.
+    uint32_t count_max;
+    // Wood thinner than this is passed over, in metres, 0 to 10. Default 0.05. When nothing is as
+    // thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
+    float radius_min;
+    // Share of the volume of the other wood that must lie inside, 0 to 1. Default 0.95.
+    float share;
+    // Which child goes on at a fork. Default `TREE_CONTINUATION_THICKEST`.
+    tree_continuation continuation;
+} tree_capsule_params;
+
+// How well capsules fit.
+typedef struct tree_capsule_report {
+    // `sizeof(tree_capsule_report)`.
+    size_t struct_size;
+    // Number of capsules.
+    uint64_t n_capsules;
+    // Volume of the wood above the radius, in cubic metres: the sum of its frusta.
+    double volume;
+    // Share of that volume that lies in a capsule, 0 to 1, as measured; 1 when there is no wood.
+    double held;
+    // Volume of the capsules, those that overlap counted twice, over that of the wood they hold; 1 would
+    // be perfect. 0 when there is no wood.
+    double bulk;
+    // The radius above which wood counted, in metres.
+    float radius_min;
+    // Whether `held` reaches the share asked for.
+    uint32_t is_enough;
+} tree_capsule_report;
+
+// A cylinder with round ends.
+typedef struct tree_capsule {
+    // Middle of one end, in metres.
+    float a[3];
+    // Middle of the other end.
+    float b[3];
+    // Radius in metres.
+    float radius;
+} tree_capsule;
+
+// Whose axes: one of the `TREE_CONVENTION_` constants.
+//
+// | | hands | up | unit | front faces | v | from ours |
+// |---|---|---|---|---|---|---|
+// | glTF, Bevy, three.js | right | Y | m | counter-clockwise | down | as it is |
+// | Godot 4 | right | Y | m | clockwise | down | as it is |
+// | Unity | left | Y | m | clockwise | up | (-x, y, z) |
+// | Unreal | left | Z | cm | counter-clockwise | down | 100 (x, z, y) |
+// | Blender | right | Z | m | counter-clockwise | up | (x, -z, y) |
+//
+// Clockwise or not is meant as seen on the screen, from outside.
+typedef uint32_t tree_convention;
+
+// What a convention says.
+typedef struct tree_convention_traits {
+    // `sizeof(tree_convention_traits)`.
+    size_t struct_size;
+    // Length units in one metre.
+    float unit;
+    // Whether the axes form a left hand.
+    uint32_t is_left_handed;
+    // Whether front faces run clockwise, so that triangles must be turned.
+    uint32_t is_clockwise;
+    // Whether texture v runs upwards.
+    uint32_t is_v_up;
+} tree_convention_traits;
+
+// Which way columns are converted: one of the `TREE_CONVERT_` constants.
+typedef uint32_t tree_convert;
+
+// How a surface is packed: one of the `TREE_LAYOUT_` constants. Whatever column a surface lacks is
+// filled: tangents square to the normal, no light map, no occlusion.
+typedef uint32_t tree_layout;
+
+// A text in UTF-8. As input, `len` may be `TREE_NUL_TERMINATED` and `data` NULL for an empty text. As
+// output it is borrowed, and no NUL byte need follow it.
+typedef struct tree_str {
+    // The first byte.
+    const char *data;
+    // Number of bytes.
+    size_t len;
+} tree_str;
+
+// What the numbers of a stream are: one of the `TREE_NUMBER_` constants.
+typedef uint32_t tree_number;
+
+// One attribute of all vertices. Rows of an array; the array belongs to a `tree_packed`.
+typedef struct tree_stream {
+    // The engine's name for it.
+    struct tree_str name;
+    // `components` numbers for each vertex, tightly packed, in the machine's order of bytes.
+    const void *data;
+    // Number of bytes.
+    size_t n_bytes;
+    // Numbers of one vertex, 1 to 4.
+    uint32_t components;
+    // What the numbers are.
+    tree_number number;
+} tree_stream;
+
+// A view of a `tree_packed`.
+typedef struct tree_packed_columns {
+    // `sizeof(tree_packed_columns)`.
+    size_t struct_size;
+    // The layout.
+    tree_layout layout;
+    // Whose axes the numbers are in.
+    tree_convention convention;
+    // Number of vertices.
+    size_t n_vertices;
+    // Bytes of one vertex, all streams together.
+    size_t vertex_bytes;
+    // The attributes, each with a row for every vertex. None for `TREE_LAYOUT_VERTEX`.
+    const struct tree_stream *streams;
+    // Number of streams.
+    size_t n_streams;
+    // Three for each triangle, wound as the engine has its front faces: `uint16_t` or `uint32_t`.
+    const void *indices;
+    // Number of indices.
+    size_t n_indices;
+    // Bytes of one index: 2 for at most 65,535 vertices, so that no index is 0xFFFF, or 4.
+    uint32_t index_bytes;
+    // `TREE_LAYOUT_SPEEDTREE9`: `_ST_BranchStretchLimits`, the longest free lengths of branches 1 and 2
+    // in metres, the same for all surfaces of a mesh. Else 0.
+    float stretch_limits[2];
+} tree_packed_columns;
+
+// The textures of `TREE_LAYOUT_PIVOT_PAINTER`, the same for all surfaces of a mesh. Elements lie in rows
+// from the top left, as their branches do in the table; the trunk is its own parent.
+typedef struct tree_pivots {
+    // `sizeof(tree_pivots)`.
+    size_t struct_size;
+    // Width in texels, a power of two.
+    uint32_t width;
+    // Height in texels, a power of two.
+    uint32_t height;
+    // Four floats for each texel, row by row from the top: the pivot in centimetres, in Unreal's axes,
+    // and the parent's number as a float whose half has the bits number + 1024.
+    const float *position_and_index;
+    // The same as halves; the parents' numbers are exact in them too.
+    const uint16_t *position_and_index_half;
+    // Four bytes for each texel: (axis + 1) / 2, and extent / 2048 cm.
+    const uint8_t *axis_and_extent;
+    // One for each branch of the mesh: its element, or that of the branch it became part of.
+    const uint32_t *element_of;
+    // Number of branches.
+    size_t n_branches;
+    // Texels in use.
+    size_t n_elements;
+    // Branches that became part of the one that carries them, since they lie too deep.
+    size_t n_merged;
+    // Levels of the mesh.
+    uint32_t levels;
+    // Levels that are left, at most 4: as many as Epic's material functions follow.
+    uint32_t kept_levels;
+} tree_pivots;
+
+// A texel of the pivot textures, read back as the shader does, in our axes.
+typedef struct tree_pivot_element {
+    // `sizeof(tree_pivot_element)`.
+    size_t struct_size;
+    // The element that carries it; itself for the trunk.
+    uint32_t parent;
+    // Pivot in metres.
+    float pivot[3];
+    // Axis, a unit vector.
+    float axis[3];
+    // Length in metres, 0.08 to 20.48.
+    float extent;
+} tree_pivot_element;
+
+// A view of a `tree_unpacked`. A column is NULL when the layout has no place for it.
+typedef struct tree_unpacked_columns {
+    // `sizeof(tree_unpacked_columns)`.
+    size_t struct_size;
+    // Number of vertices.
+    size_t n_vertices;
+    // Three floats for each vertex: positions in metres.
+    const float *positions;
+    // Three floats for each vertex: normals.
+    const float *normals;
+    // Four floats for each vertex: tangents, in the fourth the sign.
+    const float *tangents;
+    // Two floats for each vertex: texture coordinates.
+    const float *uvs;
+    // Two floats for each vertex: light-map coordinates.
+    const float *uvs2;
+    // Three for each triangle.
+    const uint32_t *indices;
+    // Number of indices.
+    size_t n_indices;
+    // Ambient occlusion.
+    const float *occlusion;
+    // The branch, its number in the table; for `TREE_LAYOUT_PIVOT_PAINTER` its element.
+    const uint32_t *branches;
+    // The branch, or element, that carries it.
+    const uint32_t *parents;
+    // Level of the branch.
+    const uint32_t *levels;
+    // Three floats for each vertex: pivot of the branch.
+    const float *pivots;
+    // Three floats for each vertex: axis of the branch.
+    const float *axes;
+    // Phase of the branch.
+    const float *phases;
+    // Stiffness of the branch.
+    const float *stiffness;
+    // How far along the branch.
+    const float *reach;
+    // How far along the leaf.
+    const float *flutter;
+    // Phase of the leaf.
+    const float *leaf_phases;
+    // Three floats for each vertex: where the leaf is attached.
+    const float *anchors;
+    // Whether the vertex is part of a leaf: 0 or 1.
+    const uint8_t *is_leaf;
+    // Two floats for each vertex: bend weights. SpeedTree 8: branch weight, 0; 9: those of branches 1
+    // and 2; Tree Creator: primary and secondary bend.
+    const float *weights;
+    // Two vectors of three floats for each vertex. SpeedTree 8: swing, growth; 9: directions of
+    // branches 1 and 2.
+    const float *directions;
+} tree_unpacked_columns;
+
+// A vertex of `TREE_LAYOUT_VERTEX`, in our axes. Errors are the largest, rounding of floats (1e-7 of the
+// largest coordinate) apart. Parent, pivot and axis of a branch stand in the mesh's table of branches,
+// to be uploaded as a buffer and read by the number of the branch.
+typedef struct tree_packed_vertex {
+    // Position: min + (max - min) * position / 65535 of the view's `bounds`. Error: extent / 131,070.
+    uint16_t position[3];
+    // Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign.
+    // 0 is the normal's any-orthonormal vector as Duff and others build it. Error: 3e-4 radians.
+    uint16_t tangent;
+    // Octahedral normal, x and y / 32767. Error: 1e-4 radians.
+    int16_t normal[2];
+    // Texture coordinates over the view's `uv_range`, as positions. Error: range / 131,070.
+    uint16_t uv[2];
+    // Light-map coordinates / 65535.
+    uint16_t uv2[2];
+    // Number of the branch.
+    uint32_t branch;
+    // How far along the branch / 65535.
+    uint16_t reach;
+    // Ambient occlusion / 255.
+    uint8_t occlusion;
+    // How far along the leaf / 255.
+    uint8_t flutter;
+    // Phase of the branch / 255.
+    uint8_t phase;
+    // Stiffness of the branch / 255.
+    uint8_t stiffness;
+    // Level of the branch; 255 for more.
+    uint8_t level;
+    // Phase of the leaf / 255.
+    uint8_t leaf_phase;
+} tree_packed_vertex;
+
+// The vertices of `TREE_LAYOUT_VERTEX`, and what a shader needs to read them.
+typedef struct tree_packed_vertices {
+    // `sizeof(tree_packed_vertices)`.
+    size_t struct_size;
+    // The vertices.
+    const struct tree_packed_vertex *vertices;
+    // Number of vertices.
+    size_t n_vertices;
+    // Three floats for each leaf: where it is attached, in metres. The leaf of vertex `i` is
+    // `i / (n_vertices / n_anchors)`.
+    const float *anchors;
+    // Number of leaves; 0 for wood.
+    size_t n_anchors;
+    // Box of the positions in metres: its lower corner, then its upper one.
+    float bounds[6];
+    // Smallest, then largest texture coordinates.
+    float uv_range[4];
+} tree_packed_vertices;
+
+// A vertex in the wind. All but the anchor lie within 0 to 1.
+typedef struct tree_vertex_wind {
+    // The branch it moves with, in the mesh's table; 0 when the mesh has none.
+    uint32_t branch;
+    // How far along the branch it lies; leaves as far as the place they are attached.
+    float reach;
+    // Leaves: how far from the anchor, 0 there and 1 at the leaf's farthest vertex. 0 for wood.
+    float flutter;
+    // Leaves: where in its flutter the leaf starts. 0 for wood.
+    float leaf_phase;
+    // Leaves: where the leaf is attached. Wood: the vertex itself.
+    float anchor[3];
+} tree_vertex_wind;
+
+// A steady wind with gusts. Begin with `tree_wind_init`.
+typedef struct tree_wind {
+    // `sizeof(tree_wind)`.
+    size_t struct_size;
+    // Where it blows to; its length does not matter. Each -1e6 to 1e6; default 1, 0, 0.
+    float direction[3];
+    // Turn of a branch without any stiffness, in radians, -10 to 10. Default 0.5.
+    float strength;
+    // Share of the turn that swings to and fro, 0 to 1. Default 0.4.
+    float gusts;
+    // Swings in a second, 0 to 100. Default 0.5.
+    float frequency;
+    // How far leaves turn to and fro at their anchors, in radians, -10 to 10. Default 0.3.
+    float flutter;
+} tree_wind;
+
+// How leaves or twigs stand along a shoot: one of the `TREE_PHYLLOTAXIS_` constants.
+typedef uint32_t tree_phyllotaxis;
+
+// What one leaf consists of: one of the `TREE_LEAVES_` constants. Each leaflet and each needle becomes
+// one row of the foliage.
+typedef uint32_t tree_leaves_form;
+
+// Where leaves stand and how they are held. Lengths in metres, angles in radians. Begin with
+// `tree_leaf_params_init`, or with a species' own from `tree_foliage_preset`.
+typedef struct tree_leaf_params {
+    // `sizeof(tree_leaf_params)`.
+    size_t struct_size;
+    // How leaves stand along the shoot. Default `TREE_PHYLLOTAXIS_SPIRAL`.
+    tree_phyllotaxis arrangement;
+    // Spiral: angle from one leaf to the next, -2π to 2π. Default the golden angle, 2.39996.
+    float divergence;
+    // Whorled: leaves at a node, 3 to 64. No default: 0, which is refused.
+    uint32_t whorl;
+    // What one leaf consists of. Default `TREE_LEAVES_SIMPLE`.
+    tree_leaves_form form;
+    // Pinnate: pairs of leaflets, 1 to 100. Default 4.
+    uint32_t pinnate_pairs;
+    // Pinnate: whether a leaflet ends the rachis. Default 1.
+    uint32_t pinnate_odd;
+    // Pinnate: length of the rachis above the petiole in lengths of the largest leaflet, 0 to 1000.
+    // Default 2.
+    float pinnate_rachis;
+    // Pinnate: how far the rachis bends back over its length, -π to π. Default 0.4.
+    float pinnate_droop;
+    // Pinnate: angle between rachis and leaflets at its base and at its tip, 0 to π. Default 1.2, 0.8.
+    float pinnate_angle[2];
+    // Pinnate: size of the leaflets at base, middle and tip, 0.01 to 1. Default 0.75, 1, 0.8.
+    float pinnate_profile[3];
+    // Pinnate: how far leaflets are raised out of the leaf's plane, -π/2 (hanging) to π/2. Default 0.
+    float pinnate_fold;
+    // Pinnate: length of a leaflet's stalk in lengths of the largest leaflet, 0 to 2. Default 0.03.
+    float pinnate_petiolule;
+    // Pinnate: pairs of leaflets on each pinna of a leaf that is pinnate twice, up to 50. Default 0:
+    // pinnate once.
+    uint32_t pinnate_pinna_pairs;
+    // Pinnate twice: length of the longest pinna as a share of the rachis, 0.01 to 2. Default 0.5.
+    float pinnate_pinna;
+    // Palmate: leaflets, 2 to 64. Default 7.
+    uint32_t palmate_leaflets;
+    // Palmate: angle from the first leaflet to the last, 0 to 2π. Default 4.
+    float palmate_spread;
+    // Palmate: size of the outermost leaflets against the middle one, 0.01 to 1. Default 0.55.
+    float palmate_outer;
+    // Palmate: angle by which leaflets hang below the leaf's plane, -π/2 to π/2. Default 0.2.
+    float palmate_droop;
+    // Fascicle: needles, 1 to 16. Rosette: needles, 1 to 128. No default: 0, which is refused.
+    uint32_t needles;
+    // Fascicle: angle between a needle and the axis, 0 to π/2. Rosette: angle between the outermost
+    // needles and the axis, 0 to π. Default 0.
+    float needle_spread;
+    // Distance between leaf-bearing nodes along the shoot, 1e-4 to 1e6. Default 0.07.
+    float spacing;
+    // Shoots bear leaves up to this distance from their tip, 0 to 1e6. Default 0.55.
+    float bearing;
+    // Length of a blade (of a full leaflet or needle where the leaf has many), 1e-6 to 1e6. Default
+    // 0.13.
+    float size;
+    // Sizes vary by up to this share either way, 0 to 0.9. Default 0.25.
+    float size_variation;
+    // How much smaller leaves are at the tip than at the lower end of the bearing zone, 0 to 0.9 of
+    // their size; a negative number, down to -0.9, makes those at the lower end smaller. Default 0.
+    float size_gradient;
+    // Length of the petiole in lengths of the blade, 0 to 100; the blade stands off the shoot by as
+    // much. Default 0: whatever petiole there is belongs to the picture of the leaf.
+    float petiole;
+    // Radius of the petiole in lengths of the blade, 0 to 0.5; used where stalks are grown too.
+    // Default 0.008.
+    float petiole_radius;
+    // Angle between shoot and petiole, 0 (along the shoot) to π (back along it). Default 0.9.
+    float pitch;
+    // Random deviation of all angles, 0 to π. Default 0.35.
+    float jitter;
+    // How far blades hang: 0 not at all, 1 straight down. The petiole does not hang. Default 0.15.
+    float droop;
+    // How far upper faces turn to the light by rolling about the midrib: 0 not at all, 1 as far as
+    // that brings them. Default 0.6.
+    float phototropism;
+    // Largest angle between petiole and blade, 0 to π: after the roll, the blade turns towards the
+    // light by the share `phototropism` of what is left, but no more than this. Default 0: the midrib
+    // goes on as it was.
+    float lamina_turn;
+    // Where light comes from; any length but 0. Default 0, 1, 0.
+    float light[3];
+    // Whether each tip bears a leaf that goes on in its direction. Default 1.
+    uint32_t terminal;
+    // The leaves' kind: an index into the species' leaf kinds, 0 to 65,535. Default 0.
+    uint32_t kind;
+} tree_leaf_params;
+
+// How densely leaves or twigs stand at `position`, three floats in metres: 0 none, 1 as the parameters
+// say, 2 twice as many, up to `TREE_DENSITY_CAP`. Less than 1 is the chance that a place bears; whorls stay whole.
+// Negative and not a number count as 0 and are reported. Asked once for each place, from any thread and
+// from several at a time; must give the same answer for the same place, and must not unwind.
+typedef float (*tree_density_fn)(void *user, const float *position);
+
+// What growing leaves did.
+typedef struct tree_leaf_report {
+    // `sizeof(tree_leaf_report)`.
+    size_t struct_size;
+    // Leaf-bearing nodes of the shoots (a whorl is one, a tip's leaf too).
+    uint64_t n_bearing;
+    // Leaves; a compound leaf and a fascicle is one.
+    uint64_t n_leaves;
+    // Blades: rows of the foliage.
+    uint64_t n_blades;
+    // Bearing nodes that the density left out.
+    uint64_t n_thinned;
+    // Bearing nodes where the density was negative or not a number, and counted as 0.
+    uint64_t n_bad_density;
+    // Axes without a leaf.
+    uint64_t n_barren;
+    // Nodes added for petioles and rachises.
+    uint64_t n_stalk_nodes;
+} tree_leaf_report;
+
+// How a twig goes on: one of the `TREE_BRANCHING_` constants.
+typedef uint32_t tree_branching;
+
+// Where twigs stand, how long they are and how they are held. Lengths in metres, angles in radians.
+// Begin with `tree_twig_params_init`, or with a species' own from `tree_foliage_preset`.
+typedef struct tree_twig_params {
+    // `sizeof(tree_twig_params)`.
+    size_t struct_size;
+    // How each twig goes on. Default `TREE_BRANCHING_MONOPODIAL`.
+    tree_branching branching;
+    // Sympodial: internodes of a module, 1 to 100. Default 1, as linden has.
+    uint32_t module_internodes;
+    // Sympodial: angle by which the next module turns off, 0 to π. Default 0.
+    float module_turn;
+    // Sympodial: angle from the side of one turn to that of the next, -2π to 2π. Default π, a zig-zag;
+    // 0 gives a curl, anything between a helix.
+    float module_divergence;
+    // Sympodial: length of the dead tip that stays where a module ended, in internodes, 0 to 10.
+    // Default 0: it is shed.
+    float module_stub;
+    // How twigs stand along shoots, and laterals along main twigs. Default `TREE_PHYLLOTAXIS_SPIRAL`.
+    tree_phyllotaxis arrangement;
+    // Spiral: angle from one twig to the next, -2π to 2π. Default the golden angle, 2.39996.
+    float divergence;
+    // Whorled: twigs at a node, 3 to 64. No default: 0, which is refused.
+    uint32_t whorl;
+    // Orders of twigs, 1 (no laterals) to 3. Default 2. Each multiplies the number of nodes.
+    uint32_t levels;
+    // Twig-bearing nodes per metre of shoot, 1e-3 to 1e4. Default 10.
+    float per_metre;
+    // Shoots bear twigs up to this distance from their tip, 0 to 1e6. Default 0.6.
+    float bearing;
+    // Most twigs on one node of the skeleton, 1 to 64; more are left out and reported. Default 4.
+    uint32_t crowd;
+    // Length of the longest twigs, 1e-5 to 1e6. Default 0.25.
+    float length;
+    // Lengths vary by up to this share either way, 0 to 0.9. Default 0.25.
+    float length_variation;
+    // How much shorter twigs are at the tip of the bearing shoot than at the lower end of the bearing
+    // zone, 0 to 1 of their length; a negative number, down to -1, makes the lower ones shorter. Holds
+    // for laterals along their twig too. Default 0.5.
+    float taper;
+    // Length of the twig that goes on at the tip of a shoot, in lengths of the longest, 0 (none) to 1.
+    // Default 0.6.
+    float terminal;
+    // Length of laterals against the twig that bears them, 0 to 1. Default 0.45.
+    float lateral;
+    // Length of an internode, 1e-5 to 1e6; a twig of less than half an internode is left out. Default
+    // 0.03.
+    float internode;
+    // Angle between a twig and what bears it, 0 to π. Default 0.85.
+    float angle;
+    // Random deviation of all angles, 0 to π; a quarter of it from one internode to the next. Default
+    // 0.2.
+    float jitter;
+    // Stiffness of the wood: its modulus of elasticity in gigapascal, 1e-4 to 1e6. Default 4, a green
+    // twig; 0.2 hangs like a weeping willow.
+    float stiffness;
+    // Weight of leaves and fruit in kilograms per metre of twig, 0 to 1000. Default 0.03.
+    float load;
+    // How strongly growth turns down, per metre, -1000 to 1000: a twig that points sideways turns by so
+    // many radians a metre. Negative turns up, as most shoots do. Default 0.
+    float gravitropism;
+    // How strongly growth turns to the light, per metre, -1000 to 1000. Default 0.5.
+    float phototropism;
+    // Where light comes from; any length but 0. Default 0, 1, 0.
+    float light[3];
+    // Radius of every twig's tip, 1e-6 to 100. Default 0.0008.
+    float tip_radius;
+    // How much the radius grows per metre towards the base, 0 to 1. Default 0.003.
+    float radius_taper;
+    // Exponent of the pipe model where laterals leave, 1 to 10. Default 2.49.
+    float pipe_exponent;
+    // Thickest a twig may be at its base, as a share of the radius of what bears it there, 0 to 1; a
+    // thicker one is made thinner as a whole. Default 0.75.
+    float radius_share;
+    // Must be 0.
+    uint32_t reserved;
+} tree_twig_params;
+
+// What growing twigs did.
+typedef struct tree_twig_report {
+    // `sizeof(tree_twig_report)`.
+    size_t struct_size;
+    // Twigs that old nodes bear.
+    uint64_t n_twigs;
+    // Twigs that twigs bear.
+    uint64_t n_laterals;
+    // Nodes added.
+    uint64_t n_nodes;
+    // Axes of the old skeleton without a place for a twig: too short, beyond the bearing zone, or left
+    // out by the density.
+    uint64_t n_barren;
+    // Places that the density left out.
+    uint64_t n_thinned;
+    // Places where the density was negative or not a number, and counted as 0.
+    uint64_t n_bad_density;
+    // Twigs and laterals left out, shorter than half an internode.
+    uint64_t n_too_short;
+    // Twigs left out because their node bears `crowd` already. Many mean that the skeleton has too few
+    // nodes; see `tree_skeleton_refine`.
+    uint64_t n_crowded;
+    // Largest distance in metres from a twig's place on the shoot to the node that bears it.
+    double moved;
+} tree_twig_report;
+
+// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
+typedef struct tree_instancing_params {
+    // `sizeof(tree_instancing_params)`.
+    size_t struct_size;
+    // Most unique twigs, 1 to 1000. Default 30.
+    uint32_t twigs_max;
+    // How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
+    // and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
+    // of `tree_instancing_report`.
+    float ratio;
+    // Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
+    float reach;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_instancing_params;
+
+// The line that is drawn through the nodes of an axis.
+typedef uint32_t tree_curve_fit;
+
+// How it is said how far a mesh may leave the exact shape.
+typedef uint32_t tree_bound_kind;
+
+// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
+// `tree_mesh_params_init`.
+typedef struct tree_mesh_params {
+    // `sizeof(tree_mesh_params)`.
+    size_t struct_size;
+    // Which child goes on at a fork and which start tubes of their own. Default
+    // `TREE_CONTINUATION_THICKEST`.
+    tree_continuation continuation;
+    // Fewest sides of a tube, 3 to `sides_max`. Default 3.
+    uint32_t sides_min;
+    // Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
+    uint32_t sides_max;
+    // The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
+    tree_curve_fit fit;
+    // How it is said how far the mesh may leave the round, curved branch, which rules the number of
+    // sides between the two bounds above and the number of rings. Default `TREE_BOUND_METRES`.
+    tree_bound_kind error_kind;
+    // With `TREE_BOUND_METRES`: the error, 0.01 mm to 1 m. Default 3 mm.
+    float error;
+    // With `TREE_BOUND_PIXELS`: width of the error on the screen, 0.01 to 1000. Default 1.
+    float error_pixels;
+    // With `TREE_BOUND_PIXELS`: from the eye to the tree in metres, 0.01 to 1e6. Default 10 m.
+    float error_distance;
+    // With `TREE_BOUND_PIXELS`: vertical field of view, 0.01 to 3. Default 1.
+    float error_fov_y;
+    // With `TREE_BOUND_PIXELS`: height of the screen in pixels, 1 or more. Default 1080.
+    uint32_t error_height;
+    // Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
+    // bend in the wind.
+    float strip_max;
+    // Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
+    float radius_min;
+    // Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
+    // that it goes round a whole number of times.
+    float bark_width;
+    // Height of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m.
+    float bark_length;
+    // How much wider the trunk is at the ground, as a share of its radius, 0 to 3; 0 turns the root
+    // flare off. Default 0.35.
+    float flare;
+    // Height of the root flare in radii of the trunk, 0.1 to 20. Default 3.
+    float flare_height;
+    // Number of buttresses in the flare, 0 to 12. Default 5.
+    uint32_t flare_lobes;
+    // How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
+    float flare_lobe_depth;
+    // Factor on the length of every leaf, 0.01 to 100. Default 1.
+    float leaf_scale;
+    // Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its look says.
+    float leaf_width;
+    // How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
+    // Default 0.6: soft light over the whole crown.
+    float leaf_rounding;
+    // Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default no.
+    uint32_t tangents;
+    // Whether vertices get texture coordinates for a light map, 8 bytes each. Default no.
+    uint32_t lightmap;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_mesh_params;
+
+// What an instanced tree weighs and how near it comes.
+typedef struct tree_instancing_report {
+    // `sizeof(tree_instancing_report)`.
+    size_t struct_size;
+    // Unique twigs.
+    uint64_t n_twigs;
+    // Instances of all twigs.
+    uint64_t n_instances;
+    // Bytes of the columns of base and twigs, and of the instances.
+    uint64_t bytes;
+    // Bytes of the columns of the flattened tree.
+    uint64_t bytes_flat;
+    // Leaves of the tree.
+    uint64_t n_leaves;
+    // Leaves of the instanced tree.
+    uint64_t n_leaves_instanced;
+    // `bytes_flat / bytes`.
+    float ratio;
+    // Length that twigs were limited to, in metres.
+    float reach;
+    // How far middle and spread of a subtree's leaves are off those of the twig that stands for it, in
+    // metres: root mean square over all leaves.
+    float deviation;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_instancing_report;
+
+// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: a view.
+typedef struct tree_twig_instances {
+    // `sizeof(tree_twig_instances)`.
+    size_t struct_size;
+    // Number of instances.
+    size_t n_instances;
+    // Three floats for each instance: where its base is, in metres.
+    const float *translations;
+    // Four floats for each instance: its turn, a unit quaternion x, y, z, w.
+    const float *rotations;
+    // Three floats for each instance: factor on its size, the same along all axes.
+    const float *scales;
+    // One for each instance: the branch of the base mesh that bears it.
+    const uint32_t *branches;
+} tree_twig_instances;
+
+// What becomes of ambient occlusion in a glTF file: one of the `TREE_GLTF_OCCLUSION_` constants.
+typedef uint32_t tree_gltf_occlusion;
+
+// How a glTF file is written. Begin with `tree_glb_options_init`.
+typedef struct tree_glb_options {
+    // `sizeof(tree_glb_options)`.
+    size_t struct_size;
+    // Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
+    struct tree_str name;
+    // Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
+    // them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
+    // for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
+    // length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
+    // Default 0.
+    uint32_t quantize;
+    // Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
+    // know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
+    // look into it.
+    uint32_t translucency;
+    // What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
+    tree_gltf_occlusion occlusion;
+} tree_glb_options;
+
+// A mesh and where its copies stand: scaled, turned, then moved.
+typedef struct tree_gltf_instances {
+    // `sizeof(tree_gltf_instances)`.
+    size_t struct_size;
+    // Name of the node and the mesh.
+    struct tree_str name;
+    // What is drawn many times, with materials of its own. Copied while the file is written.
+    const struct tree_mesh *mesh;
+    // Number of copies, at least 1.
+    size_t n;
+    // Three floats for each copy: where the origin comes to lie, in metres.
+    const float *translations;
+    // Four floats for each copy: how it is turned, a unit quaternion x, y, z, w.
+    const float *rotations;
+    // Three floats for each copy: factors along the axes of the mesh.
+    const float *scales;
+} tree_gltf_instances;
+
+// A column of the caller's own, for one surface of a mesh.
+//
+// Blender 5.0.1 mixes up attributes of one mesh whose names begin with `_` when they differ in their
+// number of components, and then now and then refuses the file: give all the same number there, and
+// write occlusion in another way.
+typedef struct tree_gltf_attribute {
+    // `sizeof(tree_gltf_attribute)`.
+    size_t struct_size;
+    // Number of the surface in the mesh.
+    size_t surface;
+    // Name in the file: `_` and then capital letters, digits and `_`, at most 64 in all.
+    struct tree_str name;
+    // Numbers per vertex, 1 to 4.
+    size_t components;
+    // `components` finite numbers for each vertex.
+    const float *values;
+    // Number of values: `components` times the number of vertices of the surface.
+    size_t n_values;
+} tree_gltf_attribute;
+
+// One level of detail of a glTF file, or all of it.
+typedef struct tree_gltf_level {
+    // `sizeof(tree_gltf_level)`.
+    size_t struct_size;
+    // What is drawn once. May be NULL when there are instances.
+    const struct tree_mesh *mesh;
+    // What is drawn many times.
+    const struct tree_gltf_instances *instances;
+    // Number of `instances`, 0 to 65,536.
+    size_t n_instances;
+    // More columns for the surfaces of `mesh`.
+    const struct tree_gltf_attribute *attributes;
+    // Number of `attributes`, 0 to 65,536.
+    size_t n_attributes;
+    // Share of the screen's height (0 to 1) from which this level is drawn, the finest first. Not used
+    // when there is one level.
+    float coverage;
+} tree_gltf_level;
+
+// Something a reader left out or changed: one of the `TREE_NOTE_` constants.
+typedef uint32_t tree_note;
+
+// How a PLY file is written. Begin with `tree_ply_options_init`.
+typedef struct tree_ply_options {
+    // `sizeof(tree_ply_options)`.
+    size_t struct_size;
+    // Whether numbers are written as text instead of little-endian binary: five times the size, for
+    // people and old programs. Default 0.
+    uint32_t ascii;
+} tree_ply_options;
+
+// Format of a file with a mesh in it: one of the `TREE_MESH_FORMAT_` constants.
+typedef uint32_t tree_mesh_format;
+
+// How files are read. Begin with `tree_import_options_init`.
+typedef struct tree_import_options {
+    // `sizeof(tree_import_options)`.
+    size_t struct_size;
+    // Whether files that the file names (buffers, textures, MTL) are read. Only those within its own
+    // folder and below are: no absolute path, no `..`, no scheme, no link that leads out. Default 0:
+    // textures and materials are left out and noted, missing buffers are an error.
+    uint32_t external;
+    // The file's format. Default `TREE_MESH_FORMAT_BY_NAME`.
+    tree_mesh_format format;
+} tree_import_options;
+
+// What a file held, and what was left out or changed.
+typedef struct tree_import_report {
+    // `sizeof(tree_import_report)`.
+    size_t struct_size;
+    // Nodes of the scene (glTF), objects and groups (OBJ), 1 for PLY.
+    uint64_t n_nodes;
+    // Surfaces made.
+    uint64_t n_surfaces;
+    // Vertices of all surfaces.
+    uint64_t n_vertices;
+    // Triangles of all surfaces.
+    uint64_t n_triangles;
+    // Copies that `EXT_mesh_gpu_instancing` asked for.
+    uint64_t n_instances;
+    // Textures decoded.
+    uint64_t n_textures;
+    // How often each thing was left out or changed, by `TREE_NOTE_` constants; `tree_note_text` says
+    // what they mean.
+    uint64_t notes[TREE_N_NOTES];
+} tree_import_report;
+
+// What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
+// `tree_leaf_names`.
+typedef struct tree_species {
+    // `sizeof(tree_species)`.
+    size_t struct_size;
+    // Name for people and files.
+    struct tree_str name;
+    // Name of the bark.
+    struct tree_str bark;
+    // Names of the leaf kinds.
+    const struct tree_str *leaf_kinds;
+    // Number of leaf kinds.
+    size_t n_leaf_kinds;
+} tree_species;
+
+// How a material treats the alpha of its texture.
+typedef uint32_t tree_alpha;
+
+// What a surface looks like, in glTF's metallic-roughness terms; nothing on a tree is metal. As input
+// (begin with `tree_material_init`), or as a view.
+typedef struct tree_material {
+    // `sizeof(tree_material)`.
+    size_t struct_size;
+    // Name for people and files. As input, empty is `material`.
+    struct tree_str name;
+    // As input: the picture wrapped on the surface, or NULL for none; the material keeps what it needs,
+    // so the handle may be freed. In views always NULL: `has_texture` says whether there is one, and
+    // `tree_mesh_texture` or `tree_look_texture` give a handle of it.
+    const struct tree_texture *texture;
+    // Linear colour (0 or more; files hold up to 1) and alpha (0 to 1), multiplied with the texture.
+    // Default white.
+    float base_color[4];
+    // 0 mirror-like to 1 matt. Default 0.9.
+    float roughness;
+    // How texture alpha is used. Default `TREE_ALPHA_OPAQUE`.
+    tree_alpha alpha;
+    // With `TREE_ALPHA_MASK`: alpha below which pixels are not drawn, 0 to 1. Default 0.5.
+    float alpha_cutoff;
+    // Whether back faces are drawn, with their normals turned over. Default no.
+    uint32_t double_sided;
+    // Share of the light on one face that shines through the other, 0 to 1. Leaves have about 0.4.
+    // Default 0.
+    float translucency;
+    // In views: whether there is a texture. Ignored in input.
+    uint32_t has_texture;
+} tree_material;
+
+// One leaf as a small mesh in its own frame: base at the origin, midrib along +Y with the apex at a
+// height of about 1, upper face towards +Z. Triangles counter-clockwise seen from above. As input, or as
+// a view.
+typedef struct tree_leaf_mesh {
+    // `sizeof(tree_leaf_mesh)`.
+    size_t struct_size;
+    // Number of vertices, at most 65,536.
+    size_t n_vertices;
+    // Number of indices, three for each triangle.
+    size_t n_indices;
+    // Three floats for each vertex: where it is, in lengths of the leaf.
+    const float *positions;
+    // Three floats for each vertex: its unit normal.
+    const float *normals;
+    // Two floats for each vertex: texture coordinates, v downwards.
+    const float *uvs;
+    // Two floats for each vertex, or NULL: where it lies on the leaf's own piece of the light map, 0 to 1
+    // both ways. NULL: above its place in the plane of the leaf, right for leaves that do not overlap
+    // themselves.
+    const float *uvs2;
+    // Three for each triangle: its vertices.
+    const uint32_t *indices;
+} tree_leaf_mesh;
+
+// What a leaf is cut out of. Fold, bend and number of sheets go with every form but `TREE_LEAF_MESH`.
+typedef uint32_t tree_leaf_form;
+
+// What leaves of one kind look like: as input (begin with `tree_leaf_look_init`), or as a view.
+typedef struct tree_leaf_look {
+    // `sizeof(tree_leaf_look)`.
+    size_t struct_size;
+    // Goes on the leaves. Should be double-sided, with an alpha mask where the texture has one. As input,
+    // NULL is the default material. In views always NULL: `tree_look_material` views it.
+    const struct tree_material *material;
+    // With `TREE_LEAF_MESH`: the leaf, which is copied. In views always NULL: `tree_look_leaf_mesh` views
+    // it.
+    const struct tree_leaf_mesh *mesh;
+    // Width of the picture in lengths of the leaf, 0.001 to 1000; 1 is square. Default 1. Unused by
+    // `TREE_LEAF_MESH`, which has its own.
+    float width;
+    // What a leaf is cut out of. Default `TREE_LEAF_CARD`.
+    tree_leaf_form form;
+    // With `TREE_LEAF_OUTLINE` and `TREE_LEAF_MODELLED`: most vertices of the polygon, 4 to 64. Default
+    // 8; a modelled leaf of 12 has up to 20 triangles when folded or bent.
+    uint32_t vertices_max;
+    // Copies of the leaf turned about its midrib, evenly over half a turn, 1 to 8. Two or three make
+    // clusters and needles look full from all sides. Default 1.
+    uint32_t sheets;
+    // Angle in radians by which each half of a leaf stands up along the midrib, 0 to 1.4. Default 0.
+    float fold;
+    // Angle in radians by which the midrib bends down from base to apex, evenly, 0 to π. Default 0.
+    float bend;
+    // Rows of triangles that a bent leaf has at least, 1 to 16. Default 2.
+    uint32_t rows;
+    // Width of petioles in lengths of the leaf, 0 to 0.2: a prism of three sides from the shoot to the
+    // base of the leaf, eight vertices and six triangles a leaf. Default 0, none.
+    float petiole;
+} tree_leaf_look;
+
+// Spots of another colour on bark. Has no `struct_size`: it is a row of an array, and never changes.
+typedef struct tree_bark_patches {
+    // sRGB colour.
+    uint8_t color[3];
+    // Not used.
+    uint8_t reserved;
+    // Waves of the noise that shapes them, across and along, 1 to 256.
+    uint32_t count[2];
+    // Share of the bark they cover, roughly, 0 to 1.
+    float share;
+    // Width of their edges, 0.01 (hard) to 1.
+    float softness;
+    // How much of the colour below they hide, 0 to 1.
+    float opacity;
+    // How rough their surface is, 0 to 1: dark cracks along the trunk.
+    float roughness;
+} tree_bark_patches;
+
+// What bark looks like. One tile of the texture is meant for 0.5 to 1 metre of trunk; counts are per
+// tile and 0 switches a layer off, so do strengths of 0. Begin with `tree_bark_style_init`, or with the
+// style of a built-in bark by `tree_bark_style_of`.
+typedef struct tree_bark_style {
+    // `sizeof(tree_bark_style)`.
+    size_t struct_size;
+    // Where the noise starts: another seed is another piece of the same bark. Default 0.
+    uint64_t seed;
+    // Spots of another colour, drawn in order (lichen, peeling, old bark). Default none.
+    const struct tree_bark_patches *patches;
+    // Number of `patches`, at most 16.
+    size_t n_patches;
+    // How much of `tint` is mixed in at most, 0 to 1. Default 0.3.
+    float tinting;
+    // Plates across and along, 0 to 256. Default none.
+    uint32_t plates[2];
+    // Width of the cracks between plates, in widths of a plate, 0 to 1. Default 0.2.
+    float crack;
+    // How much brightness differs from plate to plate, 0 to 1. Default 0.15.
+    float plate_contrast;
+    // Waves of the noise whose zero lines are furrows, across and along, 0 to 256. Default 8, 2.
+    uint32_t furrows[2];
+    // Width of the furrows, as height of that noise, 0 to 1. Default 0.3.
+    float furrow_width;
+    // Depth of the furrows, 0 to 1. Default 1.
+    float furrow_depth;
+    // How ragged edges are, 0 to 1. Default 0.4.
+    float ragged;
+    // How far points are shifted, in tiles, 0 to 0.5. Default 0.03.
+    float warp;
+    // Strength of the flakes, thin layers with stepped edges, 0 to 1. Default 0.
+    float flakes;
+    // Waves of the finest layer across and along, 0 to 256. Default 24, 12.
+    uint32_t grain[2];
+    // Height of the grain, 0 to 1. Default 0.3.
+    float grain_height;
+    // Rings around the trunk, waves along a tile, 0 to 256. Default 0.
+    uint32_t rings;
+    // Strength of the rings, 0 to 1. Default 0.3.
+    float ring_contrast;
+    // Strength of the baked light, 0 to 3. Default 1.
+    float relief;
+    // Whether there are lenticels, short dark lines across the trunk, as on birch and cherry. Default no.
+    uint32_t has_lenticels;
+    // With `has_lenticels`: places for one, across and along, 1 to 256. Default 5, 34.
+    uint32_t lenticel_count[2];
+    // With `has_lenticels`: share of the places taken, 0 to 1. Default 0.45.
+    float lenticel_share;
+    // With `has_lenticels`: length of the longest, in places, 0.01 to 1. Default 1.
+    float lenticel_length;
+    // With `has_lenticels`: thickness of the thickest, in places, 0.01 to 1. Default 0.45.
+    float lenticel_thickness;
+    // With `has_lenticels`: sRGB colour. Default a dark brown.
+    uint8_t lenticel_color[3];
+    // sRGB colour of the ridges. Default a grey brown.
+    uint8_t ridge[3];
+    // sRGB colour of the depths of cracks and furrows. Default a dark brown.
+    uint8_t furrow[3];
+    // sRGB colour that slow noise mixes in. Default a greenish grey.
+    uint8_t tint[3];
+    // Not used; 0.
+    uint32_t reserved;
+} tree_bark_style;
+
+// How a leaf's mesh came about.
+typedef struct tree_leaf_model_report {
+    // `sizeof(tree_leaf_model_report)`.
+    size_t struct_size;
+    // Whether the picture could not be outlined (no mask, or nothing of it visible) and the leaf is a card
+    // instead.
+    uint32_t fallback;
+    // Whether the margin is modelled, so that no mask is needed.
+    uint32_t opaque;
+    // Share of the picture's pixels that can be seen; 1 without a mask.
+    float visible;
+    // Area of the polygon in the picture as share of the picture; 1 for a card.
+    float drawn;
+    // Area of all triangles together, in squared lengths of the leaf.
+    float area;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_leaf_model_report;
+
+// The shape and colours of a leaf, in lengths of its blade (the petiole joins at the origin, the apex is
+// at 0, 1), and how leaves stand on a twig. Angles in radians, colours in sRGB. Begin with
+// `tree_leaf_shape_init`, or with the shape of a built-in leaf by `tree_leaf_shape_of`.
+typedef struct tree_leaf_shape {
+    // `sizeof(tree_leaf_shape)`.
+    size_t struct_size;
+    // Where mottling and the irregularities of a spray start. Default 0.
+    uint64_t seed;
+    // Right half of the outline from the petiole to the apex, three floats for each point: x (0 to 2), y
+    // (-1 to 2) and sharpness (0 rounded, 1 a corner). Default an ovate leaf.
+    const float *outline;
+    // Number of points of the outline, 2 to 256.
+    size_t n_outline;
+    // Angles of the main veins of the right half with the midrib, 0 to π. The midrib is always there.
+    // Default none.
+    const float *rays;
+    // Number of `rays`, at most 8.
+    size_t n_rays;
+    // Pairs of secondary veins per blade length, 0 to 64. Default 8.
+    float vein_pairs;
+    // Rise of the secondary veins along the main vein per distance from it, 0 to 4. Default 0.8.
+    float vein_slope;
+    // How much lighter veins are, 0 to 1. Default 0.5.
+    float vein_contrast;
+    // Teeth on each half of the margin, 0 to 100. Default 0.
+    uint32_t n_teeth;
+    // How far teeth stand out, in blade lengths, 0 to 0.2. Default 0.
+    float tooth_depth;
+    // Teeth from 0 for waves to 1 for a saw that points to the apex. Default 0.
+    float tooth_sharpness;
+    // Whether each tooth bears three smaller ones. Default no.
+    uint32_t double_teeth;
+    // Length of the petiole, as share of the whole leaf, 0 to 0.8. Default 0.15.
+    float petiole;
+    // Strength of mottling and shading, 0 to 1. Default 0.5.
+    float mottle;
+    // Whether leaves stand on a twig, as the fields that begin with `spray` say (lengths in lengths of
+    // the twig; along it, angles and sizes go evenly from the first value to the last). Default no.
+    uint32_t has_spray;
+    // Leaves on the main twig, 1 to 400; one of them ends it. Default 9.
+    uint32_t spray_leaves;
+    // Whether leaves stand in pairs. Default no.
+    uint32_t spray_opposite;
+    // Share of the twig below the first leaf, 0 to 0.9. Default 0.2.
+    float spray_bare;
+    // Angle of the lowest and the topmost leaf with the twig, 0 to π. Default 1.15, 0.5.
+    float spray_angle[2];
+    // Length of the lowest, a middle and the topmost leaf, 0.01 to 2. Default 0.42, 0.46, 0.4.
+    float spray_size[3];
+    // How irregular angle, size and brightness are, 0 to 1. Default 0.5.
+    float spray_jitter;
+    // How far leaves turn towards the tip of the twig on their way, in leaf lengths, -0.5 to 0.5. Default
+    // 0.08.
+    float spray_bend;
+    // Thickness of the twig at its base, 0.001 to 0.2. Default 0.022.
+    float spray_twig;
+    // Side shoots, 0 to 32; they bear the same leaves, fewer. Default 0.
+    uint32_t spray_shoots;
+    // Angle of the side shoots, 0 to π. Default 0.8.
+    float spray_shoot_angle;
+    // Length of the lowest side shoot, 0.05 to 1. Default 0.5.
+    float spray_shoot_size;
+    // Colour of the blade. Default a mid green.
+    uint8_t base[3];
+    // Colour of the veins.
+    uint8_t vein[3];
+    // Colour of the petiole.
+    uint8_t stalk[3];
+    // What `tree_leaf_shape_autumn` turns the blade to.
+    uint8_t autumn[3];
+    // Colour of the twig of a spray.
+    uint8_t spray_twig_color[3];
+    // Not used; 0.
+    uint8_t reserved;
+} tree_leaf_shape;
+
+// How a picture of a leaf goes on a card.
+typedef struct tree_leaf_card {
+    // `sizeof(tree_leaf_card)`.
+    size_t struct_size;
+    // Width of the card per length from base to apex: `width` of `tree_leaf_look`.
+    float width;
+    // Share of the height, from the base, that is stalk (for a spray: bare twig), 0 to 1.
+    float petiole;
+} tree_leaf_card;
+
+// A picture's name and pixels: as input, or as a view of a `tree_texture`.
+typedef struct tree_texture_pixels {
+    // `sizeof(tree_texture_pixels)`.
+    size_t struct_size;
+    // Name for people and files, without extension.
+    struct tree_str name;
+    // `4 * width * height` bytes: red, green, blue and alpha in sRGB with straight alpha, rows from top
+    // to bottom.
+    const uint8_t *pixels;
+    // Width in pixels, 1 or more.
+    uint32_t width;
+    // Height in pixels, 1 or more.
+    uint32_t height;
+} tree_texture_pixels;
+
 // The host's allocator. Its functions are called from any thread and must not call the library.
 typedef struct tree_allocator {
     // `sizeof(tree_allocator)`.
@@ -154,6 +1838,512 @@ typedef struct tree_allocator {
     // Gives back what `alloc` gave for this size and alignment.
     void (*free)(void *user, void *block, size_t size, size_t align);
 } tree_allocator;
+
+// What a mesh was made of and what was left out.
+typedef struct tree_mesh_report {
+    // `sizeof(tree_mesh_report)`.
+    size_t struct_size;
+    // Vertices of all surfaces.
+    uint64_t n_vertices;
+    // Triangles of all surfaces.
+    uint64_t n_triangles;
+    // Tubes drawn.
+    uint64_t n_tubes;
+    // Axes of which so little comes out of the parent's wood that they are drawn as a point.
+    uint64_t n_stubs;
+    // Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What they
+    // carry is drawn on the axis below.
+    uint64_t skipped_axes;
+    // Laterals whose base was turned or moved because another one has its place.
+    uint64_t moved_axes;
+    // Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
+    // the wood.
+    uint64_t skipped_nodes;
+    // Leaves of size 0, not drawn.
+    uint64_t skipped_leaves;
+    // Number of leaf kinds whose picture could not be outlined as their look asks (it has no mask, or
+    // nothing of it is visible): drawn as cards.
+    uint64_t n_leaf_fallbacks;
+    // Those leaf kinds, or NULL for none. Part of the mesh: valid until it is freed.
+    const uint32_t *leaf_fallbacks;
+} tree_mesh_report;
+
+// How a surface is subdivided. Begin with `tree_subdivide_params_init`.
+typedef struct tree_subdivide_params {
+    // `sizeof(tree_subdivide_params)`.
+    size_t struct_size;
+    // How often each triangle becomes four, 0 to 8. Default 2.
+    uint32_t levels;
+    // Angle between normals in radians above which an edge is a crease, 0 to π. Default 1.
+    float crease;
+    // Rounds in which the limit surface is brought to the old points, 0 (Loop's own, which shrinks) to
+    // 20. Default 1. More is for coarse meshes: where rings stand much closer than they are wide, as at
+    // the joints of a fine mesh, each round overshoots and the surface can fold. Fine meshes shrink
+    // little: 0 or 1 is enough.
+    uint32_t fit;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_subdivide_params;
+
+// How bark is displaced. Lengths in metres. Begin with `tree_displace_params_init`.
+typedef struct tree_displace_params {
+    // `sizeof(tree_displace_params)`.
+    size_t struct_size;
+    // Height of the highest ridges and depth of the deepest furrows, 0 to 10 m; most points move less
+    // than half as far. Default 1 cm.
+    float amplitude;
+    // Wavelength across the branch, 0.1 mm to 100 m. Default 8 cm.
+    float scale;
+    // How many times longer the relief is along the branch, 1 to 20. Default 3.
+    float stretch;
+    // Layers of noise, each of half the wavelength and half the height, 1 to 8. Default 3. The cost grows
+    // with it.
+    uint32_t octaves;
+    // Largest share of the local radius by which a point moves, 0 to 0.5. Default 0.15.
+    float share;
+    // The local radius where the mesh has no branches, 0 to 1000 m. Default 10 cm.
+    float radius;
+    // Whether points on the ground keep their height, so that the tree stands as it stood. Default yes.
+    uint32_t has_ground;
+    // With `has_ground`: points at or below this height keep theirs. Default 1 mm.
+    float ground;
+} tree_displace_params;
+
+// How ambient occlusion is computed. Begin with `tree_occlusion_params_init`.
+typedef struct tree_occlusion_params {
+    // `sizeof(tree_occlusion_params)`.
+    size_t struct_size;
+    // Cells along the longest side of the tree, 4 to 512. Default 64. Cost grows with its third power.
+    uint32_t cells;
+    // Directions that light comes from, 6 to 1024. Default 48. Cost grows with it.
+    uint32_t directions;
+    // Share of the light that a leaf keeps back, 0 to 1. Default 0.5: leaves let light pass, and their
+    // cards are not full.
+    float leaf_opacity;
+    // Light from below the horizon as a share of that from above, 0.01 (dark ground) to 1. Default 0.5:
+    // what looks to the sky counts more than what looks to the ground.
+    float ground;
+} tree_occlusion_params;
+
+// Triangles of one material, in columns: a view of a mesh's surface, or input. Columns that are absent
+// are NULL. Triangles are counter-clockwise seen from outside; texture coordinates have their origin at
+// the top left of the picture, v downwards.
+typedef struct tree_surface {
+    // `sizeof(tree_surface)`.
+    size_t struct_size;
+    // Number of vertices.
+    size_t n_vertices;
+    // Number of indices, three for each triangle.
+    size_t n_indices;
+    // Number of leaves; 0 for bark.
+    size_t n_anchors;
+    // Vertices of each leaf, `n_vertices / n_anchors`; 0 when the surface is not made of leaves. Ignored
+    // in input.
+    size_t vertices_per_leaf;
+    // Three floats for each vertex: where it is, in metres.
+    const float *positions;
+    // Three floats for each vertex: its unit normal.
+    const float *normals;
+    // Two floats for each vertex: texture coordinates. Bark repeats beyond 0 to 1.
+    const float *uvs;
+    // Four floats for each vertex, or NULL: the unit tangent, the direction in which u grows along the
+    // surface, and the sign that makes `sign * cross(normal, tangent)` point against v, up the picture
+    // (as glTF).
+    const float *tangents;
+    // Two floats for each vertex, or NULL: texture coordinates for a light map, within 0 to 1, in which
+    // no two places of the whole mesh overlap.
+    const float *uvs2;
+    // One for each vertex, or NULL: the branch it moves with, an index into the branches that
+    // `tree_mesh_branches` views.
+    const uint32_t *branches;
+    // One for each vertex, or NULL: ambient occlusion, 0 (dark) to 1 (open).
+    const float *occlusion;
+    // One for each vertex, or NULL when no vertex is a copy: the first vertex that stands at the same
+    // point of the closed surface, itself unless it is a copy at a seam of the texture.
+    const uint32_t *welds;
+    // Three floats for each leaf, or NULL when there are none: where it is attached. All leaves have the
+    // same number of vertices and lie one after the other.
+    const float *anchors;
+    // Three for each triangle: its vertices.
+    const uint32_t *indices;
+    // The material, an index into the mesh's materials.
+    uint32_t material;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_surface;
+
+// What `tree_mesh_examine` found. Vertices that are copies of one point, for a seam of the texture, count
+// as one. Lengths in metres.
+typedef struct tree_topology {
+    // `sizeof(tree_topology)`.
+    size_t struct_size;
+    // Points that triangles use; copies at seams count once.
+    uint64_t n_points;
+    // Edges between points.
+    uint64_t n_edges;
+    // Triangles of three different points.
+    uint64_t n_triangles;
+    // Triangles with two corners at one point. They have no area and are not counted elsewhere.
+    uint64_t collapsed_triangles;
+    // Edges of one triangle only: holes.
+    uint64_t boundary_edges;
+    // Edges of more than two triangles.
+    uint64_t non_manifold_edges;
+    // Edges of two triangles that run along them in the same direction: one faces inwards.
+    uint64_t misoriented_edges;
+    // Points whose triangles form more than one fan.
+    uint64_t non_manifold_points;
+    // Vertices that do not stand exactly where the vertex they are welded to stands: cracks.
+    uint64_t cracks;
+    // Pieces that share no point.
+    uint64_t components;
+    // Triangles with less area than `TREE_FLAT_SHARE` allows.
+    uint64_t flat_triangles;
+    // Euler characteristic, points − edges + triangles: 2 for each closed piece without handles.
+    int64_t euler;
+    // Enclosed volume in m³; of a closed surface only. Negative when its triangles face inwards.
+    double volume;
+    // Area in m².
+    double area;
+    // Area of the smallest triangle in m²; infinite without triangles.
+    double smallest_area;
+    // Smallest angle of any triangle in radians, up to π/3; infinite without triangles.
+    double smallest_angle;
+    // Whether this is a closed, consistently oriented 2-manifold, of any number of pieces.
+    uint32_t is_closed;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_topology;
+
+// A view of crossings. Pairs are two triangle numbers each, the lower one first, sorted.
+typedef struct tree_crossing_pairs {
+    // `sizeof(tree_crossing_pairs)`.
+    size_t struct_size;
+    // Number of `pairs`.
+    size_t n_pairs;
+    // Number of `pairs_at_points`.
+    size_t n_pairs_at_points;
+    // Triangles that share no point of the surface and yet have a place in common; NULL for none.
+    const uint32_t *pairs;
+    // Triangles that share one point of the surface and have another place in common; NULL for none.
+    const uint32_t *pairs_at_points;
+    // Different triangles in either list.
+    uint64_t n_triangles;
+} tree_crossing_pairs;
+
+// How much there is of a mesh.
+typedef struct tree_mesh_totals {
+    // `sizeof(tree_mesh_totals)`.
+    size_t struct_size;
+    // Number of surfaces.
+    uint64_t n_surfaces;
+    // Number of materials.
+    uint64_t n_materials;
+    // Number of branches that move in the wind.
+    uint64_t n_branches;
+    // Vertices of all surfaces.
+    uint64_t n_vertices;
+    // Triangles of all surfaces.
+    uint64_t n_triangles;
+} tree_mesh_totals;
+
+// A box and a ball around vertices, in metres. All 0 when there are no vertices.
+typedef struct tree_bounds {
+    // `sizeof(tree_bounds)`.
+    size_t struct_size;
+    // Lower corner of the box.
+    float min[3];
+    // Upper corner of the box.
+    float max[3];
+    // Centre of a ball that holds every vertex: the middle of the box.
+    float center[3];
+    // Its radius, at most √3 times that of the smallest such ball.
+    float radius;
+} tree_bounds;
+
+// Makes edges dearer or cheaper inside a volume. Begin with `tree_paint_init`.
+typedef struct tree_paint {
+    // `sizeof(tree_paint)`.
+    size_t struct_size;
+    // Where: edges whose middle lies inside. No default: NULL, which is refused.
+    const struct tree_volume *volume;
+    // Their cost is multiplied by this, 0 to 1000. Below 1 attracts branches, above 1 repels them.
+    // Default 1, which changes nothing.
+    float factor;
+} tree_paint;
+
+// A cost factor for a point in space, three floats in metres: finite and 0 or more, or the call fails
+// with `TREE_ERROR_PARAMETER`. Called from any thread, by several at once; must not unwind. For the same
+// tree each time it must give the same answer to the same point.
+typedef float (*tree_cost_fn)(void *user, const float *point);
+
+// How nodes are linked and what edges cost. Begin with `tree_link_params_init`.
+typedef struct tree_link_params {
+    // `sizeof(tree_link_params)`.
+    size_t struct_size;
+    // Painted edge costs; where several overlap, they multiply. Default NULL.
+    const struct tree_paint *paints;
+    // Number of paints, at most 65,536.
+    size_t n_paints;
+    // A cost factor for every point, multiplied with the paints. Default NULL.
+    tree_cost_fn cost;
+    // Handed to `cost`.
+    void *cost_user;
+    // What no edge may pass through. Default NULL.
+    const struct tree_volume *obstacle;
+    // Distance to keep from the obstacle in metres, 0 or more. Default 0.
+    float clearance;
+    // Linking distance in separations, 1.2 to 4. Default 2. More links make straighter paths and cost
+    // time and memory with the third power; under 1.6 graphs fall apart.
+    float reach;
+    // An edge costs its length times a random weight from `low` to 1; 0.01 to 1. Default 0.25.
+    float low;
+    // Weights are `low + (1 - low) * u^bias` with u uniform in 0 to 1; 0.1 to 10. Default 1.
+    float bias;
+} tree_link_params;
+
+// One direction of an edge.
+typedef struct tree_graph_arc {
+    // The node it leads to.
+    uint32_t to;
+    // What it costs, 0 or more.
+    float cost;
+} tree_graph_arc;
+
+// A view of a graph, as compressed rows: the arcs that leave node `i` are `arcs[starts[i]]` up to, but
+// not including, `arcs[starts[i + 1]]`.
+typedef struct tree_graph_columns {
+    // `sizeof(tree_graph_columns)`.
+    size_t struct_size;
+    // Number of nodes.
+    size_t n_nodes;
+    // Three floats for each node, in metres.
+    const float *positions;
+    // `n_nodes + 1` numbers.
+    const uint32_t *starts;
+    // Number of arcs: two for each edge.
+    size_t n_arcs;
+    // The arcs, node by node.
+    const struct tree_graph_arc *arcs;
+} tree_graph_columns;
+
+// Where random endpoints may lie: one of the `TREE_PATH_PLACING_` constants.
+typedef uint32_t tree_path_placing;
+
+// Shape of a subgraph, pointing along its axis from its root: one of the `TREE_PATH_SHAPE_` constants.
+typedef uint32_t tree_path_shape;
+
+// Which way the subgraphs of a level point, before the turn: one of the `TREE_PATH_AXIS_` constants.
+typedef uint32_t tree_path_axis;
+
+// Subgraphs grown round the endpoints of the level before. Begin with `tree_path_level_init`.
+typedef struct tree_path_level {
+    // `sizeof(tree_path_level)`.
+    size_t struct_size;
+    // Custom: any volume, drawn for a root at the origin, axis +Y and radius 1. Default NULL.
+    const struct tree_volume *custom;
+    // Endpoints in each subgraph, 1 to 10,000. Default 4.
+    uint32_t branching;
+    // Shape of the subgraphs. Default `TREE_PATH_SHAPE_SECTOR`.
+    tree_path_shape shape;
+    // Sector: angle from the axis in radians, 0.05 to pi (the whole ball). Default 0.3 pi.
+    float angle;
+    // Cones: base radius as a share of the height, 0.05 to 5. No default: 0, which is refused.
+    float width;
+    // Nodes of each subgraph, 8 to `tree_limits.graph_nodes`. Default 110.
+    uint32_t graph_nodes;
+    // Which way subgraphs point. Default `TREE_PATH_AXIS_OUTWARD`.
+    tree_path_axis axis;
+    // Fixed axis: its direction, of any length but 0. Default 0, 0, 0, which is refused.
+    float direction[3];
+    // Turn of the axis about the horizontal in radians, -pi to pi: positive bends branches down,
+    // negative up. Default 0.
+    float turn;
+    // Radius of the subgraphs in metres. Default 0: the one that follows from `size` and `shrink` of the
+    // `tree_path_params`.
+    float size;
+    // Where endpoints may lie. Default `TREE_PATH_PLACING_VOLUME`.
+    tree_path_placing placing;
+    // Whether subgraphs grow round the endpoints of all levels before, not only the last. Default 0.
+    uint32_t from_all_levels;
+} tree_path_level;
+
+// How many levels a branch goes on for: one of the `TREE_PATH_LIFESPAN_` constants.
+typedef uint32_t tree_path_lifespan;
+
+// Everything that shapes a tree of least-cost paths. Lengths in metres, angles in radians. Begin with
+// `tree_path_params_init`, which makes it an oak, or with `tree_path_preset`. What the structs of presets
+// point at belongs to the library, lives for ever and is not to be written: to alter levels, copy them
+// to an array of your own and point at that.
+typedef struct tree_path_params {
+    // `sizeof(tree_path_params)`.
+    size_t struct_size;
+    // The volume of level 1: trunk and crown, or root ball; bounded. It decides the shape of the tree
+    // more than all else. Oak: a trunk of 3 m under a round crown, 10.4 m high.
+    const struct tree_volume *volume;
+    // Where all paths end; inside `volume` or within linking distance. Oak: the origin.
+    float root[3];
+    // Nodes of the level 1 graph, 8 to `tree_limits.graph_nodes`; the graph has this many within about a
+    // tenth. More make branches finer and cost time in proportion. Oak: 5000.
+    uint32_t graph_nodes;
+    // Endpoints of level 1 drawn at random, at most 10,000. Oak: 24.
+    uint32_t endpoints_random;
+    // Where random endpoints may lie. Oak: `TREE_PATH_PLACING_VOLUME`.
+    tree_path_placing endpoints_placing;
+    // Candidates drawn for each random endpoint, of which the one farthest from all others is taken, 1
+    // to 64. More spread the branches evenly and cost time with the square of `endpoints_random`. Oak: 4.
+    uint32_t endpoints_candidates;
+    // Random endpoints lie above this share of the volume's height, 0 to 0.95; keeps main branches off
+    // the trunk. Oak: 0.25.
+    float endpoints_above;
+    // Endpoints placed by hand, three floats each. Oak: NULL.
+    const float *placed;
+    // Number of endpoints placed by hand.
+    size_t n_placed;
+    // Radius of the subgraphs of level 2 in metres, above 0. Oak: 2.2.
+    float size;
+    // Ratio of the subgraph radii of successive levels, 0.05 to 2. Oak: 0.62.
+    float shrink;
+    // Levels 2 and on. Oak: three.
+    const struct tree_path_level *levels;
+    // Number of those levels, at most 16.
+    size_t n_levels;
+    // How long branches live. Oak: `TREE_PATH_LIFESPAN_FULL`.
+    tree_path_lifespan lifespan;
+    // Random lifespan: chance to end at each level, 0 to 1; the authors use 0.3. Oak: 0.
+    float lifespan_stop;
+    // Linking distance in separations, 1.2 to 4. Oak: 2. More links make straighter paths and cost time
+    // and memory with the third power; under 1.6 graphs fall apart.
+    float linking_reach;
+    // An edge costs its length times a random weight from this to 1; 0.01 to 1. Low values make crooked
+    // branches that run together, 1 makes straight ones. Oak: 0.2.
+    float linking_low;
+    // Weights are `low + (1 - low) * u^bias` with u uniform in 0 to 1; 0.1 to 10. Above 1 cheap edges
+    // are many, below 1 few. Oak: 1.
+    float linking_bias;
+    // Smoothing passes over the branches, 0 to 50; each takes away some of the zigzag from node to node.
+    // Oak: 3.
+    uint32_t smoothing;
+    // Painted edge costs; where several overlap, they multiply. Oak: NULL.
+    const struct tree_paint *paints;
+    // Number of paints, at most 65,536.
+    size_t n_paints;
+    // A cost factor for every point, multiplied with the paints. Oak: NULL.
+    tree_cost_fn cost;
+    // Handed to `cost`.
+    void *cost_user;
+    // What no path may enter. Oak: NULL.
+    const struct tree_volume *obstacle;
+    // How thick branches are; NULL for the defaults of `tree_radius_rule_init`. Oak: the pipe model,
+    // scaled to its trunk.
+    const struct tree_radius_rule *radii;
+    // Leaves; NULL for none. Oak: clusters of oak leaves.
+    const struct tree_leaf_params *leaves;
+    // Names of species, bark and leaves; NULL for an oak's. With leaves it must have the kind that they
+    // name.
+    const struct tree_species *species;
+    // A root system, grown by the same method from the same root. Its own `root` and `leaves` are
+    // ignored; its own `roots` must be NULL. Oak: NULL.
+    const struct tree_path_params *roots;
+    // Distance to keep from the obstacle in metres, 0 or more. Oak: 0.
+    float clearance;
+} tree_path_params;
+
+// What one level took, and what it left out.
+typedef struct tree_path_level_report {
+    // Graphs searched.
+    uint64_t graphs;
+    // Nodes in them.
+    uint64_t graph_nodes;
+    // Arcs in them: two for each edge.
+    uint64_t graph_arcs;
+    // Nodes no path led to.
+    uint64_t stray_nodes;
+    // Graphs that fell apart at the linking distance asked for and were linked again with a longer one.
+    uint64_t widened;
+    // Bytes of the largest single graph.
+    uint64_t largest_bytes;
+    // Endpoints reached.
+    uint64_t endpoints;
+    // Random endpoints asked for that the graphs had no nodes for.
+    uint64_t missing;
+    // Endpoints of the levels before from which nothing grew, because an obstacle left no room or a
+    // narrow subgraph did not hang together.
+    uint64_t stunted;
+    // Endpoints of the level before whose lifespan had ended.
+    uint64_t ended;
+} tree_path_level_report;
+
+// What growing a tree took, and what it left out.
+typedef struct tree_path_report {
+    // `sizeof(tree_path_report)`.
+    size_t struct_size;
+    // All levels together, roots included.
+    struct tree_path_level_report total;
+    // Number of levels of the tree.
+    uint64_t n_levels;
+    // Number of levels of its root system.
+    uint64_t n_root_levels;
+    // A row for each level of the tree, the first for the base volume.
+    struct tree_path_level_report levels[TREE_PATH_REPORT_LEVELS];
+    // A row for each level of its root system.
+    struct tree_path_level_report root_levels[TREE_PATH_REPORT_LEVELS];
+} tree_path_report;
+
+// Which nodes are strewn. Begin with `tree_strew_params_init`.
+typedef struct tree_strew_params {
+    // `sizeof(tree_strew_params)`.
+    size_t struct_size;
+    // Where there are no nodes. Default NULL.
+    const struct tree_volume *obstacle;
+    // Points that become nodes wherever they lie, three floats each. Default NULL.
+    const float *forced;
+    // Number of those points.
+    size_t n_forced;
+    // Distance to keep from the obstacle in metres, 0 or more. Default 0.
+    float clearance;
+    // Nodes wanted, at most `tree_limits.graph_nodes`; there will be this many within about a tenth, and
+    // up to 2.8 times as many in a volume thinner than their distance. Default 5000, as for an oak.
+    uint32_t n_nodes;
+} tree_strew_params;
+
+// A view of strewn nodes.
+typedef struct tree_graph_nodes_columns {
+    // `sizeof(tree_graph_nodes_columns)`.
+    size_t struct_size;
+    // Number of nodes.
+    size_t n_nodes;
+    // Three floats for each node, in metres.
+    const float *positions;
+    // Number of forced points.
+    size_t n_forced;
+    // For each forced point its node.
+    const uint32_t *forced;
+    // No two nodes are closer than this, in metres; forced ones may be.
+    float separation;
+} tree_graph_nodes_columns;
+
+// How a drawing becomes a profile. Begin with `tree_profile_options_init`.
+typedef struct tree_profile_options {
+    // `sizeof(tree_profile_options)`.
+    size_t struct_size;
+    // Height of the tree in metres, 0.01 to 10,000. Default 10.
+    float height;
+    // Factor on all radii, 0.01 to 100. Default 1.
+    float widen;
+} tree_profile_options;
+
+// A view of a profile.
+typedef struct tree_profile_columns {
+    // `sizeof(tree_profile_columns)`.
+    size_t struct_size;
+    // Number of points.
+    size_t n_points;
+    // Two floats for each point, in metres: radius and height. `tree_volume_revolution` takes them.
+    const float *points;
+    // Whether it was taken from a closed outline: 1 or 0.
+    uint32_t from_outline;
+} tree_profile_columns;
 
 // What the host runs on one of its threads: `run(worker)`, once. It returns when the pool is freed.
 typedef void (*tree_worker_fn)(void *worker);
@@ -177,6 +2367,114 @@ typedef struct tree_pool_options {
     void *user;
 } tree_pool_options;
 
+// A view of a mask.
+typedef struct tree_mask_columns {
+    // `sizeof(tree_mask_columns)`.
+    size_t struct_size;
+    // Width in pixels.
+    uint32_t width;
+    // Height in pixels.
+    uint32_t height;
+    // One byte for each pixel, rows from top to bottom: 0 is empty, 255 is full.
+    const uint8_t *coverage;
+    // Number of pixels: `width * height`.
+    size_t n_pixels;
+    // Covered area in pixels.
+    double area;
+} tree_mask_columns;
+
+// A view of a picture's pixels.
+typedef struct tree_pixels {
+    // `sizeof(tree_pixels)`.
+    size_t struct_size;
+    // Width in pixels.
+    uint32_t width;
+    // Height in pixels.
+    uint32_t height;
+    // Four bytes for each pixel (red, green, blue, alpha), rows from top to bottom.
+    const uint8_t *pixels;
+    // Number of bytes: `4 * width * height`.
+    size_t n_bytes;
+} tree_pixels;
+
+// How a camera is placed: one of the `TREE_CAMERA_` constants.
+typedef uint32_t tree_camera;
+
+// How a camera projects: one of the `TREE_LENS_` constants.
+typedef uint32_t tree_lens;
+
+// Size, quality and camera of a picture. Begin with `tree_view_init`.
+typedef struct tree_view {
+    // `sizeof(tree_view)`.
+    size_t struct_size;
+    // Width in pixels, 1 to 16,384. Default 1024.
+    uint32_t width;
+    // Height in pixels, 1 to 16,384. Default 1024.
+    uint32_t height;
+    // Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
+    uint32_t samples;
+    // How the camera is placed. Default `TREE_CAMERA_FRAMED`.
+    tree_camera camera;
+    // How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
+    tree_lens lens;
+    // Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
+    float fov;
+    // Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
+    // quarter turn on +X. Finite; default 0.6.
+    float yaw;
+    // Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
+    // Default 0.09.
+    float pitch;
+    // Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
+    float margin;
+    // Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
+    float lens_height;
+    // Placed: where the camera stands, in metres. Default 0, 0, 0.
+    float eye[3];
+    // Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
+    float target[3];
+    // Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
+    float up[3];
+} tree_view;
+
+// What is behind the mesh, and the light that comes from there: one of the `TREE_BACKDROP_` constants.
+typedef uint32_t tree_backdrop;
+
+// Light, ground and backdrop of a picture. Begin with `tree_style_init`, a clear day on grass, or
+// `tree_style_studio`.
+typedef struct tree_style {
+    // `sizeof(tree_style)`.
+    size_t struct_size;
+    // Where the sun stands around the trunk, in radians, as `yaw` of a view: 0 on +Z, a quarter turn on
+    // +X. Finite; default -0.35.
+    float sun_yaw;
+    // Height of the sun over the horizon in radians, 0.05 to pi/2. Default 0.85.
+    float sun_pitch;
+    // Strength of the sun, 0 (none) to 100. Default 2.3.
+    float sun;
+    // Strength of the sky, 0 (none) to 100. Default 1.
+    float sky;
+    // What the light is multiplied with before the tone curve, 0.01 to 100. Default 1.
+    float exposure;
+    // Sharpness of the sun's shadows: about this many texels squared, 16 to 8192. Cost grows with the
+    // square. Default 2048.
+    uint32_t sun_map_px;
+    // From how many directions sky light is taken, 0 (unhindered everywhere) to 64. More gives smoother
+    // shade at a cost of one pass over all triangles each. Default 12.
+    uint32_t sky_directions;
+    // Sharpness of the sky's shade: texels squared per direction, 16 to 2048. Default 256.
+    uint32_t sky_map_px;
+    // What is behind the mesh. Default `TREE_BACKDROP_SKY`.
+    tree_backdrop backdrop;
+    // Whether there is an endless ground; without, roots stay visible. Default 1.
+    uint32_t has_ground;
+    // Height of the ground in metres, -1e6 to 1e6. Default 0, the base of the tree.
+    float ground;
+    // Linear colour of the ground, 0 to 1 each; varied a little over the ground under
+    // `TREE_BACKDROP_SKY`. Default 0.075, 0.098, 0.032.
+    float ground_color[3];
+} tree_style;
+
 // A skeleton's columns: as input, or as a view of a `tree_skeleton`.
 typedef struct tree_skeleton_columns {
     // `sizeof(tree_skeleton_columns)`.
@@ -190,6 +2488,128 @@ typedef struct tree_skeleton_columns {
     // One for each node: the node it stands on, or `TREE_NO_PARENT` for the root.
     const uint32_t *parents;
 } tree_skeleton_columns;
+
+// The axes in columns. Parent axes come first; axis 0 is the trunk.
+typedef struct tree_axis_columns {
+    // `sizeof(tree_axis_columns)`.
+    size_t struct_size;
+    // Number of axes, at least 1.
+    size_t n_axes;
+    // Number of nodes of the skeleton.
+    size_t n_nodes;
+    // One for each axis: its order after Gravelius, 0 for the trunk, one more than the parent axis for
+    // a lateral.
+    const uint32_t *orders;
+    // One more than there are axes: the nodes of axis `i` are `nodes[starts[i]]` up to, but not
+    // including, `nodes[starts[i + 1]]`.
+    const uint32_t *starts;
+    // `n_nodes` numbers: the nodes, axis after axis, each from base to tip. A lateral's first node is
+    // the first one above the fork; the fork itself belongs to the parent axis.
+    const uint32_t *nodes;
+    // One for each node: the axis it lies on.
+    const uint32_t *axis_of;
+} tree_axis_columns;
+
+// Which axis of an SWC file points up: one of the `TREE_SWC_UP_` constants.
+typedef uint32_t tree_swc_up;
+
+// What becomes of radii that an SWC file does not know: one of the `TREE_SWC_RADIUS_` constants.
+typedef uint32_t tree_swc_radius;
+
+// How an SWC file relates to this library. Begin with `tree_swc_options_init`.
+typedef struct tree_swc_options {
+    // `sizeof(tree_swc_options)`.
+    size_t struct_size;
+    // Metres per unit of the file, for positions and radii; 1e-9 to 1e9. Default 1.
+    double scale;
+    // The file's upward axis. Default `TREE_SWC_UP_Z`.
+    tree_swc_up up;
+    // Whether reading moves the root to the origin. Default 1. The move is made in double precision, so
+    // that coordinates of a map grid lose nothing. Not used in writing.
+    uint32_t base_at_origin;
+    // What becomes of radii that the file does not know. Default `TREE_SWC_RADIUS_KEEP`. Not used in
+    // writing.
+    tree_swc_radius unknown_radius;
+    // Must be 0.
+    uint32_t reserved;
+} tree_swc_options;
+
+// What an SWC file held beside the skeleton, and what was noted while reading.
+typedef struct tree_swc_contents {
+    // `sizeof(tree_swc_contents)`.
+    size_t struct_size;
+    // Number of nodes.
+    size_t n_nodes;
+    // One for each node: its type as in the file; 3 continues its parent's axis, 4 starts a lateral.
+    const int32_t *types;
+    // One for each node: its id as in the file.
+    const int64_t *ids;
+    // All comments without their `#`, a line each.
+    struct tree_str comments;
+    // Rows without a known radius.
+    uint64_t n_unknown_radii;
+    // How many of these `unknown_radius` gave a radius.
+    uint64_t n_filled_radii;
+    // Rows with more than seven fields; the further ones were passed over.
+    uint64_t n_rows_with_more_fields;
+    // 1 if rows came before their parents, so that nodes have another order than rows; else 0.
+    uint32_t reordered;
+    // 0.
+    uint32_t reserved;
+    // What was added to every position to bring the root to the origin, in metres and this library's
+    // axes; zeros if nothing was moved.
+    double moved_by[3];
+} tree_swc_contents;
+
+// How a mesh of a tree is read. Everything is relative, so the unit of the mesh does not matter. Begin
+// with `tree_skeletonize_params_init`.
+typedef struct tree_skeletonize_params {
+    // `sizeof(tree_skeletonize_params)`.
+    size_t struct_size;
+    // Vertices nearer than a quarter of this share of the mesh's size are one, 1e-7 to 0.01. Default
+    // 1e-5. Larger closes cracks and may melt twigs.
+    float weld;
+    // Least distance between nodes in bent wood, in halves of the radius, 0.1 to 20. Default 1. Straight
+    // wood gets fewer nodes, up to ten radii apart.
+    float spacing;
+    // How far a node may lie off the measured centre line, in radii, 0 to 0.5. Default 0.08.
+    float tolerance;
+    // Side shoots that stand out of their parent by less than this share of its radius, and by less than
+    // their own radius, are bumps of the bark, 0 to 2. Default 0.25.
+    float prune;
+    // Widest gap between separate pieces of wood that is bridged, as a share of the mesh's size, 0 to 1.
+    // Default 0.05. Wood farther away is left out and reported.
+    float bridge;
+    // Whether leaves are made. Default 1.
+    uint32_t leaves;
+} tree_skeletonize_params;
+
+// What a part of a mesh is made of, as far as the caller knows: one of the `TREE_HINT_` constants.
+typedef uint32_t tree_hint;
+
+// Triangles of one material. Any unit of length; +Y up. Begin with `tree_mesh_part_init`.
+typedef struct tree_mesh_part {
+    // `sizeof(tree_mesh_part)`.
+    size_t struct_size;
+    // Name of the material or object. It names the leaf kind, and may tell wood from leaves.
+    struct tree_str name;
+    // Three floats for each vertex, finite.
+    const float *positions;
+    // Two floats for each vertex: texture coordinates, v downwards. NULL for none.
+    const float *uvs;
+    // Number of vertices.
+    size_t n_vertices;
+    // Three for each triangle.
+    const uint32_t *indices;
+    // Number of indices, a multiple of 3.
+    size_t n_indices;
+    // What it is made of. Default `TREE_HINT_AUTO`.
+    tree_hint hint;
+    // Whether its texture has holes. Default 0.
+    uint32_t alpha_masked;
+    // Whether both faces are drawn. Default 0.
+    uint32_t double_sided;
+} tree_mesh_part;
 
 // Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
 typedef struct tree_foliage {
@@ -210,33 +2630,175 @@ typedef struct tree_foliage {
     const uint16_t *kinds;
 } tree_foliage;
 
-// A text in UTF-8. As input, `len` may be `TREE_NUL_TERMINATED` and `data` NULL for an empty text. As
-// output it is borrowed, and no NUL byte need follow it.
-typedef struct tree_str {
-    // The first byte.
-    const char *data;
-    // Number of bytes.
-    size_t len;
-} tree_str;
-
-// What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
-// `tree_leaf_names`.
-typedef struct tree_species {
-    // `sizeof(tree_species)`.
+// A view of the kinds of leaves that were found.
+typedef struct tree_leaf_kinds {
+    // `sizeof(tree_leaf_kinds)`.
     size_t struct_size;
-    // Name for people and files.
-    struct tree_str name;
-    // Name of the bark.
-    struct tree_str bark;
-    // Names of the leaf kinds.
-    const struct tree_str *leaf_kinds;
+    // Number of kinds.
+    size_t n_kinds;
+    // Names of the kinds: those of the parts they come from.
+    const struct tree_str *names;
+    // Mean width of each kind as a share of its length.
+    const float *widths;
+} tree_leaf_kinds;
+
+// What one piece of wood stands for.
+typedef struct tree_piece {
+    // Area of its surface.
+    float area;
+    // Bumps of the bark dropped.
+    uint32_t n_bumps;
+    // Branches cut where they had grown together.
+    uint32_t n_cut;
+} tree_piece;
+
+// What a component of a mesh is: one of the `TREE_CLASS_` constants.
+typedef uint32_t tree_class;
+
+// A view of a separation. The triangles of component `i` are rows `starts[i]` up to, but not including,
+// `starts[i + 1]`.
+typedef struct tree_separation_columns {
+    // `sizeof(tree_separation_columns)`.
+    size_t struct_size;
+    // Number of components; each lies within one part.
+    size_t n_components;
+    // For each component what it is taken for.
+    const tree_class *classes;
+    // `n_components + 1` numbers.
+    const uint64_t *starts;
+    // Number of triangles: all that have an area, once.
+    size_t n_triangles;
+    // Two numbers for each triangle: its part, and which triangle of that part it is.
+    const uint32_t *triangles;
+} tree_separation_columns;
+
+// What was found in a mesh.
+typedef struct tree_skeletonize_report {
+    // `sizeof(tree_skeletonize_report)`.
+    size_t struct_size;
+    // Triangles of all parts.
+    uint64_t n_triangles;
+    // Triangles without area after welding, and second ones at one place in a part.
+    uint64_t n_degenerate;
+    // Triangles of wood.
+    uint64_t n_wood_triangles;
+    // Connected pieces of wood.
+    uint64_t n_pieces;
+    // Pieces of wood too far from all others, left out.
+    uint64_t n_left_out;
+    // Bumps of the bark dropped.
+    uint64_t n_bumps;
+    // Branches cut where they had grown together.
+    uint64_t n_cut;
+    // Leaves made.
+    uint64_t n_leaves;
+    // Closed bodies of leaves, for which nothing was made.
+    uint64_t n_blobs;
     // Number of leaf kinds.
-    size_t n_leaf_kinds;
-} tree_species;
+    uint64_t n_leaf_kinds;
+    // Mean width of each leaf kind as a share of its length: of the first
+    // `TREE_SKELETONIZE_LEAF_WIDTHS` kinds; `tree_found_leaves_view` has them all.
+    float leaf_widths[TREE_SKELETONIZE_LEAF_WIDTHS];
+    // Share of the wood's surface that the skeleton stands for, 0 to 1.
+    float covered;
+} tree_skeletonize_report;
+
+// What kind of solid a volume is: one of the `TREE_SOLID_` constants.
+typedef uint32_t tree_solid_kind;
+
+// A view of what a volume is made of. What its kind does not use is 0 or NULL.
+typedef struct tree_solid {
+    // `sizeof(tree_solid)`.
+    size_t struct_size;
+    // Columns of points: a profile's distance and height, two floats each; a mesh's positions, three
+    // floats each.
+    const float *points;
+    // Number of points.
+    size_t n_points;
+    // Three for each triangle of a mesh.
+    const uint32_t *indices;
+    // Number of triangles.
+    size_t n_triangles;
+    // Number of parts of a combination: 2 for a difference, 1 for a transformed volume. See
+    // `tree_volume_part`.
+    size_t n_parts;
+    // Which solid it is.
+    tree_solid_kind kind;
+    // Centre, base, start, lower corner, point on the plane or apex.
+    float a[3];
+    // Top, end, upper corner, radii of an ellipsoid, normal, or the axis of a sector or revolution.
+    float b[3];
+    // Radius; that at the base of a frustum.
+    float radius;
+    // Radius at the top of a frustum.
+    float top_radius;
+    // Angle of a sector, in radians.
+    float angle;
+    // Map of a transformed volume, column by column as for `tree_volume_transformed`.
+    float columns[12];
+} tree_solid;
 
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
+
+// Murray's angles, at which a vessel of radius `r0` parts into `r1` and `r2` with the least volume:
+// between the branch below and the first branch, then the second, in radians. Radii are above 0, and
+// `r0` is from √|r1² - r2²| to √(r1² + r2²): elsewhere no such fork is.
+tree_status tree_murray_angles(float r0,
+                               float r1,
+                               float r2,
+                               float (*angles)[2]);
+
+// Murray's angles where the branch below follows the pipe model with `exponent`, 2 to 10; exact for
+// twigs however thin. `r1` and `r2` are above 0. Otherwise as `tree_murray_angles`.
+tree_status tree_pipe_angles(float exponent, float r1, float r2, float (*angles)[2]);
+
+// Holton's angles: the more strands a branch has, the less it turns. `s1` and `s2` are the strands of
+// the two branches, not both 0; `sum` is the angle between them in radians, 0 to 2π. Otherwise as
+// `tree_murray_angles`.
+tree_status tree_strand_angles(uint64_t s1,
+                               uint64_t s2,
+                               float sum,
+                               float (*angles)[2]);
+
+// The radius of every node by a rule, in metres: `radii` has room for `capacity` floats, at least one
+// for each node. `rule` may be NULL for the default. The radii that are there do not matter.
+tree_status tree_skeleton_radii(const struct tree_skeleton *skeleton,
+                                const struct tree_radius_rule *rule,
+                                float *radii,
+                                size_t capacity);
+
+// A new skeleton with the radii that a rule gives, see `tree_skeleton_radii`. For radii of your own
+// there is `tree_skeleton_with_radii`. Free it with `tree_skeleton_free`.
+tree_status tree_skeleton_by_rule(const struct tree_skeleton *skeleton,
+                                  const struct tree_radius_rule *rule,
+                                  struct tree_skeleton **changed);
+
+// The radius of every node by distance to the tip, in metres, with levels of your own in place of the
+// axes' orders: `levels` has `n_levels` numbers, one for each node, 0 for the trunk. Of `rule`, which
+// may be NULL for the default, the fields by distance to the tip count, whatever its kind is. `radii`
+// has room for `capacity` floats, at least one for each node.
+tree_status tree_skeleton_radii_at_levels(const struct tree_skeleton *skeleton,
+                                          const uint32_t *levels,
+                                          size_t n_levels,
+                                          const struct tree_radius_rule *rule,
+                                          float *radii,
+                                          size_t capacity);
+
+// The number of strands through every node; at every fork the children's numbers add up to the
+// parent's. Of `rule`, which may be NULL for the default, the fields of strands count, whatever its kind
+// is. `strands` has room for `capacity` numbers, at least one for each node.
+tree_status tree_skeleton_strands(const struct tree_skeleton *skeleton,
+                                  const struct tree_radius_rule *rule,
+                                  uint64_t *strands,
+                                  size_t capacity);
+
+// Whether all fields of a rule are in order: `TREE_OK`, or the error that its use would give.
+tree_status tree_radius_rule_check(const struct tree_radius_rule *rule);
+
+// Makes `rule`, of `size` bytes, the default.
+tree_status tree_radius_rule_init(struct tree_radius_rule *rule, size_t size);
 
 // What went wrong in this thread's last call that failed, in UTF-8 and with a NUL at the end: what was
 // wrong, where, and what would be right. Empty before any call failed. Never NULL; valid until the next
@@ -274,11 +2836,631 @@ tree_status tree_cancel_set(const struct tree_cancel *cancel);
 // Ends a switch. Calls it was given to may still run.
 tree_status tree_cancel_free(struct tree_cancel *cancel);
 
+// What a branch of a mesh does in the wind. Set `motion->struct_size` first.
+tree_status tree_mesh_branch_motion(const struct tree_mesh *mesh,
+                                    size_t branch,
+                                    struct tree_branch_motion *motion);
+
+// How far along a branch of a mesh a point of three floats lies: 0 up to the collar, 1 at the tip and
+// beyond.
+tree_status tree_mesh_branch_reach(const struct tree_mesh *mesh,
+                                   size_t branch,
+                                   const float *point,
+                                   float *reach);
+
+// One branch for each axis of a skeleton, in the same order, turning about its fork. Those of a built
+// mesh turn about the places where their bark stands. Free them with `tree_wind_branches_free`.
+tree_status tree_skeleton_wind_branches(const struct tree_skeleton *skeleton,
+                                        tree_continuation continuation,
+                                        struct tree_wind_branches **branches);
+
+// Views the branches: where they begin, and how many there are.
+tree_status tree_wind_branches_view(const struct tree_wind_branches *branches,
+                                    const struct tree_wind_branch **rows,
+                                    size_t *n);
+
+// Ends branches.
+tree_status tree_wind_branches_free(struct tree_wind_branches *branches);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_capsule_params_init(struct tree_capsule_params *params, size_t size);
+
+// Makes capsules of a skeleton's thick wood: few, and with nearly all of it inside. However few are
+// allowed, the share asked for holds; what suffers is how tight they are, and the report says how tight.
+// `params`, `control` and `report` may be NULL. Free the capsules with `tree_capsules_free`.
+tree_status tree_skeleton_capsules(const struct tree_skeleton *skeleton,
+                                   const struct tree_capsule_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_capsule_report *report,
+                                   struct tree_capsules **capsules);
+
+// Views the capsules: where they begin, NULL for none, and how many there are.
+tree_status tree_capsules_view(const struct tree_capsules *capsules,
+                               const struct tree_capsule **rows,
+                               size_t *n);
+
+// Ends capsules.
+tree_status tree_capsules_free(struct tree_capsules *capsules);
+
+// What a convention says. Set `traits->struct_size` first.
+tree_status tree_convention_view(tree_convention convention, struct tree_convention_traits *traits);
+
+// Converts `n` places of three floats each, units included. `to` has room for as many and may be `from`
+// itself; otherwise the two must not overlap.
+tree_status tree_convert_positions(tree_convention convention,
+                                   tree_convert way,
+                                   const float *from,
+                                   size_t n,
+                                   float *to);
+
+// Converts `n` unit vectors (normals, axes) of three floats each. `to` is as in
+// `tree_convert_positions`.
+tree_status tree_convert_directions(tree_convention convention,
+                                    tree_convert way,
+                                    const float *from,
+                                    size_t n,
+                                    float *to);
+
+// Converts `n` tangents of four floats each. Their w is turned so that `w * cross(normal, tangent)`,
+// with the arithmetic of their shaders, points the way green runs in their normal maps: up the picture,
+// but down in Unreal. `to` is as in `tree_convert_positions`.
+tree_status tree_convert_tangents(tree_convention convention,
+                                  tree_convert way,
+                                  const float *from,
+                                  size_t n,
+                                  float *to);
+
+// Converts `n` texture coordinates of two floats each, to and back alike. `to` is as in
+// `tree_convert_positions`.
+tree_status tree_convert_uvs(tree_convention convention, const float *from, size_t n, float *to);
+
+// Turns `n` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
+// as in `tree_convert_positions`.
+tree_status tree_convert_triangles(tree_convention convention,
+                                   const uint32_t *from,
+                                   size_t n,
+                                   uint32_t *to);
+
+// Packs a surface of a mesh, in the axes of the engine the layout is for. `control` may be NULL; only a
+// cancellation before the work begins matters. Free the result with `tree_packed_free`.
+tree_status tree_mesh_pack(const struct tree_mesh *mesh,
+                           size_t surface,
+                           tree_layout layout,
+                           const struct tree_control *control,
+                           struct tree_packed **packed);
+
+// Views streams and indices. Set `columns->struct_size` first.
+tree_status tree_packed_view(const struct tree_packed *packed, struct tree_packed_columns *columns);
+
+// Ends a packed surface, and with it all views of it.
+tree_status tree_packed_free(struct tree_packed *packed);
+
+// Views the textures of a surface packed with `TREE_LAYOUT_PIVOT_PAINTER`. Set `pivots->struct_size`
+// first.
+tree_status tree_packed_pivots(const struct tree_packed *packed,
+                               struct tree_pivots *pivots);
+
+// Reads an element back, 0 to `n_elements - 1`, to check a shader against. Set `element->struct_size`
+// first.
+tree_status tree_packed_pivot_element(const struct tree_packed *packed,
+                                      uint32_t number,
+                                      struct tree_pivot_element *element);
+
+// Reads a packed surface back as an engine would, to check a shader against: it differs from what was
+// packed by the quantisation only. `mesh`, which gives the table of branches, is needed for
+// `TREE_LAYOUT_VERTEX` and may be NULL else. Free the result with `tree_unpacked_free`.
+tree_status tree_packed_unpack(const struct tree_packed *packed,
+                               const struct tree_mesh *mesh,
+                               struct tree_unpacked **unpacked);
+
+// Views what was read back. Set `columns->struct_size` first.
+tree_status tree_unpacked_view(const struct tree_unpacked *unpacked,
+                               struct tree_unpacked_columns *columns);
+
+// Ends what was read back.
+tree_status tree_unpacked_free(struct tree_unpacked *unpacked);
+
+// Views the vertices of a surface packed with `TREE_LAYOUT_VERTEX`; its indices are in
+// `tree_packed_view`. Set `vertices->struct_size` first.
+tree_status tree_packed_vertices_view(const struct tree_packed *packed,
+                                      struct tree_packed_vertices *vertices);
+
+// Writes a row for each vertex of a surface; `capacity` must be the number of its vertices or more.
+tree_status tree_mesh_wind(const struct tree_mesh *mesh,
+                           size_t surface,
+                           struct tree_vertex_wind *rows,
+                           size_t capacity);
+
+// Makes `wind`, of `size` bytes, the default.
+tree_status tree_wind_init(struct tree_wind *wind, size_t size);
+
+// Moves a surface by the wind, `seconds` after it began: the reference for a vertex shader. Writes three
+// floats for each vertex, in metres; `capacity` is the room in floats, three times the number of
+// vertices or more. `wind` may be NULL. A vertex whose branch is unknown stays where it is.
+tree_status tree_mesh_bend(const struct tree_mesh *mesh,
+                           const struct tree_wind *wind,
+                           float seconds,
+                           size_t surface,
+                           float *positions,
+                           size_t capacity);
+
+// Share of its branch's turn that a point at this reach (0 to 1, else brought there) makes: 0 at the
+// collar, 1 at the tip, as a clamped beam under an even load.
+tree_status tree_wind_sway(float reach,
+                           float *sway);
+
+// Where in its flutter a leaf starts, 0 to 1, by its number in the surface.
+tree_status tree_wind_leaf_phase(uint32_t leaf, float *phase);
+
+// Grows leaves on a tree: the new tree has the old skeleton and species, and the new leaves in place of
+// the old ones. For leaves on a bare skeleton, make a tree of it with `tree_tree_new`.
+//
+// `params` may be NULL for the default; `kind` must be a leaf kind of the tree's species. `density` may
+// be NULL for 1 everywhere, and is handed `user`. With `with_stalks` (a yes or no) petioles and rachises become thin
+// branches, for close-ups: old nodes keep number, position, radius and parent, stalks come after them,
+// and leaves name the stalk that bears them; without, leaflets name the shoot's node. The same seed
+// gives the same leaves. `report` may be NULL. Free the tree with `tree_tree_free`.
+tree_status tree_tree_grow_leaves(const struct tree_tree *tree,
+                                  const struct tree_leaf_params *params,
+                                  tree_density_fn density,
+                                  void *user,
+                                  uint32_t with_stalks,
+                                  uint64_t seed,
+                                  const struct tree_control *control,
+                                  struct tree_leaf_report *report,
+                                  struct tree_tree **grown);
+
+// Grows twigs on the youngest shoots of a tree: the new tree has the old skeleton with twigs, and the
+// old leaves and species. Old nodes keep number, position, radius and parent, so leaves stay where they
+// are; twigs come after them, each starting at the node nearest to its place. What bears twigs is not
+// made thicker: `tree_skeleton_by_rule` does that.
+//
+// `params` may be NULL for the default. `density` may be NULL for 1 everywhere, and is handed `user`.
+// The same seed gives the same twigs. `report` may be NULL. Free the tree with `tree_tree_free`.
+tree_status tree_tree_grow_twigs(const struct tree_tree *tree,
+                                 const struct tree_twig_params *params,
+                                 tree_density_fn density,
+                                 void *user,
+                                 uint64_t seed,
+                                 const struct tree_control *control,
+                                 struct tree_twig_report *report,
+                                 struct tree_tree **grown);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_leaf_params_init(struct tree_leaf_params *params, size_t size);
+
+// Whether all fields are in order for a species with `n_kinds` kinds of leaves: `TREE_OK`, or the error
+// that their use would give.
+tree_status tree_leaf_params_check(const struct tree_leaf_params *params,
+                                   size_t n_kinds);
+
+// Number of species whose leaves and twigs are known by name.
+size_t tree_foliage_species_count(void);
+
+// Name of the species with this number, from 0 up to, but not including, `tree_foliage_species_count`.
+// Valid for ever.
+tree_status tree_foliage_species_name(size_t index,
+                                      struct tree_str *name);
+
+// Leaves and twigs of a species by its name, of `len` bytes. Set `struct_size` of `leaves` and `twigs`
+// first. `leaf_kind` is the name of the leaf kind that goes with them, valid for ever, for the
+// `leaf_kinds` of a `tree_species`; it is kind 0 of the leaves. Each of the three may be NULL.
+tree_status tree_foliage_preset(const char *name,
+                                size_t len,
+                                struct tree_leaf_params *leaves,
+                                struct tree_twig_params *twigs,
+                                struct tree_str *leaf_kind);
+
+// Views the numbers: where they begin and how many there are, one for each node of the new skeleton.
+tree_status tree_rows_view(const struct tree_rows *rows,
+                           const uint32_t **first,
+                           size_t *n);
+
+// Ends the numbers.
+tree_status tree_rows_free(struct tree_rows *rows);
+
+// A new skeleton, the same but with nodes at most `spacing` metres apart (1e-5 to 1e6) on all segments
+// that lie within `bearing` metres (0 to 1e6) of a tip, so that twigs find a node near their place. Old
+// nodes keep their order but get other numbers; positions and radii between them are linear.
+//
+// `rows`, which may be NULL, gets for each node the old node at its segment's upper end; free it with
+// `tree_rows_free`, and the skeleton with `tree_skeleton_free`.
+tree_status tree_skeleton_refine(const struct tree_skeleton *skeleton,
+                                 float bearing,
+                                 float spacing,
+                                 const struct tree_control *control,
+                                 struct tree_rows **rows,
+                                 struct tree_skeleton **refined);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_twig_params_init(struct tree_twig_params *params, size_t size);
+
+// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_twig_params_check(const struct tree_twig_params *params);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_instancing_params_init(struct tree_instancing_params *params, size_t size);
+
+// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
+// coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
+// textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
+// with `tree_twigs_free`.
+tree_status tree_twigs_build(const struct tree_tree *tree,
+                             const struct tree_look *look,
+                             const struct tree_mesh_params *mesh_params,
+                             const struct tree_instancing_params *params,
+                             uint64_t seed,
+                             const struct tree_control *control,
+                             struct tree_instancing_report *report,
+                             struct tree_twigs **twigs);
+
+// Number of unique twigs.
+tree_status tree_twigs_count(const struct tree_twigs *twigs, size_t *n_twigs);
+
+// What the twigs weigh and how near they come. Set `report->struct_size` first.
+tree_status tree_twigs_report(const struct tree_twigs *twigs,
+                              struct tree_instancing_report *report);
+
+// The base mesh: wood and leaves that are not part of a twig, surfaces as `tree_mesh_build` makes them.
+// Not copied; the mesh keeps the twigs alive. Free it with `tree_mesh_free`.
+tree_status tree_twigs_base(const struct tree_twigs *twigs,
+                            struct tree_mesh **base);
+
+// The mesh of twig `number`, its base at the origin; surfaces and materials as in the base mesh. Not
+// copied; the mesh keeps the twigs alive. Free it with `tree_mesh_free`.
+tree_status tree_twigs_mesh(const struct tree_twigs *twigs,
+                            size_t number,
+                            struct tree_mesh **mesh);
+
+// Views all places where twig `number` stands. Set `instances->struct_size` first. Valid until the twigs
+// are freed.
+tree_status tree_twigs_instances(const struct tree_twigs *twigs,
+                                 size_t number,
+                                 struct tree_twig_instances *instances);
+
+// Makes one plain mesh of base and instances: surfaces as the base has them, with the instances'
+// triangles behind. Columns that not all parts have, and light-map coordinates, are left out. Every
+// instance gets branches of its own, carried by the branch it stands on. Free the mesh with
+// `tree_mesh_free`.
+tree_status tree_twigs_flatten(const struct tree_twigs *twigs,
+                               const struct tree_control *control,
+                               struct tree_mesh **mesh);
+
+// Ends twigs. Meshes that were asked of them live on.
+tree_status tree_twigs_free(struct tree_twigs *twigs);
+
 // Views the bytes: where they begin and how many there are.
 tree_status tree_bytes_view(const struct tree_bytes *bytes, const uint8_t **data, size_t *len);
 
 // Ends a file in memory.
 tree_status tree_bytes_free(struct tree_bytes *bytes);
+
+// Makes `options`, of `size` bytes, the default.
+tree_status tree_glb_options_init(struct tree_glb_options *options, size_t size);
+
+// Writes a mesh to a GLB file, whole or not at all. `options` and `control` may be NULL; of `control`
+// only threads and limits matter, and a cancellation before the work begins.
+tree_status tree_mesh_write_glb(const struct tree_mesh *mesh,
+                                const char *path,
+                                size_t path_len,
+                                const struct tree_glb_options *options,
+                                const struct tree_control *control);
+
+// A mesh as a GLB file in memory, as `tree_mesh_write_glb` writes it. Free it with `tree_bytes_free`.
+tree_status tree_mesh_to_glb(const struct tree_mesh *mesh,
+                             const struct tree_glb_options *options,
+                             const struct tree_control *control,
+                             struct tree_bytes **bytes);
+
+// Writes meshes, instances and levels of detail to a GLB file, whole or not at all.
+//
+// Several levels, the finest first, become the nodes of one `MSFT_lod` with their coverages; programs
+// that do not know it draw the finest. Materials that are equal in several levels are written once.
+// `options` and `control` may be NULL, as in `tree_mesh_write_glb`.
+tree_status tree_gltf_write_glb(const struct tree_gltf_level *levels,
+                                size_t n_levels,
+                                const char *path,
+                                size_t path_len,
+                                const struct tree_glb_options *options,
+                                const struct tree_control *control);
+
+// As `tree_gltf_write_glb`, in memory. Free the bytes with `tree_bytes_free`.
+tree_status tree_gltf_to_glb(const struct tree_gltf_level *levels,
+                             size_t n_levels,
+                             const struct tree_glb_options *options,
+                             const struct tree_control *control,
+                             struct tree_bytes **bytes);
+
+// As `tree_gltf_write_glb`, but in several files: the `.gltf` file of this path, and beside it the
+// buffer (`STEM.bin`) and the textures (`STEM_NAME.png`), all or none. Blanks and other trouble in the
+// stem are replaced by `_` in the names of the files beside.
+tree_status tree_gltf_write_files(const struct tree_gltf_level *levels,
+                                  size_t n_levels,
+                                  const char *path,
+                                  size_t path_len,
+                                  const struct tree_glb_options *options,
+                                  const struct tree_control *control);
+
+// Builds a tree with one mesh for each kind of leaf instead of a copy for each leaf. Normals of
+// instanced leaves are those of the leaf itself: the parameters cannot turn them towards the outside of
+// the crown. `look`, `params` and `control` are as in `tree_mesh_build`. Free the bark with
+// `tree_mesh_free` and the leaves with `tree_gltf_leaves_free`.
+tree_status tree_mesh_build_instanced(const struct tree_tree *tree,
+                                      const struct tree_look *look,
+                                      const struct tree_mesh_params *params,
+                                      const struct tree_control *control,
+                                      struct tree_mesh **bark,
+                                      struct tree_gltf_leaves **leaves);
+
+// Views the leaves, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
+// kinds there are. Their meshes belong to the leaves: do not free them.
+tree_status tree_gltf_leaves_view(const struct tree_gltf_leaves *leaves,
+                                  const struct tree_gltf_instances **rows,
+                                  size_t *n);
+
+// Ends leaves, and their meshes.
+tree_status tree_gltf_leaves_free(struct tree_gltf_leaves *leaves);
+
+// The attributes `_WIND*` of all surfaces of a mesh, for a level of a glTF file: the streams of
+// `TREE_LAYOUT_GLTF_WIND` that are not glTF's own, four floats each, the missing ones 0, which every
+// reader takes. For Blender write occlusion as colour or not at all. `control` may be NULL. Free them
+// with `tree_gltf_attributes_free`.
+tree_status tree_mesh_gltf_wind(const struct tree_mesh *mesh,
+                                const struct tree_control *control,
+                                struct tree_gltf_attributes **attributes);
+
+// Views the attributes, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
+// there are.
+tree_status tree_gltf_attributes_view(const struct tree_gltf_attributes *attributes,
+                                      const struct tree_gltf_attribute **rows,
+                                      size_t *n);
+
+// Ends attributes.
+tree_status tree_gltf_attributes_free(struct tree_gltf_attributes *attributes);
+
+// What a note says, for people; the text is there for ever.
+tree_status tree_note_text(tree_note note, struct tree_str *text);
+
+// Writes a mesh to an OBJ file and beside it the MTL file (`STEM.mtl`) and the textures
+// (`STEM_NAME.png`), all or none. Blanks and other trouble in the stem are replaced by `_` in the names
+// of the files beside. Tangents and the other optional columns have no place in OBJ. `control` may be
+// NULL; only a cancellation before the work begins matters.
+tree_status tree_mesh_write_obj(const struct tree_mesh *mesh,
+                                const char *path,
+                                size_t path_len,
+                                const struct tree_control *control);
+
+// The OBJ and MTL files that `tree_mesh_write_obj` would write to `stem.obj` and `stem.mtl`, in memory.
+// Free both with `tree_bytes_free`.
+tree_status tree_mesh_to_obj(const struct tree_mesh *mesh,
+                             const char *stem,
+                             size_t stem_len,
+                             const struct tree_control *control,
+                             struct tree_bytes **obj,
+                             struct tree_bytes **mtl);
+
+// Makes `options`, of `size` bytes, the default.
+tree_status tree_ply_options_init(struct tree_ply_options *options, size_t size);
+
+// Writes a mesh to a PLY file, whole or not at all: all surfaces as one, each vertex with the colour of
+// its material times the mean of its texture. `options` and `control` may be NULL; of `control` only a
+// cancellation before the work begins matters.
+tree_status tree_mesh_write_ply(const struct tree_mesh *mesh,
+                                const char *path,
+                                size_t path_len,
+                                const struct tree_ply_options *options,
+                                const struct tree_control *control);
+
+// As `tree_mesh_write_ply`, in memory. Free the bytes with `tree_bytes_free`.
+tree_status tree_mesh_to_ply(const struct tree_mesh *mesh,
+                             const struct tree_ply_options *options,
+                             const struct tree_control *control,
+                             struct tree_bytes **bytes);
+
+// Makes `options`, of `size` bytes, the default.
+tree_status tree_import_options_init(struct tree_import_options *options, size_t size);
+
+// Reads a mesh from a file. It is checked before memory is taken for it, and never trusted; what was
+// left out or changed is in the report. `options`, `control` and `report` may be NULL. Free the mesh
+// with `tree_mesh_free`.
+tree_status tree_mesh_read(const char *path,
+                           size_t path_len,
+                           const struct tree_import_options *options,
+                           const struct tree_control *control,
+                           struct tree_import_report *report,
+                           struct tree_mesh **mesh);
+
+// Reads a mesh from a file in memory; other files are never read. `format` must be stated. `mtl` is
+// for OBJ only: the MTL file, or NULL for materials with names only; textures are not read. The bytes
+// are needed during the call only. `control` and `report` may be NULL. Free the mesh with
+// `tree_mesh_free`.
+tree_status tree_mesh_from_bytes(tree_mesh_format format,
+                                 const uint8_t *data,
+                                 size_t len,
+                                 const uint8_t *mtl,
+                                 size_t mtl_len,
+                                 const struct tree_control *control,
+                                 struct tree_import_report *report,
+                                 struct tree_mesh **mesh);
+
+// Makes a look of the built-in bark and leaf textures that the species names; NULL is an oak.
+// `TREE_ERROR_UNKNOWN_NAME` for a name that is not built in: dress such species with `tree_look_plain`
+// or textures of your own. Free the look with `tree_look_free`.
+tree_status tree_look_built_in(const struct tree_species *species,
+                               struct tree_look **look);
+
+// Makes a look of plain colours without textures, for a species; NULL is an oak. For previews, tests and
+// engines that bring their own materials. Leaf cards show as whole rectangles. Free the look with
+// `tree_look_free`.
+tree_status tree_look_plain(const struct tree_species *species,
+                            struct tree_look **look);
+
+// As `tree_look_built_in`, for the species of a tree; with `plain` as `tree_look_plain`.
+tree_status tree_look_of_tree(const struct tree_tree *tree,
+                              uint32_t plain,
+                              struct tree_look **look);
+
+// Makes a look of your own: `bark` goes on all wood (NULL is the default material), and `leaves` has one
+// row for each of the species' leaf kinds, in that order. All is copied but the textures, which are
+// shared. `control` may be NULL; only its limits matter. Free the look with `tree_look_free`.
+tree_status tree_look_new(const struct tree_material *bark,
+                          const struct tree_leaf_look *leaves,
+                          size_t n_leaves,
+                          const struct tree_control *control,
+                          struct tree_look **look);
+
+// Number of leaf kinds that a look dresses; it has one material more.
+tree_status tree_look_leaf_count(const struct tree_look *look, size_t *n_leaves);
+
+// Views a material of a look, numbered as in the meshes it dresses: 0 is the bark's, 1 + k that of leaf
+// kind k. Set `material->struct_size` first. Valid until the look is freed.
+tree_status tree_look_material(const struct tree_look *look,
+                               size_t number,
+                               struct tree_material *material);
+
+// A handle of the texture of a look's material, numbered as for `tree_look_material`; the pixels are
+// shared. NULL, and no error, where the material has none. Free it with `tree_texture_free`.
+tree_status tree_look_texture(const struct tree_look *look,
+                              size_t number,
+                              struct tree_texture **texture);
+
+// Views the look of leaf kind `kind`, but for its material and its mesh, which `tree_look_material` and
+// `tree_look_leaf_mesh` view. Set `leaf->struct_size` first.
+tree_status tree_look_leaf(const struct tree_look *look,
+                           size_t kind,
+                           struct tree_leaf_look *leaf);
+
+// Checks that a look has one leaf look for each leaf kind of the species (NULL is an oak).
+tree_status tree_look_check(const struct tree_look *look, const struct tree_species *species);
+
+// Ends a look. Meshes that were built with it keep their textures.
+tree_status tree_look_free(struct tree_look *look);
+
+// Makes `style`, of `size` bytes, the default.
+tree_status tree_bark_style_init(struct tree_bark_style *style, size_t size);
+
+// The style of a built-in bark, to be changed; what it points at is valid for ever. Set
+// `style->struct_size` first.
+tree_status tree_bark_style_of(const char *name, size_t name_len, struct tree_bark_style *style);
+
+// Draws a bark of your own, which tiles without a seam; its name is `bark`. `style` may be NULL; `size` is
+// as for `tree_texture_bark`. Free the texture with `tree_texture_free`.
+tree_status tree_texture_bark_with(const struct tree_bark_style *style,
+                                   uint32_t size,
+                                   const struct tree_control *control,
+                                   struct tree_texture **texture);
+
+// Makes `look`, of `size` bytes, the default: a square card.
+tree_status tree_leaf_look_init(struct tree_leaf_look *look, size_t size);
+
+// Makes the mesh of one leaf of kind `kind`. `report` may be NULL. Free the model with
+// `tree_leaf_model_free`.
+tree_status tree_look_leaf_model(const struct tree_look *look,
+                                 size_t kind,
+                                 const struct tree_control *control,
+                                 struct tree_leaf_model_report *report,
+                                 struct tree_leaf_model **model);
+
+// Views the columns of a leaf's mesh. Set `mesh->struct_size` first. Valid until the model is freed.
+tree_status tree_leaf_model_view(const struct tree_leaf_model *model,
+                                 struct tree_leaf_mesh *mesh);
+
+// Ends a leaf's mesh.
+tree_status tree_leaf_model_free(struct tree_leaf_model *model);
+
+// Views the leaf of your own that kind `kind` of a look has; without vertices where its form is not
+// `TREE_LEAF_MESH`. Set `mesh->struct_size` first. Valid until the look is freed.
+tree_status tree_look_leaf_mesh(const struct tree_look *look,
+                                size_t kind,
+                                struct tree_leaf_mesh *mesh);
+
+// Makes `shape`, of `size` bytes, the default.
+tree_status tree_leaf_shape_init(struct tree_leaf_shape *shape, size_t size);
+
+// The shape of a built-in leaf, to be changed; what it points at is valid for ever. Set
+// `shape->struct_size` first.
+tree_status tree_leaf_shape_of(const char *name, size_t name_len, struct tree_leaf_shape *shape);
+
+// Turns the colours of a shape to those of autumn: `progress` 0 is summer and changes nothing, 1 is fully
+// turned.
+tree_status tree_leaf_shape_autumn(struct tree_leaf_shape *shape,
+                                   float progress);
+
+// Draws a leaf of your own, upright with the base at the bottom centre; its name is `leaf`. `shape` and
+// `card` may be NULL; `size` and `card` are as for `tree_texture_leaf`. Free the texture with
+// `tree_texture_free`.
+tree_status tree_texture_leaf_with(const struct tree_leaf_shape *shape,
+                                   uint32_t size,
+                                   const struct tree_control *control,
+                                   struct tree_leaf_card *card,
+                                   struct tree_texture **texture);
+
+// Makes `material`, of `size` bytes, the default: white, matt, without texture.
+tree_status tree_material_init(struct tree_material *material, size_t size);
+
+// Views the names of the built-in barks: where they begin and how many there are. Valid for ever.
+tree_status tree_bark_names(const struct tree_str **names, size_t *n_names);
+
+// Views the names of the built-in leaves (single ones, clusters, needles and fronds): where they begin
+// and how many there are. Valid for ever.
+tree_status tree_leaf_names(const struct tree_str **names,
+                            size_t *n_names);
+
+// Makes a texture of pixels, which are copied. `control` may be NULL; only its limits matter. Free the
+// texture with `tree_texture_free`.
+tree_status tree_texture_from_pixels(const struct tree_texture_pixels *pixels,
+                                     const struct tree_control *control,
+                                     struct tree_texture **texture);
+
+// Makes a texture of a PNG or JPEG file in memory, recognised by its content. A photograph is turned
+// upright as its camera noted. `TREE_ERROR_LIMIT` when file or picture are larger than the limits
+// `input_bytes` and `pixels` allow, before it is decoded. Free the texture with `tree_texture_free`.
+tree_status tree_texture_decode(const char *name,
+                                size_t name_len,
+                                const uint8_t *file,
+                                size_t file_len,
+                                const struct tree_control *control,
+                                struct tree_texture **texture);
+
+// As `tree_texture_decode`, of a file on disk. The texture is named after the file.
+tree_status tree_texture_open(const char *file,
+                              size_t file_len,
+                              const struct tree_control *control,
+                              struct tree_texture **texture);
+
+// Draws a built-in bark, which tiles without a seam; `tree_bark_names` has the names. `size` is width and
+// height in pixels, 16 to 4096, or 0 for 512. Free the texture with `tree_texture_free`.
+tree_status tree_texture_bark(const char *name,
+                              size_t name_len,
+                              uint32_t size,
+                              const struct tree_control *control,
+                              struct tree_texture **texture);
+
+// Draws a built-in leaf, upright with the base at the bottom centre; `tree_leaf_names` has the names.
+// Transparent pixels carry the colour of the leaf near them; meant for an alpha cutoff of 0.5. `size` is
+// width and height in pixels, 16 to 4096, or 0 for 256, and 512 for clusters, needles and fronds. `card`
+// says how to put it on a card; it may be NULL. Free the texture with `tree_texture_free`.
+tree_status tree_texture_leaf(const char *name,
+                              size_t name_len,
+                              uint32_t size,
+                              const struct tree_control *control,
+                              struct tree_leaf_card *card,
+                              struct tree_texture **texture);
+
+// Views a texture's name and pixels. Set `pixels->struct_size` first. Valid until the texture is freed.
+tree_status tree_texture_view(const struct tree_texture *texture,
+                              struct tree_texture_pixels *pixels);
+
+// Makes a PNG file in memory of a texture. Free it with `tree_bytes_free`.
+tree_status tree_texture_to_png(const struct tree_texture *texture, struct tree_bytes **png);
+
+// Writes a texture as a PNG file, whole or not at all.
+tree_status tree_texture_save_png(const struct tree_texture *texture,
+                                  const char *file,
+                                  size_t file_len);
+
+// Ends a texture's handle. Materials and meshes that have the picture keep it.
+tree_status tree_texture_free(struct tree_texture *texture);
 
 // Bytes that the library has allocated and not freed, objects and work in progress together.
 uint64_t tree_memory_used(void);
@@ -306,6 +3488,339 @@ tree_status tree_memory_set_allocator(const struct tree_allocator *allocator);
 // Ends a mesh, and with it all views of it.
 tree_status tree_mesh_free(struct tree_mesh *mesh);
 
+// Views the branches that a mesh's vertices move with, parents first: where they begin, NULL for none,
+// and how many there are. Valid until the mesh is freed.
+tree_status tree_mesh_branches(const struct tree_mesh *mesh,
+                               const struct tree_wind_branch **branches,
+                               size_t *n_branches);
+
+// Builds bark and leaves of a tree: surface 0 is the bark, surface 1 + k the leaves of kind k; those
+// without triangles are there too. Materials are in the same order.
+//
+// `look` may be NULL: the built-in textures that the tree's species names, as `tree_look_of_tree` gives
+// them; to build many meshes, make a look once. `params` may be NULL. `report` may be NULL. Free the mesh
+// with `tree_mesh_free`.
+tree_status tree_mesh_build(const struct tree_tree *tree,
+                            const struct tree_look *look,
+                            const struct tree_mesh_params *params,
+                            const struct tree_control *control,
+                            struct tree_mesh_report *report,
+                            struct tree_mesh **mesh);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_subdivide_params_init(struct tree_subdivide_params *params, size_t size);
+
+// Makes a mesh whose surface `number` is finer and rounder: Loop subdivision with creases kept. A closed
+// surface stays closed. Everything else is copied. Only bark, not leaves: `TREE_ERROR_INVALID`. `params`
+// may be NULL. Free the mesh with `tree_mesh_free`.
+tree_status tree_mesh_subdivide(const struct tree_mesh *mesh,
+                                size_t number,
+                                const struct tree_subdivide_params *params,
+                                const struct tree_control *control,
+                                struct tree_mesh **subdivided);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_displace_params_init(struct tree_displace_params *params, size_t size);
+
+// Makes a mesh whose surface `number` has relief: points moved in and out by noise, normals and tangents
+// tilted with them. A closed surface stays closed. The surface should be finer than `scale`: subdivide it
+// first. Everything else is copied. Only bark, not leaves: `TREE_ERROR_INVALID`. `params` may be NULL.
+// Free the mesh with `tree_mesh_free`.
+tree_status tree_mesh_displace(const struct tree_mesh *mesh,
+                               size_t number,
+                               const struct tree_displace_params *params,
+                               uint64_t seed,
+                               const struct tree_control *control,
+                               struct tree_mesh **displaced);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_occlusion_params_init(struct tree_occlusion_params *params, size_t size);
+
+// Makes a copy of a mesh whose surfaces have the column `occlusion`: 1 where all light arrives, 0 where
+// none does. The cells count against the limit `voxels`. `params` may be NULL. Free the mesh with
+// `tree_mesh_free`.
+tree_status tree_mesh_bake_occlusion(const struct tree_mesh *mesh,
+                                     const struct tree_occlusion_params *params,
+                                     const struct tree_control *control,
+                                     struct tree_mesh **baked);
+
+// Makes a mesh whose surface `number` has one vertex for each point: for volumes, printers and other
+// programs that take copies at seams for holes. Triangles that have two corners at one point are left
+// out, and so are vertices without triangles. Normals are the means of the copies' normals, texture
+// coordinates those of the first copy, so textures are torn at seams; tangents are dropped. Everything
+// else is copied. Only bark, not leaves: `TREE_ERROR_INVALID`. `control` may be NULL; only its pool
+// matters. Free the mesh with `tree_mesh_free`.
+tree_status tree_mesh_weld(const struct tree_mesh *mesh,
+                           size_t number,
+                           const struct tree_control *control,
+                           struct tree_mesh **welded);
+
+// Makes a mesh of your own triangles: `n_surfaces` surfaces whose `material` is an index into the
+// `n_materials` materials. `branches` may be NULL when `n_branches` is 0; no surface may name a branch
+// then. All is copied but the textures, which are shared, and checked as by `tree_mesh_check`. `control`
+// may be NULL; only its limits and its pool matter. Free the mesh with `tree_mesh_free`.
+tree_status tree_mesh_from_surfaces(const struct tree_surface *surfaces,
+                                    size_t n_surfaces,
+                                    const struct tree_material *materials,
+                                    size_t n_materials,
+                                    const struct tree_wind_branch *branches,
+                                    size_t n_branches,
+                                    const struct tree_control *control,
+                                    struct tree_mesh **mesh);
+
+// Views material `number` of a mesh, from 0 on; `material` of `tree_surface` says which one a surface
+// has. Set `material->struct_size` first. Valid until the mesh is freed.
+tree_status tree_mesh_material(const struct tree_mesh *mesh,
+                               size_t number,
+                               struct tree_material *material);
+
+// A handle of the texture of material `number`; the pixels are shared, and outlive the mesh. NULL, and no
+// error, where the material has none. Free it with `tree_texture_free`.
+tree_status tree_mesh_texture(const struct tree_mesh *mesh,
+                              size_t number,
+                              struct tree_texture **texture);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_mesh_params_init(struct tree_mesh_params *params, size_t size);
+
+// Checks every field against its range: `TREE_ERROR_PARAMETER` or `TREE_ERROR_ENUM` names the first at
+// fault.
+tree_status tree_mesh_params_check(const struct tree_mesh_params *params);
+
+// The error that the parameters allow as a length in metres, within 0.01 mm and 1 m: for
+// `TREE_BOUND_PIXELS`, how large a pixel is at the tree. `params` may be NULL.
+tree_status tree_mesh_params_error(const struct tree_mesh_params *params, float *metres);
+
+// Counts points, edges, holes, pieces and the like of surface `number`. Set `topology->struct_size` first.
+// `control` may be NULL; only its pool matters.
+tree_status tree_mesh_examine(const struct tree_mesh *mesh,
+                              size_t number,
+                              const struct tree_control *control,
+                              struct tree_topology *topology);
+
+// The points of surface `number`, numbered in the order of their first vertices: by its welds where it
+// has them, otherwise vertices at exactly the same place are one point.
+//
+// `of_vertex`, NULL or with room for one number for each vertex, gets the point that each vertex stands
+// at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
+// enough), gets the first vertex of each point. `n_points` gets their number; it may be NULL.
+tree_status tree_mesh_points(const struct tree_mesh *mesh,
+                             size_t number,
+                             uint32_t *of_vertex,
+                             uint32_t *first,
+                             size_t first_capacity,
+                             size_t *n_points);
+
+// Finds the triangles of surface `number` that cross or touch each other without sharing a point, and
+// those that share one point and meet again beyond it. Triangles that share an edge are not tested (they
+// cross only when folded flat on each other), nor are those with two corners at one point. Pairs count
+// against the limit `triangles`. Free the answer with `tree_crossings_free`.
+tree_status tree_mesh_crossings(const struct tree_mesh *mesh,
+                                size_t number,
+                                const struct tree_control *control,
+                                struct tree_crossings **crossings);
+
+// Views crossings. Set `pairs->struct_size` first. Valid until they are freed.
+tree_status tree_crossings_view(const struct tree_crossings *crossings,
+                                struct tree_crossing_pairs *pairs);
+
+// Ends crossings.
+tree_status tree_crossings_free(struct tree_crossings *crossings);
+
+// Counts what a mesh has. Set `totals->struct_size` first.
+tree_status tree_mesh_count(const struct tree_mesh *mesh, struct tree_mesh_totals *totals);
+
+// Number of surfaces of a mesh.
+tree_status tree_mesh_surface_count(const struct tree_mesh *mesh, size_t *n_surfaces);
+
+// Views surface `number` of a mesh, from 0 on: nothing is copied. Set `surface->struct_size` first. Valid
+// until the mesh is freed.
+tree_status tree_mesh_surface(const struct tree_mesh *mesh,
+                              size_t number,
+                              struct tree_surface *surface);
+
+// The box and a ball around all vertices of surface `number`. Looks at each vertex: keep the answer.
+tree_status tree_mesh_surface_bounds(const struct tree_mesh *mesh,
+                                     size_t number,
+                                     struct tree_bounds *bounds);
+
+// The box and a ball around all vertices of a mesh. Looks at each vertex: keep the answer.
+tree_status tree_mesh_bounds(const struct tree_mesh *mesh, struct tree_bounds *bounds);
+
+// Checks that a mesh can be drawn and written: columns of equal length, finite numbers, indices and
+// materials that exist, looks within their ranges, textures filled. Meshes of this library pass.
+tree_status tree_mesh_check(const struct tree_mesh *mesh);
+
+// As `tree_mesh_check`, of the columns of surface `number` only.
+tree_status tree_mesh_check_surface(const struct tree_mesh *mesh, size_t number);
+
+// Checks that no colour of a material is brighter than 1, on which file formats rely; drawing does not.
+tree_status tree_mesh_check_colors(const struct tree_mesh *mesh);
+
+// Checks that normals have unit length, within half a percent, on which file formats and engines rely;
+// drawing does not.
+tree_status tree_mesh_check_normals(const struct tree_mesh *mesh);
+
+// Joins nodes that are nearer than a linking distance by edges of random cost. `params` and `control` may
+// be NULL. The same `seed` gives the same graph. Free it with `tree_graph_free`.
+tree_status tree_graph_link(const struct tree_graph_nodes *nodes,
+                            const struct tree_link_params *params,
+                            uint64_t seed,
+                            const struct tree_control *control,
+                            struct tree_graph **graph);
+
+// Makes a graph from elsewhere: `positions` is `n_nodes` times three floats, `edges` is `n_edges` times
+// the two nodes that it joins, `costs` a finite cost of 0 or more for each edge. `control` may be NULL;
+// only its limits matter. Free the graph with `tree_graph_free`.
+tree_status tree_graph_from_edges(const float *positions,
+                                  size_t n_nodes,
+                                  const uint32_t *edges,
+                                  const float *costs,
+                                  size_t n_edges,
+                                  const struct tree_control *control,
+                                  struct tree_graph **graph);
+
+// Views a graph. Set `columns->struct_size` first.
+tree_status tree_graph_view(const struct tree_graph *graph, struct tree_graph_columns *columns);
+
+// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for a float for each
+// node, gets what the path to it costs, infinity where there is none; `predecessors`, NULL or with room
+// for a number for each node, gets the node before it on that path, or `TREE_NO_NODE`. A root that does
+// not exist reaches nothing. `control` may be NULL.
+tree_status tree_graph_search(const struct tree_graph *graph,
+                              uint32_t root,
+                              const struct tree_control *control,
+                              float *costs,
+                              uint32_t *predecessors);
+
+// Ends a graph.
+tree_status tree_graph_free(struct tree_graph *graph);
+
+// Grows a tree of least-cost paths. The same parameters and `seed` give the same bits for any number of
+// threads. `params` may be NULL for an oak, `control` and `report` may be NULL. Free the tree with
+// `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` says why
+// nothing grows, for instance a root outside the volume; `TREE_ERROR_LIMIT` comes before the level that
+// would exceed a limit.
+tree_status tree_path_grow(const struct tree_path_params *params,
+                           uint64_t seed,
+                           const struct tree_control *control,
+                           struct tree_path_report *report,
+                           struct tree_tree **tree);
+
+// As `tree_path_grow`, and hands out the level at which each node of the skeleton was grown: a byte for
+// each node, from 1 for the base volume, 0 for nodes of the root system. Free it with `tree_bytes_free`.
+tree_status tree_path_grow_with_levels(const struct tree_path_params *params,
+                                       uint64_t seed,
+                                       const struct tree_control *control,
+                                       struct tree_path_report *report,
+                                       struct tree_bytes **node_levels,
+                                       struct tree_tree **tree);
+
+// Makes `level`, of `size` bytes, the default.
+tree_status tree_path_level_init(struct tree_path_level *level, size_t size);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_strew_params_init(struct tree_strew_params *params, size_t size);
+
+// Strews nodes evenly in a bounded volume, none closer than a separation that follows from their number.
+// `params` and `control` may be NULL. The same `seed` gives the same nodes. Free them with
+// `tree_graph_nodes_free`. `TREE_ERROR_NO_RESULT` when the volume has no end or no inside.
+tree_status tree_graph_strew(const struct tree_volume *volume,
+                             const struct tree_strew_params *params,
+                             uint64_t seed,
+                             const struct tree_control *control,
+                             struct tree_graph_nodes **nodes);
+
+// Views strewn nodes. Set `columns->struct_size` first.
+tree_status tree_graph_nodes_view(const struct tree_graph_nodes *nodes,
+                                  struct tree_graph_nodes_columns *columns);
+
+// Ends strewn nodes. Graphs made of them live on.
+tree_status tree_graph_nodes_free(struct tree_graph_nodes *nodes);
+
+// Makes `params`, of `size` bytes, an oak: a good tree to begin with.
+tree_status tree_path_params_init(struct tree_path_params *params, size_t size);
+
+// Checks that all parameters lie in their ranges, as `tree_path_grow` does first. `params` may be NULL for
+// an oak; `control` may be NULL, only its limits matter.
+tree_status tree_path_check(const struct tree_path_params *params,
+                            const struct tree_control *control);
+
+// Radius in metres of the subgraphs of `params->levels[index]`: its own, or the one that follows from
+// `size` and `shrink`. `params` may be NULL for an oak.
+tree_status tree_path_level_radius(const struct tree_path_params *params,
+                                   size_t index,
+                                   float *radius);
+
+// Number of presets: an oak, the twelve trees of Xu and Mould (2012), and two root systems.
+size_t tree_path_preset_count(void);
+
+// Name of a preset, such as `oak`, and what the tree looks like, in a few words. `index` is below
+// `tree_path_preset_count`; `title` may be NULL. Both texts are valid for ever.
+tree_status tree_path_preset_name(size_t index, struct tree_str *name, struct tree_str *title);
+
+// Seconds that the tree took the authors of the method, in 2012; 0 where it is none of theirs. `index` is
+// below `tree_path_preset_count`.
+tree_status tree_path_preset_paper_seconds(size_t index,
+                                           float *seconds);
+
+// Makes `params`, of `size` bytes, the preset called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). What
+// it points at belongs to the library and lives for ever. `TREE_ERROR_UNKNOWN_NAME` lists the names there
+// are.
+tree_status tree_path_preset(const char *name,
+                             size_t len,
+                             struct tree_path_params *params,
+                             size_t size);
+
+// Makes `options`, of `size` bytes, the default.
+tree_status tree_profile_options_init(struct tree_profile_options *options, size_t size);
+
+// Reads a profile from an SVG drawing, `svg` of `len` bytes or `TREE_NUL_TERMINATED`. A closed shape is
+// the outline of a tree: at every height half of its width becomes the radius. An open curve is a
+// profile: its distance from the axis becomes the radius; the axis is an element whose id is `axis`, or
+// else the vertical through the curve's leftmost point. `options` and `control` may be NULL. Free the
+// profile with `tree_profile_free`. `TREE_ERROR_FORMAT` when the text is no SVG or draws nothing to use.
+tree_status tree_profile_from_svg(const char *svg,
+                                  size_t len,
+                                  const struct tree_profile_options *options,
+                                  const struct tree_control *control,
+                                  struct tree_profile **profile);
+
+// Views a profile. Set `columns->struct_size` first.
+tree_status tree_profile_view(const struct tree_profile *profile,
+                              struct tree_profile_columns *columns);
+
+// The solid of revolution of a profile round a vertical axis through `base`, three floats. Free it with
+// `tree_volume_free`.
+tree_status tree_profile_volume(const struct tree_profile *profile,
+                                const float *base,
+                                struct tree_volume **volume);
+
+// Ends a profile.
+tree_status tree_profile_free(struct tree_profile *profile);
+
+// As `tree_profile_from_svg` and `tree_profile_volume` in one.
+tree_status tree_volume_from_svg(const char *svg,
+                                 size_t len,
+                                 const struct tree_profile_options *options,
+                                 const float *base,
+                                 const struct tree_control *control,
+                                 struct tree_volume **volume);
+
+// Makes `paint`, of `size` bytes, the default.
+tree_status tree_paint_init(struct tree_paint *paint, size_t size);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_link_params_init(struct tree_link_params *params, size_t size);
+
+// Whether the segment from `a` to `b`, three floats each, stays outside `obstacle` by at least
+// `clearance` metres, 0 or more: 1 or 0. Where both are the same it is asked of the one point.
+tree_status tree_obstacle_is_free(const struct tree_volume *obstacle,
+                                  float clearance,
+                                  const float *a,
+                                  const float *b,
+                                  uint32_t *is_free);
+
 // Makes `options`, of `size` bytes, the default.
 tree_status tree_pool_options_init(struct tree_pool_options *options, size_t size);
 
@@ -319,6 +3834,83 @@ tree_status tree_pool_threads(const struct tree_pool *pool, uint32_t *n_threads)
 // Ends a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
 // pool lives on, while a call is at work on it.
 tree_status tree_pool_free(struct tree_pool *pool);
+
+// Views a mask. Set `columns->struct_size` first.
+tree_status tree_mask_view(const struct tree_mask *mask, struct tree_mask_columns *columns);
+
+// Writes a byte for each pixel, rows from top to bottom: 1 where at least half of the pixel is covered,
+// else 0. `capacity` must be `width * height` or more.
+tree_status tree_mask_bits(const struct tree_mask *mask,
+                           uint8_t *bits,
+                           size_t capacity);
+
+// The mask in black on white. Free the picture with `tree_picture_free`.
+tree_status tree_mask_picture(const struct tree_mask *mask, struct tree_picture **picture);
+
+// Ends a mask.
+tree_status tree_mask_free(struct tree_mask *mask);
+
+// Makes a picture of `4 * width * height` bytes of a program's own, which are copied. `control` may be
+// NULL; only its limits matter. Free the picture with `tree_picture_free`.
+tree_status tree_picture_from_pixels(uint32_t width,
+                                     uint32_t height,
+                                     const uint8_t *pixels,
+                                     size_t n_bytes,
+                                     const struct tree_control *control,
+                                     struct tree_picture **picture);
+
+// Views a picture's pixels. Set `pixels->struct_size` first.
+tree_status tree_picture_view(const struct tree_picture *picture, struct tree_pixels *pixels);
+
+// Writes a picture to a PNG file, whole or not at all.
+tree_status tree_picture_write_png(const struct tree_picture *picture,
+                                   const char *path,
+                                   size_t path_len);
+
+// A picture as a PNG file in memory. Free it with `tree_bytes_free`.
+tree_status tree_picture_to_png(const struct tree_picture *picture, struct tree_bytes **bytes);
+
+// Ends a picture.
+tree_status tree_picture_free(struct tree_picture *picture);
+
+// Draws a picture of a mesh. `view`, `style` and `control` may be NULL. Back faces are drawn too, with
+// their normals turned over; an empty mesh gives the ground alone. Progress is told in the stages
+// `textures`, `light` and `picture`. The same mesh and parameters give the same bytes on every platform
+// and for any number of threads. Free the picture with `tree_picture_free`.
+tree_status tree_render(const struct tree_mesh *mesh,
+                        const struct tree_view *view,
+                        const struct tree_style *style,
+                        const struct tree_control *control,
+                        struct tree_picture **picture);
+
+// The share of each pixel that a mesh covers, by samples. There is no ground. `view` and `control` may
+// be NULL. Free the mask with `tree_mask_free`.
+tree_status tree_render_mask(const struct tree_mesh *mesh,
+                             const struct tree_view *view,
+                             const struct tree_control *control,
+                             struct tree_mask **mask);
+
+// The mask of a mesh in black on white. `view` and `control` may be NULL. Free the picture with
+// `tree_picture_free`.
+tree_status tree_render_silhouette(const struct tree_mesh *mesh,
+                                   const struct tree_view *view,
+                                   const struct tree_control *control,
+                                   struct tree_picture **picture);
+
+// Makes `style`, of `size` bytes, the default: a clear day on grass.
+tree_status tree_style_init(struct tree_style *style, size_t size);
+
+// Makes `style`, of `size` bytes, light grey paper with ground.
+tree_status tree_style_studio(struct tree_style *style, size_t size);
+
+// Makes `view`, of `size` bytes, the default.
+tree_status tree_view_init(struct tree_view *view, size_t size);
+
+// The same view with the camera placed where it stands for this mesh. `view` may be NULL for the
+// default; `placed` may be the same struct. Set `placed->struct_size` first.
+tree_status tree_view_place(const struct tree_view *view,
+                            const struct tree_mesh *mesh,
+                            struct tree_view *placed);
 
 // Makes a skeleton of columns, which are copied. Node 0 is the root, parents come before their children;
 // for rows in another order there is `tree_skeleton_from_unordered`. `control` may be NULL; only its
@@ -344,6 +3936,240 @@ tree_status tree_skeleton_bounds(const struct tree_skeleton *skeleton, float (*m
 
 // Ends a skeleton.
 tree_status tree_skeleton_free(struct tree_skeleton *skeleton);
+
+// Splits a skeleton into axes. Free them with `tree_axes_free`; they do not need the skeleton any more.
+tree_status tree_skeleton_axes(const struct tree_skeleton *skeleton,
+                               tree_continuation rule,
+                               struct tree_axes **axes);
+
+// Views the axes. Set `columns->struct_size` first.
+tree_status tree_axes_view(const struct tree_axes *axes, struct tree_axis_columns *columns);
+
+// Ends the axes.
+tree_status tree_axes_free(struct tree_axes *axes);
+
+// A new skeleton with other radii: `radii` has `n` floats, one for each node, in metres, 0 or more. Free
+// it with `tree_skeleton_free`.
+tree_status tree_skeleton_with_radii(const struct tree_skeleton *skeleton,
+                                     const float *radii,
+                                     size_t n,
+                                     struct tree_skeleton **changed);
+
+// A new skeleton with its nodes elsewhere: `positions` has three floats for each of `n` nodes, in
+// metres. Free it with `tree_skeleton_free`.
+tree_status tree_skeleton_with_positions(const struct tree_skeleton *skeleton,
+                                         const float *positions,
+                                         size_t n,
+                                         struct tree_skeleton **changed);
+
+// Length of the segment between each node and its parent, in metres; 0 for the root. `lengths` has room
+// for `capacity` floats, at least one for each node.
+tree_status tree_skeleton_segment_lengths(const struct tree_skeleton *skeleton,
+                                          float *lengths,
+                                          size_t capacity);
+
+// Length of the path from the root to each node, in metres. `distances` has room for `capacity` floats,
+// at least one for each node.
+tree_status tree_skeleton_distances_to_root(const struct tree_skeleton *skeleton,
+                                            float *distances,
+                                            size_t capacity);
+
+// Length of the longest path from each node up to a tip, in metres; 0 at tips. `distances` has room for
+// `capacity` floats, at least one for each node.
+tree_status tree_skeleton_distances_to_tip(const struct tree_skeleton *skeleton,
+                                           float *distances,
+                                           size_t capacity);
+
+// Number of nodes from each node up, itself included. `sizes` has room for `capacity` numbers, at least
+// one for each node.
+tree_status tree_skeleton_subtree_sizes(const struct tree_skeleton *skeleton,
+                                        uint32_t *sizes,
+                                        size_t capacity);
+
+// Number of tips from each node up; 1 for a tip. `counts` has room for `capacity` numbers, at least one
+// for each node.
+tree_status tree_skeleton_tip_counts(const struct tree_skeleton *skeleton,
+                                     uint32_t *counts,
+                                     size_t capacity);
+
+// The children of every node: those of node `i` are `nodes[starts[i]]` up to, but not including,
+// `nodes[starts[i + 1]]`, in rising order. `starts` has room for `starts_capacity` numbers, at least one
+// more than there are nodes; `nodes` for `nodes_capacity`, at least one less than there are nodes.
+tree_status tree_skeleton_children(const struct tree_skeleton *skeleton,
+                                   uint32_t *starts,
+                                   size_t starts_capacity,
+                                   uint32_t *nodes,
+                                   size_t nodes_capacity);
+
+// Makes `options`, of `size` bytes, the default.
+tree_status tree_swc_options_init(struct tree_swc_options *options, size_t size);
+
+// Reads an SWC file: metres, +Y up. Rows keep their order where parents come first; otherwise nodes come
+// breadth-first. The path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+// `TREE_NUL_TERMINATED`. `options` may be NULL for the defaults, and
+// so may `control`, of which only the limits matter. What is wrong with a file is told with its line.
+// Free the file with `tree_swc_free`.
+tree_status tree_swc_read_file(const char *path,
+                               size_t path_len,
+                               const struct tree_swc_options *options,
+                               const struct tree_control *control,
+                               struct tree_swc **swc);
+
+// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read_file`.
+tree_status tree_swc_read(const uint8_t *data,
+                          size_t len,
+                          const struct tree_swc_options *options,
+                          const struct tree_control *control,
+                          struct tree_swc **swc);
+
+// The skeleton of an SWC file, not copied. Free it with `tree_skeleton_free`; it may outlive `swc`.
+tree_status tree_swc_skeleton(const struct tree_swc *swc, struct tree_skeleton **skeleton);
+
+// Views what an SWC file held beside the skeleton. Set `contents->struct_size` first.
+tree_status tree_swc_view(const struct tree_swc *swc, struct tree_swc_contents *contents);
+
+// Ends an SWC file that was read.
+tree_status tree_swc_free(struct tree_swc *swc);
+
+// Writes a skeleton as an SWC file, which is whole or absent: written beside its name, then renamed. Ids
+// count from 1 in node order; types are 3, which continues the axis, and 4, which starts a lateral. With
+// a scale of 1, reading brings back every position and radius exactly, unless it moves the root.
+// `options` may be NULL for the defaults.
+tree_status tree_swc_write_file(const struct tree_skeleton *skeleton,
+                                const char *path,
+                                size_t path_len,
+                                const struct tree_swc_options *options);
+
+// Writes a skeleton as the text of an SWC file, as `tree_swc_write_file` does. Free it with
+// `tree_bytes_free`.
+tree_status tree_swc_write(const struct tree_skeleton *skeleton,
+                           const struct tree_swc_options *options,
+                           struct tree_bytes **text);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_skeletonize_params_init(struct tree_skeletonize_params *params, size_t size);
+
+// Makes `part`, of `size` bytes, the default: nothing.
+tree_status tree_mesh_part_init(struct tree_mesh_part *part, size_t size);
+
+// The fourth stage: makes a leaf of each leaf component, on the nearest wood of a skeleton as
+// `tree_pieces_link` returns it. Positions and sizes are in the units of the mesh already. `control` may
+// be NULL. Free the leaves with `tree_found_leaves_free`.
+tree_status tree_separation_leaves(const struct tree_separation *separation,
+                                   const struct tree_skeleton *skeleton,
+                                   const struct tree_control *control,
+                                   struct tree_found_leaves **leaves);
+
+// Views the leaves, in the form that `tree_tree_new` takes. Set `foliage->struct_size` first.
+tree_status tree_found_leaves_foliage(const struct tree_found_leaves *leaves,
+                                      struct tree_foliage *foliage);
+
+// Views the kinds of leaves. Set `kinds->struct_size` first.
+tree_status tree_found_leaves_view(const struct tree_found_leaves *leaves,
+                                   struct tree_leaf_kinds *kinds);
+
+// Ends leaves found in a mesh.
+tree_status tree_found_leaves_free(struct tree_found_leaves *leaves);
+
+// The second stage: follows every connected piece of wood from its base, in parallel. `params` and
+// `control` may be NULL. Free the pieces with `tree_pieces_free`. `TREE_ERROR_NO_RESULT` where there is
+// no wood.
+tree_status tree_separation_follow(const struct tree_separation *separation,
+                                   const struct tree_skeletonize_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_pieces **pieces);
+
+// Makes pieces of `n_pieces` skeletons, which are copied, and of what they stand for: for pieces that were
+// changed, or come from elsewhere. `control` may be NULL; only its limits matter.
+tree_status tree_pieces_new(const struct tree_skeleton *const *skeletons,
+                            const struct tree_piece *rows,
+                            size_t n_pieces,
+                            const struct tree_control *control,
+                            struct tree_pieces **pieces);
+
+// Number of pieces.
+tree_status tree_pieces_count(const struct tree_pieces *pieces, size_t *n_pieces);
+
+// One piece, `index` below their number: its skeleton, copied, in units of the mesh's longest side, and
+// what it stands for (NULL if not wanted). Free the skeleton with `tree_skeleton_free`.
+tree_status tree_pieces_piece(const struct tree_pieces *pieces,
+                              size_t index,
+                              struct tree_piece *row,
+                              struct tree_skeleton **skeleton);
+
+// The third stage: links pieces over gaps of at most `params.bridge` to one skeleton, seen from its lowest
+// thick end. `reached`, NULL or with room for a byte for each piece, says whether it is part of it. Free
+// the skeleton with `tree_skeleton_free`. `TREE_ERROR_NO_RESULT` without pieces.
+tree_status tree_pieces_link(const struct tree_pieces *pieces,
+                             const struct tree_skeletonize_params *params,
+                             const struct tree_control *control,
+                             uint8_t *reached,
+                             struct tree_skeleton **skeleton);
+
+// Ends pieces.
+tree_status tree_pieces_free(struct tree_pieces *pieces);
+
+// The first stage of `tree_skeletonize` by itself: welds the parts and says of each connected component
+// what it is. Arguments and errors are as there; `params.weld` counts. Free it with
+// `tree_separation_free`.
+//
+// The stages, one after the other: `tree_separation_new`, `tree_separation_follow`, `tree_pieces_link`,
+// `tree_separation_leaves`, `tree_separation_outward`. Up to the last all is in units of the mesh's
+// longest side, about its middle, whatever the mesh's own unit.
+tree_status tree_separation_new(const struct tree_mesh_part *parts,
+                                size_t n_parts,
+                                const struct tree_skeletonize_params *params,
+                                const struct tree_control *control,
+                                struct tree_separation **separation);
+
+// As `tree_separation_new`, of a mesh: see `tree_skeletonize_mesh`.
+tree_status tree_separation_of_mesh(const struct tree_mesh *mesh,
+                                    const tree_hint *hints,
+                                    size_t n_hints,
+                                    const struct tree_skeletonize_params *params,
+                                    const struct tree_control *control,
+                                    struct tree_separation **separation);
+
+// Views a separation. Set `columns->struct_size` first.
+tree_status tree_separation_view(const struct tree_separation *separation,
+                                 struct tree_separation_columns *columns);
+
+// The same separation with other classes, one for each component: what a component was taken for need
+// not hold. The first one stays as it is. Free the other one too.
+tree_status tree_separation_with_classes(const struct tree_separation *separation,
+                                         const tree_class *classes,
+                                         size_t n_classes,
+                                         struct tree_separation **other);
+
+// The last stage: brings a skeleton back to the units of the mesh. Free it with `tree_skeleton_free`.
+tree_status tree_separation_outward(const struct tree_separation *separation,
+                                    const struct tree_skeleton *skeleton,
+                                    struct tree_skeleton **outward);
+
+// Ends a separation.
+tree_status tree_separation_free(struct tree_separation *separation);
+
+// Makes a tree of a mesh, in the mesh's unit: closed surfaces, tubes stuck into each other, thousands of
+// separate prisms; cards or blobs for leaves. `parts` is `n_parts` structs, which are not kept. Its bark is
+// named after the part with most wood, leaf kinds after the parts their leaves come from. `params`,
+// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_NO_RESULT` where
+// nothing looks like wood; `TREE_ERROR_INVALID` for parts whose columns do not fit together.
+tree_status tree_skeletonize(const struct tree_mesh_part *parts,
+                             size_t n_parts,
+                             const struct tree_skeletonize_params *params,
+                             const struct tree_control *control,
+                             struct tree_skeletonize_report *report,
+                             struct tree_tree **tree);
+
+// As `tree_skeletonize`, of a mesh: each surface is a part, named after its material. `hints` is NULL, or
+// has one for each surface.
+tree_status tree_skeletonize_mesh(const struct tree_mesh *mesh,
+                                  const tree_hint *hints,
+                                  size_t n_hints,
+                                  const struct tree_skeletonize_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_skeletonize_report *report,
+                                  struct tree_tree **tree);
 
 // Makes a tree of a skeleton, which is copied, and columns of leaves (NULL for none), which are copied.
 // `species` may be NULL for an oak. `control` may be NULL; only its limits matter. Free the tree with
@@ -377,8 +4203,181 @@ const char *tree_version(void);
 // are never freed, do not count.
 size_t tree_live_objects(void);
 
-// Ends a volume. What was made of it lives on.
+// Ends a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
+// belong to the library.
 tree_status tree_volume_free(struct tree_volume *volume);
+
+// Makes what lies in any of `n_volumes` volumes, at least 1. As all that combine volumes: the volumes
+// may be freed afterwards; combinations nest at most 48 deep (a union of unions is no deeper than one)
+// and hold at most 1,048,576 solids.
+tree_status tree_volume_union(const struct tree_volume *const *volumes,
+                              size_t n_volumes,
+                              struct tree_volume **volume);
+
+// Makes what lies in all of `n_volumes` volumes, at least 1. It may turn out empty, which is no error.
+tree_status tree_volume_intersection(const struct tree_volume *const *volumes,
+                                     size_t n_volumes,
+                                     struct tree_volume **volume);
+
+// Makes what lies in `from` but not in `without`.
+tree_status tree_volume_difference(const struct tree_volume *from,
+                                   const struct tree_volume *without,
+                                   struct tree_volume **volume);
+
+// Makes `source` moved, turned, scaled or sheared. `columns` is twelve floats, column by column: where
+// the X, Y and Z axes go, three floats each, and then where the origin goes. They must be finite and not
+// flatten the volume.
+tree_status tree_volume_transformed(const struct tree_volume *source,
+                                    const float *columns,
+                                    struct tree_volume **volume);
+
+// Says of `n_points` points, three floats each, whether they lie inside: 1 or 0 into `inside`, which has
+// room for as many. 0 for points that are not finite. `control` may be NULL; `nodes` of its limits caps
+// the points.
+tree_status tree_volume_contains(const struct tree_volume *volume,
+                                 const float *points,
+                                 size_t n_points,
+                                 const struct tree_control *control,
+                                 uint8_t *inside);
+
+// Writes the signed distance of `n_points` points, three floats each, from the surface into `distances`,
+// which has room for as many: metres, negative inside, NaN for points that are not finite. It is exact,
+// or never too long and of the right sign; see `tree_volume_distance_is_exact`. `control` as for
+// `tree_volume_contains`.
+tree_status tree_volume_distance(const struct tree_volume *volume,
+                                 const float *points,
+                                 size_t n_points,
+                                 const struct tree_control *control,
+                                 float *distances);
+
+// Whether `tree_volume_distance` is exact everywhere, 1 or 0: 1 for plain solids, turned, moved and
+// uniformly scaled or not, 0 for combinations.
+tree_status tree_volume_distance_is_exact(const struct tree_volume *volume, uint32_t *is_exact);
+
+// A box around the volume: its lower corner, then its upper one, in metres. The smallest for plain
+// solids, else not always. Infinite for half-spaces; lower above upper where it is empty.
+tree_status tree_volume_bounds(const struct tree_volume *volume, float (*min_max)[6]);
+
+// Whether the bounds are finite, 1 or 0, so that the volume can be sampled and trees can grow in it.
+tree_status tree_volume_is_bounded(const struct tree_volume *volume,
+                                   uint32_t *is_bounded);
+
+// Cubic metres inside, where there is a closed form: for all plain solids but half-spaces, and these
+// transformed. Otherwise NaN; then there is `tree_volume_estimate_measure`.
+tree_status tree_volume_measure(const struct tree_volume *volume,
+                                float *measure);
+
+// Cubic metres inside by sampling about `n_samples` points: the same in every run; the error falls a
+// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. Looks
+// at no control: 20,000 samples take some milliseconds.
+tree_status tree_volume_estimate_measure(const struct tree_volume *volume,
+                                         uint32_t n_samples,
+                                         float *measure);
+
+// Writes `n_points` random points, uniform in the volume, three floats each, into `points`. The same
+// `seed` gives the same points. For each at most `attempts` points of the bounds are drawn; 64 do for
+// any plain solid but very narrow ones. `TREE_ERROR_NO_RESULT`, and nothing is written, when none of them
+// lay inside, or the bounds are infinite or empty. `control` as for `tree_volume_contains`.
+tree_status tree_volume_sample(const struct tree_volume *volume,
+                               size_t n_points,
+                               uint32_t attempts,
+                               uint64_t seed,
+                               const struct tree_control *control,
+                               float *points);
+
+// Makes a ball. `center` is three floats; `radius` is above 0. As all that make volumes: metres,
+// `TREE_ERROR_PARAMETER` or `TREE_ERROR_INVALID` names what is out of range or not finite, and the
+// volume is freed with `tree_volume_free`.
+tree_status tree_volume_sphere(const float *center, float radius, struct tree_volume **volume);
+
+// Makes an axis-aligned ellipsoid. `center` and `radii` are three floats each; `radii` are half its
+// extents, above 0. Turn it with `tree_volume_transformed`.
+tree_status tree_volume_ellipsoid(const float *center,
+                                  const float *radii,
+                                  struct tree_volume **volume);
+
+// Makes a round cylinder between the middles of its ends, `base` and `top`, three floats each, which
+// differ; `radius` is above 0.
+tree_status tree_volume_cylinder(const float *base,
+                                 const float *top,
+                                 float radius,
+                                 struct tree_volume **volume);
+
+// Makes a truncated cone between the middles of its ends, `base` and `top`, three floats each, which
+// differ. Radii are 0 or more, and one of them above 0.
+tree_status tree_volume_frustum(const float *base,
+                                const float *top,
+                                float base_radius,
+                                float top_radius,
+                                struct tree_volume **volume);
+
+// Makes the cone between a disc round `base` and a tip, `apex`, three floats each, which differ;
+// `base_radius` is above 0.
+tree_status tree_volume_cone(const float *base,
+                             const float *apex,
+                             float base_radius,
+                             struct tree_volume **volume);
+
+// Makes all points within `radius`, above 0, of the segment from `start` to `end`, three floats each; a
+// ball where both are the same.
+tree_status tree_volume_capsule(const float *start,
+                                const float *end,
+                                float radius,
+                                struct tree_volume **volume);
+
+// Makes an axis-aligned box. `min` and `max` are three floats each; `min` lies below `max` on every
+// axis.
+tree_status tree_volume_box(const float *min, const float *max, struct tree_volume **volume);
+
+// Makes all on the side of a plane through `point` that `normal` points away from; three floats each,
+// the normal of any length but 0. It has no end: to sample it, intersect it with a solid that has.
+tree_status tree_volume_half_space(const float *point,
+                                   const float *normal,
+                                   struct tree_volume **volume);
+
+// Makes the points within `radius`, above 0, of `apex` and within `angle` of `axis`: radians above 0, at
+// pi the whole ball. `apex` and `axis` are three floats each, the axis of any length but 0.
+tree_status tree_volume_sector(const float *apex,
+                               const float *axis,
+                               float angle,
+                               float radius,
+                               struct tree_volume **volume);
+
+// Makes what a profile sweeps when it turns about `axis`, which has any length but 0 and along which
+// heights are counted from `base`; three floats each. `profile` is `n_points` times two floats: distance
+// from the axis, 0 or more and not all 0, and height, not all the same. The line is closed to the axis by
+// a level line at both ends; heights may rise and fall. `control` may be NULL; only its limits matter
+// (`nodes` caps the points).
+tree_status tree_volume_revolution(const float *base,
+                                   const float *axis,
+                                   const float *profile,
+                                   size_t n_points,
+                                   const struct tree_control *control,
+                                   struct tree_volume **volume);
+
+// Makes what a closed triangle mesh bounds. `positions` is `n_positions` times three floats; corners at
+// the same place count as one. `indices` is `n_triangles` times three. Along each edge as many triangles
+// run one way as the other; inside is where the winding number is not 0. `TREE_ERROR_PARAMETER` names an
+// open edge or an index that is too large. `control` may be NULL; only its limits matter (`triangles`
+// caps the triangles and the positions).
+tree_status tree_volume_closed_mesh(const float *positions,
+                                    size_t n_positions,
+                                    const uint32_t *indices,
+                                    size_t n_triangles,
+                                    const struct tree_control *control,
+                                    struct tree_volume **volume);
+
+// Views what a volume is made of. Set `solid->struct_size` first; what it points at is valid until the
+// volume is freed. A cone is a frustum; combinations are as the library keeps them, a union of unions as
+// one union.
+tree_status tree_volume_view(const struct tree_volume *volume,
+                             struct tree_solid *solid);
+
+// A part of a combination, `index` below `tree_solid.n_parts`. Free it with `tree_volume_free`; it may
+// outlive the combination.
+tree_status tree_volume_part(const struct tree_volume *volume,
+                             size_t index,
+                             struct tree_volume **part);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -65,7 +65,7 @@ static void test_replaced_columns(void) {
     CHECK(view.positions[4] == 2.0f && view.radii[1] == 0.08f);
     OK(tree_skeleton_free(changed));
     positions[5] = NAN;
-    FAILS(TREE_ERROR_INVALID, "positions",
+    FAILS(TREE_ERROR_PARAMETER, "positions",
           tree_skeleton_with_positions(fork, positions, 4, &changed));
     OK(tree_skeleton_free(fork));
 }

@@ -68,7 +68,7 @@ static void plain_solids(void) {
 
     tree_volume *none = NULL;
     FAILS(TREE_ERROR_PARAMETER, "radius", tree_volume_sphere(origin, -1, &none));
-    FAILS(TREE_ERROR_INVALID, "radius", tree_volume_sphere(origin, NAN, &none));
+    FAILS(TREE_ERROR_PARAMETER, "radius", tree_volume_sphere(origin, NAN, &none));
     CHECK(none == NULL);
     FAILS(TREE_ERROR_NULL, "center", tree_volume_sphere(NULL, 1, &none));
     FAILS(TREE_ERROR_NULL, "volume", tree_volume_sphere(origin, 1, NULL));
