@@ -12,7 +12,7 @@ use crate::error::{ModelError, Result, check};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::sync::Arc as Shared;
-use tree_core::{Control, Resource, Seed, Volume};
+use tree_core::{Control, Limits, Resource, Seed, Volume};
 
 /// Nodes linked by one task. Graphs up to this size are linked on the calling thread, because the
 /// many small graphs of one level already keep all threads busy.
@@ -20,6 +20,10 @@ const CHUNK: usize = 4096;
 
 /// Arcs of a node deep inside a graph of reach 1: the nodes in a ball of one separation.
 const ARCS_PER_NODE: f32 = 4.0 / 3.0 * std::f32::consts::PI * FILL;
+
+/// Most arcs of a graph, whatever the limits: rows begin at offsets of 32 bits, and arcs are estimated before
+/// they are counted.
+const ARCS_MAX: u64 = 1 << 31;
 
 /// One direction of an edge.
 #[repr(C)]
@@ -137,7 +141,8 @@ impl Graph {
         let reach = linking.reach * nodes.separation;
         let arcs = n_nodes as f64
             * f64::from(ARCS_PER_NODE * linking.reach * linking.reach * linking.reach);
-        control.limits.check(Resource::GraphArcs, arcs as u64)?;
+        let cap = control.limits.graph_arcs.min(ARCS_MAX);
+        Limits { graph_arcs: cap, ..control.limits }.check(Resource::GraphArcs, arcs as u64)?;
         let linker = Linker { nodes, linking, terrain, seed, reach };
         let ranges: Vec<_> =
             (0..n_nodes).step_by(CHUNK).map(|start| start..(start + CHUNK).min(n_nodes)).collect();
