@@ -963,10 +963,13 @@ typedef struct tree_unpacked_columns {
 typedef struct tree_packed_vertex {
     // Position: min + (max - min) * position / 65535 of the view's `bounds`. Error: extent / 131,070.
     uint16_t position[3];
-    // Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign.
-    // 0 is the normal's any-orthonormal vector as Duff and others build it. Error: 3e-4 radians.
+    // Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign:
+    // cos * x + sin * cross(n, x), where n is the normal as it is read back and x is (b, s + n.y * n.y *
+    // a, -n.y) with s the sign of n.z (1 or -1), a = -1 / (s + n.z) and b = n.x * n.y * a. Error: 3e-4
+    // radians.
     uint16_t tangent;
-    // Octahedral normal, x and y / 32767. Error: 1e-4 radians.
+    // Octahedral normal: x and y / 32767, z = 1 - |x| - |y|; where z is negative, x is (1 - |y|) and y
+    // (1 - |x|), each with its old sign; then brought to unit length. Error: 1e-4 radians.
     int16_t normal[2];
     // Texture coordinates over the view's `uv_range`, as positions. Error: range / 131,070.
     uint16_t uv[2];
@@ -1265,22 +1268,6 @@ typedef struct tree_twig_report {
     double moved;
 } tree_twig_report;
 
-// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
-typedef struct tree_instancing_params {
-    // `sizeof(tree_instancing_params)`.
-    size_t struct_size;
-    // Most unique twigs, 1 to 1000. Default 30.
-    uint32_t twigs_max;
-    // How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
-    // and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
-    // of `tree_instancing_report`.
-    float ratio;
-    // Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
-    float reach;
-    // Not used; 0.
-    uint32_t reserved;
-} tree_instancing_params;
-
 // The line that is drawn through the nodes of an axis.
 typedef uint32_t tree_curve_fit;
 
@@ -1348,6 +1335,22 @@ typedef struct tree_mesh_params {
     uint32_t reserved;
 } tree_mesh_params;
 
+// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
+typedef struct tree_instancing_params {
+    // `sizeof(tree_instancing_params)`.
+    size_t struct_size;
+    // Most unique twigs, 1 to 1000. Default 30.
+    uint32_t twigs_max;
+    // How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
+    // and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
+    // of `tree_instancing_report`.
+    float ratio;
+    // Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
+    float reach;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_instancing_params;
+
 // What an instanced tree weighs and how near it comes.
 typedef struct tree_instancing_report {
     // `sizeof(tree_instancing_report)`.
@@ -1375,7 +1378,8 @@ typedef struct tree_instancing_report {
     uint32_t reserved;
 } tree_instancing_report;
 
-// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: a view.
+// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: as input, or as a
+// view.
 typedef struct tree_twig_instances {
     // `sizeof(tree_twig_instances)`.
     size_t struct_size;
@@ -2879,6 +2883,14 @@ tree_status tree_capsules_view(const struct tree_capsules *capsules,
                                const struct tree_capsule **rows,
                                size_t *n);
 
+// Whether a point of three floats lies inside a capsule or on its border.
+tree_status tree_capsule_contains(const struct tree_capsule *capsule,
+                                  const float *point,
+                                  uint32_t *inside);
+
+// Volume of a capsule in cubic metres.
+tree_status tree_capsule_volume(const struct tree_capsule *capsule, double *volume);
+
 // Ends capsules.
 tree_status tree_capsules_free(struct tree_capsules *capsules);
 
@@ -3078,9 +3090,6 @@ tree_status tree_twig_params_init(struct tree_twig_params *params, size_t size);
 // Whether all fields are in order: `TREE_OK`, or the error that their use would give.
 tree_status tree_twig_params_check(const struct tree_twig_params *params);
 
-// Makes `params`, of `size` bytes, the default.
-tree_status tree_instancing_params_init(struct tree_instancing_params *params, size_t size);
-
 // Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
 // coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
 // textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
@@ -3118,6 +3127,18 @@ tree_status tree_twigs_instances(const struct tree_twigs *twigs,
                                  size_t number,
                                  struct tree_twig_instances *instances);
 
+// Makes twigs of parts of your own: a base mesh, and for each of `n_twigs` twigs its mesh, with as many
+// surfaces as the base, and where it stands. All is copied but the textures, and checked; scales must be
+// the same along all axes. The report has the sizes; `reach` and `deviation` are 0 in it. `control` may
+// be NULL; only its limits (instances count as `leaves`) and its pool matter. Free the twigs with
+// `tree_twigs_free`.
+tree_status tree_twigs_from_parts(const struct tree_mesh *base,
+                                  const struct tree_mesh *const *meshes,
+                                  const struct tree_twig_instances *instances,
+                                  size_t n_twigs,
+                                  const struct tree_control *control,
+                                  struct tree_twigs **twigs);
+
 // Makes one plain mesh of base and instances: surfaces as the base has them, with the instances'
 // triangles behind. Columns that not all parts have, and light-map coordinates, are left out. Every
 // instance gets branches of its own, carried by the branch it stands on. Free the mesh with
@@ -3129,6 +3150,9 @@ tree_status tree_twigs_flatten(const struct tree_twigs *twigs,
 // Ends twigs. Meshes that were asked of them live on.
 tree_status tree_twigs_free(struct tree_twigs *twigs);
 
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_instancing_params_init(struct tree_instancing_params *params, size_t size);
+
 // Views the bytes: where they begin and how many there are.
 tree_status tree_bytes_view(const struct tree_bytes *bytes, const uint8_t **data, size_t *len);
 
@@ -3138,7 +3162,8 @@ tree_status tree_bytes_free(struct tree_bytes *bytes);
 // Makes `options`, of `size` bytes, the default.
 tree_status tree_glb_options_init(struct tree_glb_options *options, size_t size);
 
-// Writes a mesh to a GLB file, whole or not at all. `options` and `control` may be NULL; of `control`
+// Writes a mesh to a GLB file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends with
+// a NUL and `path_len` is `TREE_NUL_TERMINATED`. `options` and `control` may be NULL; of `control`
 // only threads and limits matter, and a cancellation before the work begins.
 tree_status tree_mesh_write_glb(const struct tree_mesh *mesh,
                                 const char *path,
@@ -3221,7 +3246,7 @@ tree_status tree_gltf_attributes_free(struct tree_gltf_attributes *attributes);
 // What a note says, for people; the text is there for ever.
 tree_status tree_note_text(tree_note note, struct tree_str *text);
 
-// Writes a mesh to an OBJ file and beside it the MTL file (`STEM.mtl`) and the textures
+// Writes a mesh to an OBJ file (the path is as in `tree_mesh_write_glb`) and beside it the MTL file (`STEM.mtl`) and the textures
 // (`STEM_NAME.png`), all or none. Blanks and other trouble in the stem are replaced by `_` in the names
 // of the files beside. Tangents and the other optional columns have no place in OBJ. `control` may be
 // NULL; only a cancellation before the work begins matters.
@@ -3242,7 +3267,7 @@ tree_status tree_mesh_to_obj(const struct tree_mesh *mesh,
 // Makes `options`, of `size` bytes, the default.
 tree_status tree_ply_options_init(struct tree_ply_options *options, size_t size);
 
-// Writes a mesh to a PLY file, whole or not at all: all surfaces as one, each vertex with the colour of
+// Writes a mesh to a PLY file (the path is as in `tree_mesh_write_glb`), whole or not at all: all surfaces as one, each vertex with the colour of
 // its material times the mean of its texture. `options` and `control` may be NULL; of `control` only a
 // cancellation before the work begins matters.
 tree_status tree_mesh_write_ply(const struct tree_mesh *mesh,
@@ -3260,7 +3285,8 @@ tree_status tree_mesh_to_ply(const struct tree_mesh *mesh,
 // Makes `options`, of `size` bytes, the default.
 tree_status tree_import_options_init(struct tree_import_options *options, size_t size);
 
-// Reads a mesh from a file. It is checked before memory is taken for it, and never trusted; what was
+// Reads a mesh from a file; the path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+// `TREE_NUL_TERMINATED`. It is checked before memory is taken for it, and never trusted; what was
 // left out or changed is in the report. `options`, `control` and `report` may be NULL. Free the mesh
 // with `tree_mesh_free`.
 tree_status tree_mesh_read(const char *path,
@@ -3862,7 +3888,8 @@ tree_status tree_picture_from_pixels(uint32_t width,
 // Views a picture's pixels. Set `pixels->struct_size` first.
 tree_status tree_picture_view(const struct tree_picture *picture, struct tree_pixels *pixels);
 
-// Writes a picture to a PNG file, whole or not at all.
+// Writes a picture to a PNG file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends
+// with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
 tree_status tree_picture_write_png(const struct tree_picture *picture,
                                    const char *path,
                                    size_t path_len);
