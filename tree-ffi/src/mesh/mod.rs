@@ -1,8 +1,8 @@
 //! Meshes: built of trees, viewed column by column, finished.
 
 use crate::border::{Handle, call, free, tree_status};
-use std::sync::Arc;
 use ::tree_mesh::Mesh;
+use std::sync::Arc;
 
 /// Surfaces with their materials, and the branches that move in the wind.
 pub struct tree_mesh(Arc<Mesh>);
