@@ -33,8 +33,10 @@ const COLLAR_MAX: f32 = 0.5;
 /// Speed of sound in green wood along the grain, m/s: √(E/ρ) with 8·10⁹ Pa and 900 kg/m³.
 const WAVE_SPEED: f32 = 2981.0;
 
-/// A branch as the wind sees it: a rod that turns about its pivot, carried by its parent.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// A branch as the wind sees it: a rod that turns about its pivot, carried by its parent. 52 bytes, laid
+/// out as C does.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct Branch {
     /// The branch that carries this one; itself for the trunk. Parents come first.
     pub parent: u32,
