@@ -53,7 +53,9 @@ namespace TreeFamily.Native
     public struct tree_volume { }
 
     /// <summary>
-    /// Told of progress. Default NULL.
+    /// Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
+    /// the share of the whole that is done, 0 to 1. Returns 0 to go on, anything else to cancel. Called from
+    /// whichever thread does the work, one call at a time or several; must not unwind.
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int tree_progress_fn(void* user, byte* stage, float fraction);
@@ -77,8 +79,8 @@ namespace TreeFamily.Native
     public unsafe delegate void tree_worker_fn(void* worker);
 
     /// <summary>
-    /// Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
-    /// the pool's whole life. Default NULL: the library starts threads.
+    /// Asks the host for a thread that calls `run(worker)`, on any thread but the asking one. Returns 0 when
+    /// it will, anything else when it cannot (then `run` must not be called).
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int tree_spawn_fn(void* user, IntPtr run, void* worker);
@@ -325,7 +327,7 @@ namespace TreeFamily.Native
     }
 
     /// <summary>The header's constants and functions.</summary>
-    public static unsafe class Tree
+    public static unsafe class TreeNative
     {
 #if (UNITY_IOS || UNITY_WEBGL) && !UNITY_EDITOR
         /// <summary>The library is linked into the program there.</summary>

@@ -44,7 +44,7 @@ pub fn write(header: &Header) -> Result<String, String> {
         line(&mut text, 1, "}\n");
     }
     line(&mut text, 1, "/// <summary>The header's constants and functions.</summary>");
-    line(&mut text, 1, "public static unsafe class Tree");
+    line(&mut text, 1, "public static unsafe class TreeNative");
     line(&mut text, 1, "{");
     text.push_str(LIBRARY);
     for constant in &header.constants {
@@ -108,7 +108,16 @@ impl Writer<'_> {
         document(text, 2, &field.doc);
         let name = escaped(&field.name);
         let Type::Array(..) = field.kind else {
-            line(text, 2, &format!("public {} {name};", self.kind(&field.kind)?));
+            // What constants it takes, which C# would not say.
+            let of = match &field.kind {
+                Type::Name(alias)
+                    if self.header.aliases.iter().any(|known| known.name == *alias) =>
+                {
+                    format!(" // {alias}")
+                }
+                _ => String::new(),
+            };
+            line(text, 2, &format!("public {} {name};{of}", self.kind(&field.kind)?));
             return Ok(());
         };
         let (element, length) = flat(&field.kind);
