@@ -26,7 +26,8 @@ namespace TreeFamily
     {
         /// <summary>
         /// Told what is being done and the share of the whole that is done, 0 to 1; returns whether to go
-        /// on. Called from the library's threads, several at once. What it throws comes out of the call.
+        /// on. Called from the library's threads, several at once. What it throws cancels the call and comes
+        /// out of it, as the inner exception of an OperationCanceledException.
         /// </summary>
         public Func<string, float, bool> Progress;
 
@@ -77,7 +78,8 @@ namespace TreeFamily
         readonly CallOptions options;
         readonly List<SafeHandle> used = new List<SafeHandle>();
         readonly List<IntPtr> blocks = new List<IntPtr>();
-        readonly CancellationTokenRegistration registration;
+        CancellationTokenRegistration registration;
+        CancelSwitch owned;
         GCHandle self;
         volatile Exception thrown;
 
@@ -94,6 +96,19 @@ namespace TreeFamily
             {
                 return;
             }
+            try
+            {
+                Fill();
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        void Fill()
+        {
             Control = (tree_control*)Block(sizeof(tree_control));
             Check(TreeNative.tree_control_init(Control, (UIntPtr)sizeof(tree_control)));
             if (options.Progress != null)
@@ -113,14 +128,11 @@ namespace TreeFamily
             }
             if (options.Cancellation.CanBeCanceled)
             {
-                var cancel = new CancelSwitch();
-                Control->cancel = (tree_cancel*)Use(cancel);
-                registration = options.Cancellation.Register(cancel.Set);
-                owned = cancel;
+                owned = new CancelSwitch();
+                Control->cancel = (tree_cancel*)Use(owned);
+                registration = options.Cancellation.Register(owned.Set);
             }
         }
-
-        readonly CancelSwitch owned;
 
         /// <summary>The handle's pointer; another thread's Dispose waits until this call is done.</summary>
         public void* Use(SafeHandle handle)

@@ -77,6 +77,26 @@ namespace TreeFamily
             }
         }
 
+        /// <summary>
+        /// The parameters of a preset, to be changed and handed to BotanicalTree.Grow. What they point at
+        /// belongs to the library and lives for ever.
+        /// </summary>
+        public static tree_path_params Preset(string name)
+        {
+            if (name == null)
+            {
+                throw new ArgumentNullException("name");
+            }
+            tree_path_params parameters;
+            using (var call = new Calling())
+            {
+                call.Check(TreeNative.tree_path_preset(
+                    call.Text(name), TreeNative.TREE_NUL_TERMINATED,
+                    &parameters, (UIntPtr)sizeof(tree_path_params)));
+            }
+            return parameters;
+        }
+
         /// <summary>A library of another ABI would read our structs wrongly.</summary>
         internal static void CheckVersion()
         {
@@ -197,10 +217,18 @@ namespace TreeFamily
         /// <summary>Grows a preset, such as "oak". The same seed gives the same tree everywhere.</summary>
         public static BotanicalTree Grow(string preset, ulong seed, CallOptions options = null)
         {
+            return Grow(TreeLibrary.Preset(preset), seed, options);
+        }
+
+        /// <summary>Grows a tree of least-cost paths; begin with TreeLibrary.Preset.</summary>
+        public static BotanicalTree Grow(
+            tree_path_params parameters, ulong seed, CallOptions options = null)
+        {
             using (var call = new Calling(options))
             {
-                tree_tree* made = null;
-                GROW
+                tree_tree* made;
+                call.Check(TreeNative.tree_path_grow(
+                    &parameters, seed, call.Control, null, &made));
                 var tree = new BotanicalTree();
                 tree.Own(made);
                 return tree;
@@ -284,7 +312,32 @@ namespace TreeFamily
             }
         }
 
-        MATERIAL
+        /// <summary>A material, with its picture copied; TreeSurface.Material is its number.</summary>
+        public TreeMaterial Material(int number)
+        {
+            using (var call = new Calling())
+            {
+                var mesh = (tree_mesh*)call.Use(this);
+                var view = new tree_material { struct_size = (UIntPtr)sizeof(tree_material) };
+                call.Check(TreeNative.tree_mesh_material(mesh, Size(number), &view));
+                var material = new TreeMaterial(view);
+                tree_texture* texture;
+                call.Check(TreeNative.tree_mesh_texture(mesh, Size(number), &texture));
+                if (texture != null)
+                {
+                    using (var handle = new TextureHandle(texture))
+                    {
+                        var pixels = new tree_texture_pixels
+                        {
+                            struct_size = (UIntPtr)sizeof(tree_texture_pixels)
+                        };
+                        call.Check(TreeNative.tree_texture_view(texture, &pixels));
+                        material.CopyPixels(pixels);
+                    }
+                }
+                return material;
+            }
+        }
 
         static UIntPtr Size(int number)
         {
@@ -297,61 +350,16 @@ namespace TreeFamily
         }
     }
 
-    /// <summary>
-    /// Columns of a surface by the library's axes: right-handed, +Y up, metres, triangles counter-clockwise,
-    /// v downwards. Those that are absent are empty.
-    /// </summary>
-    public sealed unsafe class TreeSurface
+    internal sealed unsafe class TextureHandle : TreeHandle
     {
-        /// <summary>Three for each vertex.</summary>
-        public readonly float[] Positions;
-        /// <summary>Three for each vertex.</summary>
-        public readonly float[] Normals;
-        /// <summary>Two for each vertex.</summary>
-        public readonly float[] Uvs;
-        /// <summary>Four for each vertex, or none.</summary>
-        public readonly float[] Tangents;
-        /// <summary>Two for each vertex, for light maps, or none.</summary>
-        public readonly float[] Uvs2;
-        /// <summary>Three for each triangle.</summary>
-        public readonly int[] Indices;
-        /// <summary>The material.</summary>
-        public readonly int Material;
-
-        internal TreeSurface(tree_surface view)
+        public TextureHandle(tree_texture* made)
         {
-            int vertices = checked((int)view.n_vertices);
-            Positions = Floats(view.positions, 3 * vertices);
-            Normals = Floats(view.normals, 3 * vertices);
-            Uvs = Floats(view.uvs, 2 * vertices);
-            Tangents = Floats(view.tangents, 4 * vertices);
-            Uvs2 = Floats(view.uvs2, 2 * vertices);
-            Indices = new int[checked((int)view.n_indices)];
-            if (Indices.Length > 0)
-            {
-                Marshal.Copy((IntPtr)view.indices, Indices, 0, Indices.Length);
-            }
-            Material = (int)view.material;
+            Own(made);
         }
 
-        /// <summary>Number of vertices.</summary>
-        public int VertexCount
+        protected override bool ReleaseHandle()
         {
-            get { return Positions.Length / 3; }
-        }
-
-        static float[] Floats(float* column, int length)
-        {
-            if (column == null)
-            {
-                return new float[0];
-            }
-            var copy = new float[length];
-            if (length > 0)
-            {
-                Marshal.Copy((IntPtr)column, copy, 0, length);
-            }
-            return copy;
+            return TreeNative.tree_texture_free((tree_texture*)handle) == TreeNative.TREE_OK;
         }
     }
 }
