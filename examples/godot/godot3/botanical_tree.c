@@ -161,7 +161,11 @@ static tree_status fill(trees *self, const tree_mesh *mesh, godot_object *filled
     return status;
 }
 
-/* GROW */
+static tree_status grow_preset(const char *preset, uint64_t seed, tree_tree **tree) {
+    tree_path_params params;
+    tree_status status = tree_path_preset(preset, TREE_NUL_TERMINATED, &params, sizeof params);
+    return status != TREE_OK ? status : tree_path_grow(&params, seed, NULL, NULL, tree);
+}
 
 /* grow(preset: String, seed: int) -> ArrayMesh, null after an error. */
 static godot_variant grow(godot_object *object, void *method, void *user, int n_arguments,

@@ -24,6 +24,7 @@ fi
 [ -f "$headers/gdnative_api_struct.gen.h" ] || { echo "no Godot 3 headers in '$headers'" >&2; exit 2; }
 
 mkdir -p "$work"
+work=$(cd "$work" && pwd)
 cp "$here"/{project.godot,botanical_tree.gdnlib,botanical_tree.gdns,test.gd} "$work/"
 ln -sf "$library/libtree_ffi.so" "$work/libtree_ffi.so"
 # Godot's headers are not strict C: -isystem.

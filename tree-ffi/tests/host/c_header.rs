@@ -336,7 +336,10 @@ impl Reader {
             return Ok(kind);
         }
         let word = self.word()?;
-        let length = word.parse().map_err(|_| format!("'{word}' is no length"))?;
+        // A number, or a constant that is one.
+        let constant = self.header.constants.iter().find(|constant| constant.name == word);
+        let value = constant.map_or(&word, |constant| &constant.value);
+        let length = value.parse().map_err(|_| format!("'{word}' is no length"))?;
         self.sign(']')?;
         Ok(Type::Array(Box::new(self.lengths(kind)?), length))
     }
