@@ -2,7 +2,8 @@
 # Builds the shim and runs test.gd in a headless Godot 3.
 #   examples/godot/godot3/run.sh FOLDER_OF_LIBTREE_FFI [WORK_FOLDER]
 # Needs cc, cargo (for Godot's headers, unless GODOT_HEADERS names their folder) and godot3-server, or
-# another Godot 3 without a window that GODOT names. Writes to the work folder only.
+# another Godot 3 without a window that GODOT names. Writes to the work folder only. Exit status: 0 passed,
+# 1 failed, 2 something is not installed, 3 the headers could not be fetched.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
@@ -17,7 +18,8 @@ command -v "$godot" >/dev/null || { echo "$godot is not installed (Debian: godot
 headers=${GODOT_HEADERS:-}
 if [ -z "$headers" ]; then
     manifest=$here/headers/Cargo.toml
-    cargo fetch --quiet --locked --manifest-path "$manifest"
+    cargo fetch --quiet --locked --manifest-path "$manifest" ||
+        { echo "Godot's headers could not be fetched; GODOT_HEADERS may name their folder" >&2; exit 3; }
     headers=$(cargo metadata --format-version 1 --locked --offline --manifest-path "$manifest" |
         tr ',' '\n' | sed -n 's|.*"manifest_path":"\(.*/gdnative-sys-[^/]*\)/Cargo.toml".*|\1|p')/godot_headers
 fi

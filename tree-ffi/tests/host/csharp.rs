@@ -122,11 +122,10 @@ impl Writer<'_> {
         };
         let (element, length) = flat(&field.kind);
         let kind = self.kind(element)?;
-        if PRIMITIVES.iter().any(|(_, csharp)| *csharp == kind) {
+        if is_fixed(&field.kind) {
             line(text, 2, &format!("public fixed {kind} {name}[{length}];"));
             return Ok(());
         }
-        // Only numbers can be a fixed buffer.
         let names: Vec<_> = (0..length).map(|number| format!("{}_{number}", field.name)).collect();
         line(text, 2, &format!("public {kind} {};", names.join(", ")));
         Ok(())
@@ -181,6 +180,23 @@ fn flat(kind: &Type) -> (&Type, usize) {
             (element, length * inner)
         }
         other => (other, 1),
+    }
+}
+
+/// Where a field of `x` lies.
+pub fn address(field: &Field) -> String {
+    match &field.kind {
+        Type::Array(..) if is_fixed(&field.kind) => format!("x.{}", escaped(&field.name)),
+        Type::Array(..) => format!("&x.{}_0", field.name),
+        _ => format!("&x.{}", escaped(&field.name)),
+    }
+}
+
+/// Whether an array's elements are numbers: only they can be a fixed buffer.
+fn is_fixed(kind: &Type) -> bool {
+    match flat(kind).0 {
+        Type::Name(name) => PRIMITIVES.iter().any(|(c, csharp)| c == name && *csharp != "UIntPtr"),
+        _ => false,
     }
 }
 

@@ -3,6 +3,8 @@
 
 pub mod c_header;
 pub mod csharp;
+pub mod layout;
+pub mod programs;
 
 use std::path::{Path, PathBuf};
 
