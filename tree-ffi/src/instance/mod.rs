@@ -31,17 +31,17 @@ impl tree_twigs {
     }
 }
 
-/// How a tree is divided into twigs. Begin with `tree_twig_params_init`.
+/// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct tree_twig_params {
-    /// `sizeof(tree_twig_params)`.
+pub struct tree_instancing_params {
+    /// `sizeof(tree_instancing_params)`.
     pub struct_size: usize,
     /// Most unique twigs, 1 to 1000. Default 30.
     pub twigs_max: u32,
     /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
     /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
-    /// of `tree_twig_report`.
+    /// of `tree_instancing_report`.
     pub ratio: f32,
     /// Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
     pub reach: f32,
@@ -50,8 +50,8 @@ pub struct tree_twig_params {
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_twig_params {
-    const NAME: &'static str = "tree_twig_params";
+unsafe impl Versioned for tree_instancing_params {
+    const NAME: &'static str = "tree_instancing_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
         let TwigParams { twigs_max, ratio, reach, seed: _ } = TwigParams::default();
@@ -60,7 +60,7 @@ unsafe impl Versioned for tree_twig_params {
     }
 }
 
-impl tree_twig_params {
+impl tree_instancing_params {
     fn rust(&self, seed: u64) -> TwigParams {
         TwigParams {
             twigs_max: self.twigs_max,
@@ -74,8 +74,8 @@ impl tree_twig_params {
 
 /// Makes `params`, of `size` bytes, the default.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_twig_params_init(
-    params: *mut tree_twig_params,
+pub unsafe extern "C" fn tree_instancing_params_init(
+    params: *mut tree_instancing_params,
     size: usize,
 ) -> tree_status {
     call(|| unsafe { init(params, size) })
@@ -84,8 +84,8 @@ pub unsafe extern "C" fn tree_twig_params_init(
 /// What an instanced tree weighs and how near it comes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct tree_twig_report {
-    /// `sizeof(tree_twig_report)`.
+pub struct tree_instancing_report {
+    /// `sizeof(tree_instancing_report)`.
     pub struct_size: usize,
     /// Unique twigs.
     pub n_twigs: u64,
@@ -111,15 +111,15 @@ pub struct tree_twig_report {
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_twig_report {
-    const NAME: &'static str = "tree_twig_report";
+unsafe impl Versioned for tree_instancing_report {
+    const NAME: &'static str = "tree_instancing_report";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
         Self::of(&TwigReport::default())
     }
 }
 
-impl tree_twig_report {
+impl tree_instancing_report {
     fn of(report: &TwigReport) -> Self {
         let (n_leaves, n_leaves_instanced) = report.n_leaves;
         Self {
@@ -147,10 +147,10 @@ pub unsafe extern "C" fn tree_twigs_build(
     tree: *const tree_tree,
     look: *const tree_look,
     mesh_params: *const tree_mesh_params,
-    params: *const tree_twig_params,
+    params: *const tree_instancing_params,
     seed: u64,
     control: *const tree_control,
-    report: *mut tree_twig_report,
+    report: *mut tree_instancing_report,
     twigs: *mut *mut tree_twigs,
 ) -> tree_status {
     call(|| {
@@ -168,7 +168,7 @@ pub unsafe extern "C" fn tree_twigs_build(
                 Ok(self::twigs(tree, &look, &mesh_params, &params, control)?)
             })
         }?;
-        unsafe { view(report, "report", &tree_twig_report::of(&made.report)) }?;
+        unsafe { view(report, "report", &tree_instancing_report::of(&made.report)) }?;
         place.put(tree_twigs(Arc::new(made)));
         Ok(())
     })
@@ -190,11 +190,11 @@ pub unsafe extern "C" fn tree_twigs_count(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_twigs_report(
     twigs: *const tree_twigs,
-    report: *mut tree_twig_report,
+    report: *mut tree_instancing_report,
 ) -> tree_status {
     call(|| {
         let report_of = unsafe { get(twigs, "twigs") }?.rust().report;
-        unsafe { write(report, "report", &tree_twig_report::of(&report_of)) }
+        unsafe { write(report, "report", &tree_instancing_report::of(&report_of)) }
     })
 }
 

@@ -4,14 +4,18 @@
 //!   the caller's wishes.
 //! * `material`, `leaf`, `leaf_mesh`: what goes on bark and leaves.
 
+mod bark_style;
 mod leaf;
 mod leaf_mesh;
+mod leaf_shape;
 mod material;
 mod names;
 mod texture;
 
+pub use bark_style::*;
 pub use leaf::*;
 pub use leaf_mesh::*;
+pub use leaf_shape::*;
 pub use material::*;
 pub use names::*;
 pub use texture::*;
@@ -25,7 +29,7 @@ use crate::tree::{tree_species, tree_tree};
 use ::tree_mesh::{Look, Material};
 use leaf_mesh::leaf_of;
 use material::check_materials;
-use tree_model::tree_core::Species;
+use tree_model::tree_core::{Limits, Species};
 
 /// What a species looks like: a material for the bark, and a leaf look for each leaf kind.
 pub struct tree_look(Look);
@@ -94,6 +98,11 @@ pub unsafe extern "C" fn tree_look_of_tree(
         place.put(tree_look(made));
         Ok(())
     })
+}
+
+/// Limits for lists of which a handful is allowed; what is too many is said by the check of their ranges.
+fn small() -> Limits {
+    Limits { nodes: 1 << 16, ..Limits::default() }
 }
 
 /// Most leaf kinds of a look: what an index of 16 bits reaches.
