@@ -1,5 +1,6 @@
 //! What engines want besides triangles: wind, packed vertices, capsules, other axes.
 
+mod branch;
 mod collide;
 mod convention;
 mod convert;
@@ -10,6 +11,7 @@ mod unpacked;
 mod vertex;
 mod wind;
 
+pub use branch::*;
 pub use collide::*;
 pub use convention::*;
 pub use convert::*;

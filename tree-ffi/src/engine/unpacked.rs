@@ -5,7 +5,7 @@ use super::packed::{Content, tree_packed};
 use crate::border::{
     Failure, Handle, Result, TREE_ERROR_PANIC, Versioned, call, free, get, out, tree_status, write,
 };
-use crate::mesh::tree_mesh;
+use crate::mesh::{column, tree_mesh};
 use ::tree_mesh::pack::{
     Packed, Unpacked, gltf_wind, godot, pivot_painter, speedtree8, speedtree9, tree_creator,
 };
@@ -82,38 +82,33 @@ unsafe impl Versioned for tree_unpacked_columns {
     }
 }
 
-/// NULL when there is nothing.
-fn column<T, U>(column: &[T]) -> *const U {
-    if column.is_empty() { std::ptr::null() } else { column.as_ptr().cast() }
-}
-
 impl tree_unpacked_columns {
     fn of(unpacked: &Unpacked) -> Self {
         Self {
             struct_size: size_of::<Self>(),
             n_vertices: unpacked.positions.len(),
-            positions: column(&unpacked.positions),
-            normals: column(&unpacked.normals),
-            tangents: column(&unpacked.tangents),
-            uvs: column(&unpacked.uvs),
-            uvs2: column(&unpacked.uvs2),
-            indices: column(&unpacked.indices),
+            positions: column(&unpacked.positions).cast(),
+            normals: column(&unpacked.normals).cast(),
+            tangents: column(&unpacked.tangents).cast(),
+            uvs: column(&unpacked.uvs).cast(),
+            uvs2: column(&unpacked.uvs2).cast(),
+            indices: column(&unpacked.indices).cast(),
             n_indices: unpacked.indices.len(),
-            occlusion: column(&unpacked.occlusion),
-            branches: column(&unpacked.branches),
-            parents: column(&unpacked.parents),
-            levels: column(&unpacked.levels),
-            pivots: column(&unpacked.pivots),
-            axes: column(&unpacked.axes),
-            phases: column(&unpacked.phases),
-            stiffness: column(&unpacked.stiffness),
-            reach: column(&unpacked.reach),
-            flutter: column(&unpacked.flutter),
-            leaf_phases: column(&unpacked.leaf_phases),
-            anchors: column(&unpacked.anchors),
-            is_leaf: column(&unpacked.is_leaf),
-            weights: column(&unpacked.weights),
-            directions: column(&unpacked.directions),
+            occlusion: column(&unpacked.occlusion).cast(),
+            branches: column(&unpacked.branches).cast(),
+            parents: column(&unpacked.parents).cast(),
+            levels: column(&unpacked.levels).cast(),
+            pivots: column(&unpacked.pivots).cast(),
+            axes: column(&unpacked.axes).cast(),
+            phases: column(&unpacked.phases).cast(),
+            stiffness: column(&unpacked.stiffness).cast(),
+            reach: column(&unpacked.reach).cast(),
+            flutter: column(&unpacked.flutter).cast(),
+            leaf_phases: column(&unpacked.leaf_phases).cast(),
+            anchors: column(&unpacked.anchors).cast(),
+            is_leaf: column(&unpacked.is_leaf).cast(),
+            weights: column(&unpacked.weights).cast(),
+            directions: column(&unpacked.directions).cast(),
         }
     }
 }
