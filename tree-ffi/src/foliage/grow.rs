@@ -9,13 +9,19 @@ use crate::tree::tree_tree;
 use glam::Vec3;
 use std::ffi::c_void;
 use tree_model::foliage::{
-    DensityField, LeafParams, LeafReport, grow_leaves_and_report, grow_leaves_with_stalks,
-    grow_twigs, grow_twigs_in,
+    DENSITY_CAP, DensityField, LeafParams, LeafReport, grow_leaves_and_report,
+    grow_leaves_with_stalks, grow_twigs, grow_twigs_in,
 };
 use tree_model::tree_core::{Control, Seed, Tree};
 
+/// Densities above this count as this.
+pub const TREE_DENSITY_CAP: f32 = 4.0;
+
+// The header needs a literal; it is the library's own.
+const _: () = assert!(TREE_DENSITY_CAP == DENSITY_CAP);
+
 /// How densely leaves or twigs stand at `position`, three floats in metres: 0 none, 1 as the parameters
-/// say, 2 twice as many, up to 4. Less than 1 is the chance that a place bears; whorls stay whole.
+/// say, 2 twice as many, up to `TREE_DENSITY_CAP`. Less than 1 is the chance that a place bears; whorls stay whole.
 /// Negative and not a number count as 0 and are reported. Asked once for each place, from any thread and
 /// from several at a time; must give the same answer for the same place, and must not unwind.
 pub type tree_density_fn =
@@ -36,7 +42,7 @@ fn field(density: tree_density_fn, user: User) -> Option<impl Fn(Vec3) -> f32 + 
 /// the old ones. For leaves on a bare skeleton, make a tree of it with `tree_tree_new`.
 ///
 /// `params` may be NULL for the default; `kind` must be a leaf kind of the tree's species. `density` may
-/// be NULL for 1 everywhere, and is handed `user`. With `with_stalks` petioles and rachises become thin
+/// be NULL for 1 everywhere, and is handed `user`. With `with_stalks` (a yes or no) petioles and rachises become thin
 /// branches, for close-ups: old nodes keep number, position, radius and parent, stalks come after them,
 /// and leaves name the stalk that bears them; without, leaflets name the shoot's node. The same seed
 /// gives the same leaves. `report` may be NULL. Free the tree with `tree_tree_free`.

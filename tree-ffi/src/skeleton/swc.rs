@@ -193,7 +193,8 @@ impl tree_swc_contents {
 }
 
 /// Reads an SWC file: metres, +Y up. Rows keep their order where parents come first; otherwise nodes come
-/// breadth-first. The path, in UTF-8, has `path_len` bytes. `options` may be NULL for the defaults, and
+/// breadth-first. The path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+/// `TREE_NUL_TERMINATED`. `options` may be NULL for the defaults, and
 /// so may `control`, of which only the limits matter. What is wrong with a file is told with its line.
 /// Free the file with `tree_swc_free`.
 #[unsafe(no_mangle)]
@@ -213,7 +214,7 @@ pub unsafe extern "C" fn tree_swc_read_file(
     })
 }
 
-/// Reads the text of an SWC file, of `len` bytes. Otherwise as `tree_swc_read_file`.
+/// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read_file`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_swc_read(
     data: *const u8,
