@@ -40,6 +40,21 @@ namespace TreeFamily.Native
     public struct tree_crossings { }
 
     /// <summary>
+    /// Leaves found in a mesh, and their kinds.
+    /// </summary>
+    public struct tree_found_leaves { }
+
+    /// <summary>
+    /// Columns for a glTF file.
+    /// </summary>
+    public struct tree_gltf_attributes { }
+
+    /// <summary>
+    /// Leaves of a tree, one small mesh for each kind and where its copies stand.
+    /// </summary>
+    public struct tree_gltf_leaves { }
+
+    /// <summary>
     /// An undirected graph with costs.
     /// </summary>
     public struct tree_graph { }
@@ -81,6 +96,11 @@ namespace TreeFamily.Native
     public struct tree_picture { }
 
     /// <summary>
+    /// Connected pieces of wood, each followed from its base.
+    /// </summary>
+    public struct tree_pieces { }
+
+    /// <summary>
     /// Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
     /// depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
     /// threads of calls without a pool never end.
@@ -96,6 +116,12 @@ namespace TreeFamily.Native
     /// For each node of a skeleton that was made of another, the node there that it comes from.
     /// </summary>
     public struct tree_rows { }
+
+    /// <summary>
+    /// The triangles of a mesh, welded and sorted into connected components, each of which is wood, a leaf, a
+    /// body of leaves or nothing. It holds copies of the parts.
+    /// </summary>
+    public struct tree_separation { }
 
     /// <summary>
     /// Branches as a rooted tree of nodes with radii.
@@ -135,6 +161,11 @@ namespace TreeFamily.Native
     public struct tree_volume { }
 
     /// <summary>
+    /// The branches of a skeleton, as the wind sees them.
+    /// </summary>
+    public struct tree_wind_branches { }
+
+    /// <summary>
     /// Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
     /// the share of the whole that is done, 0 to 1. Returns 0 to go on, anything else to cancel. Called from
     /// whichever thread does the work, one call at a time or several; must not unwind.
@@ -144,7 +175,7 @@ namespace TreeFamily.Native
 
     /// <summary>
     /// How densely leaves or twigs stand at `position`, three floats in metres: 0 none, 1 as the parameters
-    /// say, 2 twice as many, up to 4. Less than 1 is the chance that a place bears; whorls stay whole.
+    /// say, 2 twice as many, up to `TREE_DENSITY_CAP`. Less than 1 is the chance that a place bears; whorls stay whole.
     /// Negative and not a number count as 0 and are reported. Asked once for each place, from any thread and
     /// from several at a time; must give the same answer for the same place, and must not unwind.
     /// </summary>
@@ -324,6 +355,76 @@ namespace TreeFamily.Native
         /// Threads that do the work. Default NULL: one for each core, shared by all calls.
         /// </summary>
         public tree_pool* pool;
+    }
+
+    /// <summary>
+    /// What follows from a row of the table of branches.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branch_motion
+    {
+        /// <summary>
+        /// `sizeof(tree_branch_motion)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Share of the wind's full turn that it makes, 0 to 1.
+        /// </summary>
+        public float give;
+        /// <summary>
+        /// Its lowest natural frequency in hertz, as a bare, clamped, uniform rod of green wood; leaves make
+        /// it slower, taper faster. Infinite for a branch without length.
+        /// </summary>
+        public float frequency;
+        /// <summary>
+        /// The direction it swings in: a unit vector square to the axis, another one for each phase.
+        /// </summary>
+        public fixed float swing[3];
+    }
+
+    /// <summary>
+    /// A branch as the wind sees it: a rod that turns about its pivot, carried by its parent. Has no
+    /// `struct_size`: it is a row of a table, and never changes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_wind_branch
+    {
+        /// <summary>
+        /// The branch that carries this one; itself for the trunk. Parents come first.
+        /// </summary>
+        public uint parent;
+        /// <summary>
+        /// 0 for the trunk, one more than the parent otherwise.
+        /// </summary>
+        public uint level;
+        /// <summary>
+        /// Where it is attached: the point it turns about, in metres.
+        /// </summary>
+        public fixed float pivot[3];
+        /// <summary>
+        /// Unit vector from pivot to tip.
+        /// </summary>
+        public fixed float axis[3];
+        /// <summary>
+        /// Length along its bends in metres.
+        /// </summary>
+        public float length;
+        /// <summary>
+        /// Radius at the base in metres.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Distance from the pivot, in metres, up to which wood moves with the parent.
+        /// </summary>
+        public float collar;
+        /// <summary>
+        /// Where in the swing it starts, 0 to 1: so that branches do not move in step.
+        /// </summary>
+        public float phase;
+        /// <summary>
+        /// 1 does not give at all, 0 hangs in the wind: 1 / (1 + (length / radius / 100)³).
+        /// </summary>
+        public float stiffness;
     }
 
     /// <summary>
@@ -1287,13 +1388,13 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How a tree is divided into twigs. Begin with `tree_twigs_params_init`.
+    /// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_twigs_params
+    public unsafe struct tree_instancing_params
     {
         /// <summary>
-        /// `sizeof(tree_twigs_params)`.
+        /// `sizeof(tree_instancing_params)`.
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
@@ -1303,7 +1404,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
         /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
-        /// of `tree_twigs_report_x`.
+        /// of `tree_instancing_report`.
         /// </summary>
         public float ratio;
         /// <summary>
@@ -1435,10 +1536,10 @@ namespace TreeFamily.Native
     /// What an instanced tree weighs and how near it comes.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_twigs_report_x
+    public unsafe struct tree_instancing_report
     {
         /// <summary>
-        /// `sizeof(tree_twigs_report_x)`.
+        /// `sizeof(tree_instancing_report)`.
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
@@ -1924,6 +2025,168 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// Spots of another colour on bark. Has no `struct_size`: it is a row of an array, and never changes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bark_patches
+    {
+        /// <summary>
+        /// sRGB colour.
+        /// </summary>
+        public fixed byte color[3];
+        /// <summary>
+        /// Not used.
+        /// </summary>
+        public byte reserved;
+        /// <summary>
+        /// Waves of the noise that shapes them, across and along, 1 to 256.
+        /// </summary>
+        public fixed uint count[2];
+        /// <summary>
+        /// Share of the bark they cover, roughly, 0 to 1.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// Width of their edges, 0.01 (hard) to 1.
+        /// </summary>
+        public float softness;
+        /// <summary>
+        /// How much of the colour below they hide, 0 to 1.
+        /// </summary>
+        public float opacity;
+        /// <summary>
+        /// How rough their surface is, 0 to 1: dark cracks along the trunk.
+        /// </summary>
+        public float roughness;
+    }
+
+    /// <summary>
+    /// What bark looks like. One tile of the texture is meant for 0.5 to 1 metre of trunk; counts are per
+    /// tile and 0 switches a layer off, so do strengths of 0. Begin with `tree_bark_style_init`, or with the
+    /// style of a built-in bark by `tree_bark_style_of`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bark_style
+    {
+        /// <summary>
+        /// `sizeof(tree_bark_style)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the noise starts: another seed is another piece of the same bark. Default 0.
+        /// </summary>
+        public ulong seed;
+        /// <summary>
+        /// Spots of another colour, drawn in order (lichen, peeling, old bark). Default none.
+        /// </summary>
+        public tree_bark_patches* patches;
+        /// <summary>
+        /// Number of `patches`, at most 16.
+        /// </summary>
+        public UIntPtr n_patches;
+        /// <summary>
+        /// How much of `tint` is mixed in at most, 0 to 1. Default 0.3.
+        /// </summary>
+        public float tinting;
+        /// <summary>
+        /// Plates across and along, 0 to 256. Default none.
+        /// </summary>
+        public fixed uint plates[2];
+        /// <summary>
+        /// Width of the cracks between plates, in widths of a plate, 0 to 1. Default 0.2.
+        /// </summary>
+        public float crack;
+        /// <summary>
+        /// How much brightness differs from plate to plate, 0 to 1. Default 0.15.
+        /// </summary>
+        public float plate_contrast;
+        /// <summary>
+        /// Waves of the noise whose zero lines are furrows, across and along, 0 to 256. Default 8, 2.
+        /// </summary>
+        public fixed uint furrows[2];
+        /// <summary>
+        /// Width of the furrows, as height of that noise, 0 to 1. Default 0.3.
+        /// </summary>
+        public float furrow_width;
+        /// <summary>
+        /// Depth of the furrows, 0 to 1. Default 1.
+        /// </summary>
+        public float furrow_depth;
+        /// <summary>
+        /// How ragged edges are, 0 to 1. Default 0.4.
+        /// </summary>
+        public float ragged;
+        /// <summary>
+        /// How far points are shifted, in tiles, 0 to 0.5. Default 0.03.
+        /// </summary>
+        public float warp;
+        /// <summary>
+        /// Strength of the flakes, thin layers with stepped edges, 0 to 1. Default 0.
+        /// </summary>
+        public float flakes;
+        /// <summary>
+        /// Waves of the finest layer across and along, 0 to 256. Default 24, 12.
+        /// </summary>
+        public fixed uint grain[2];
+        /// <summary>
+        /// Height of the grain, 0 to 1. Default 0.3.
+        /// </summary>
+        public float grain_height;
+        /// <summary>
+        /// Rings around the trunk, waves along a tile, 0 to 256. Default 0.
+        /// </summary>
+        public uint rings;
+        /// <summary>
+        /// Strength of the rings, 0 to 1. Default 0.3.
+        /// </summary>
+        public float ring_contrast;
+        /// <summary>
+        /// Strength of the baked light, 0 to 3. Default 1.
+        /// </summary>
+        public float relief;
+        /// <summary>
+        /// Whether there are lenticels, short dark lines across the trunk, as on birch and cherry. Default no.
+        /// </summary>
+        public uint has_lenticels;
+        /// <summary>
+        /// With `has_lenticels`: places for one, across and along, 1 to 256. Default 5, 34.
+        /// </summary>
+        public fixed uint lenticel_count[2];
+        /// <summary>
+        /// With `has_lenticels`: share of the places taken, 0 to 1. Default 0.45.
+        /// </summary>
+        public float lenticel_share;
+        /// <summary>
+        /// With `has_lenticels`: length of the longest, in places, 0.01 to 1. Default 1.
+        /// </summary>
+        public float lenticel_length;
+        /// <summary>
+        /// With `has_lenticels`: thickness of the thickest, in places, 0.01 to 1. Default 0.45.
+        /// </summary>
+        public float lenticel_thickness;
+        /// <summary>
+        /// With `has_lenticels`: sRGB colour. Default a dark brown.
+        /// </summary>
+        public fixed byte lenticel_color[3];
+        /// <summary>
+        /// sRGB colour of the ridges. Default a grey brown.
+        /// </summary>
+        public fixed byte ridge[3];
+        /// <summary>
+        /// sRGB colour of the depths of cracks and furrows. Default a dark brown.
+        /// </summary>
+        public fixed byte furrow[3];
+        /// <summary>
+        /// sRGB colour that slow noise mixes in. Default a greenish grey.
+        /// </summary>
+        public fixed byte tint[3];
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
     /// How a leaf's mesh came about.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -1961,6 +2224,172 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// The shape and colours of a leaf, in lengths of its blade (the petiole joins at the origin, the apex is
+    /// at 0, 1), and how leaves stand on a twig. Angles in radians, colours in sRGB. Begin with
+    /// `tree_leaf_shape_init`, or with the shape of a built-in leaf by `tree_leaf_shape_of`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_shape
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_shape)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where mottling and the irregularities of a spray start. Default 0.
+        /// </summary>
+        public ulong seed;
+        /// <summary>
+        /// Right half of the outline from the petiole to the apex, three floats for each point: x (0 to 2), y
+        /// (-1 to 2) and sharpness (0 rounded, 1 a corner). Default an ovate leaf.
+        /// </summary>
+        public float* outline;
+        /// <summary>
+        /// Number of points of the outline, 2 to 256.
+        /// </summary>
+        public UIntPtr n_outline;
+        /// <summary>
+        /// Angles of the main veins of the right half with the midrib, 0 to π. The midrib is always there.
+        /// Default none.
+        /// </summary>
+        public float* rays;
+        /// <summary>
+        /// Number of `rays`, at most 8.
+        /// </summary>
+        public UIntPtr n_rays;
+        /// <summary>
+        /// Pairs of secondary veins per blade length, 0 to 64. Default 8.
+        /// </summary>
+        public float vein_pairs;
+        /// <summary>
+        /// Rise of the secondary veins along the main vein per distance from it, 0 to 4. Default 0.8.
+        /// </summary>
+        public float vein_slope;
+        /// <summary>
+        /// How much lighter veins are, 0 to 1. Default 0.5.
+        /// </summary>
+        public float vein_contrast;
+        /// <summary>
+        /// Teeth on each half of the margin, 0 to 100. Default 0.
+        /// </summary>
+        public uint n_teeth;
+        /// <summary>
+        /// How far teeth stand out, in blade lengths, 0 to 0.2. Default 0.
+        /// </summary>
+        public float tooth_depth;
+        /// <summary>
+        /// Teeth from 0 for waves to 1 for a saw that points to the apex. Default 0.
+        /// </summary>
+        public float tooth_sharpness;
+        /// <summary>
+        /// Whether each tooth bears three smaller ones. Default no.
+        /// </summary>
+        public uint double_teeth;
+        /// <summary>
+        /// Length of the petiole, as share of the whole leaf, 0 to 0.8. Default 0.15.
+        /// </summary>
+        public float petiole;
+        /// <summary>
+        /// Strength of mottling and shading, 0 to 1. Default 0.5.
+        /// </summary>
+        public float mottle;
+        /// <summary>
+        /// Whether leaves stand on a twig, as the fields that begin with `spray` say (lengths in lengths of
+        /// the twig; along it, angles and sizes go evenly from the first value to the last). Default no.
+        /// </summary>
+        public uint has_spray;
+        /// <summary>
+        /// Leaves on the main twig, 1 to 400; one of them ends it. Default 9.
+        /// </summary>
+        public uint spray_leaves;
+        /// <summary>
+        /// Whether leaves stand in pairs. Default no.
+        /// </summary>
+        public uint spray_opposite;
+        /// <summary>
+        /// Share of the twig below the first leaf, 0 to 0.9. Default 0.2.
+        /// </summary>
+        public float spray_bare;
+        /// <summary>
+        /// Angle of the lowest and the topmost leaf with the twig, 0 to π. Default 1.15, 0.5.
+        /// </summary>
+        public fixed float spray_angle[2];
+        /// <summary>
+        /// Length of the lowest, a middle and the topmost leaf, 0.01 to 2. Default 0.42, 0.46, 0.4.
+        /// </summary>
+        public fixed float spray_size[3];
+        /// <summary>
+        /// How irregular angle, size and brightness are, 0 to 1. Default 0.5.
+        /// </summary>
+        public float spray_jitter;
+        /// <summary>
+        /// How far leaves turn towards the tip of the twig on their way, in leaf lengths, -0.5 to 0.5. Default
+        /// 0.08.
+        /// </summary>
+        public float spray_bend;
+        /// <summary>
+        /// Thickness of the twig at its base, 0.001 to 0.2. Default 0.022.
+        /// </summary>
+        public float spray_twig;
+        /// <summary>
+        /// Side shoots, 0 to 32; they bear the same leaves, fewer. Default 0.
+        /// </summary>
+        public uint spray_shoots;
+        /// <summary>
+        /// Angle of the side shoots, 0 to π. Default 0.8.
+        /// </summary>
+        public float spray_shoot_angle;
+        /// <summary>
+        /// Length of the lowest side shoot, 0.05 to 1. Default 0.5.
+        /// </summary>
+        public float spray_shoot_size;
+        /// <summary>
+        /// Colour of the blade. Default a mid green.
+        /// </summary>
+        public fixed byte @base[3];
+        /// <summary>
+        /// Colour of the veins.
+        /// </summary>
+        public fixed byte vein[3];
+        /// <summary>
+        /// Colour of the petiole.
+        /// </summary>
+        public fixed byte stalk[3];
+        /// <summary>
+        /// What `tree_leaf_shape_autumn` turns the blade to.
+        /// </summary>
+        public fixed byte autumn[3];
+        /// <summary>
+        /// Colour of the twig of a spray.
+        /// </summary>
+        public fixed byte spray_twig_color[3];
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public byte reserved;
+    }
+
+    /// <summary>
+    /// How a picture of a leaf goes on a card.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_card
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_card)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width of the card per length from base to apex: `width` of `tree_leaf_look`.
+        /// </summary>
+        public float width;
+        /// <summary>
+        /// Share of the height, from the base, that is stalk (for a spray: bare twig), 0 to 1.
+        /// </summary>
+        public float petiole;
+    }
+
+    /// <summary>
     /// A picture's name and pixels: as input, or as a view of a `tree_texture`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -1990,26 +2419,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How a picture of a leaf goes on a card.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_leaf_card
-    {
-        /// <summary>
-        /// `sizeof(tree_leaf_card)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Width of the card per length from base to apex: `width` of `tree_leaf_look`.
-        /// </summary>
-        public float width;
-        /// <summary>
-        /// Share of the height, from the base, that is stalk (for a spray: bare twig), 0 to 1.
-        /// </summary>
-        public float petiole;
-    }
-
-    /// <summary>
     /// The host's allocator. Its functions are called from any thread and must not call the library.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -2031,51 +2440,6 @@ namespace TreeFamily.Native
         /// Gives back what `alloc` gave for this size and alignment.
         /// </summary>
         public IntPtr free;
-    }
-
-    /// <summary>
-    /// A branch as the wind sees it: a rod that turns about its pivot, carried by its parent. Has no
-    /// `struct_size`: it is a row of a table, and never changes.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_wind_branch
-    {
-        /// <summary>
-        /// The branch that carries this one; itself for the trunk. Parents come first.
-        /// </summary>
-        public uint parent;
-        /// <summary>
-        /// 0 for the trunk, one more than the parent otherwise.
-        /// </summary>
-        public uint level;
-        /// <summary>
-        /// Where it is attached: the point it turns about, in metres.
-        /// </summary>
-        public fixed float pivot[3];
-        /// <summary>
-        /// Unit vector from pivot to tip.
-        /// </summary>
-        public fixed float axis[3];
-        /// <summary>
-        /// Length along its bends in metres.
-        /// </summary>
-        public float length;
-        /// <summary>
-        /// Radius at the base in metres.
-        /// </summary>
-        public float radius;
-        /// <summary>
-        /// Distance from the pivot, in metres, up to which wood moves with the parent.
-        /// </summary>
-        public float collar;
-        /// <summary>
-        /// Where in the swing it starts, 0 to 1: so that branches do not move in step.
-        /// </summary>
-        public float phase;
-        /// <summary>
-        /// 1 does not give at all, 0 hangs in the wind: 1 / (1 + (length / radius / 100)³).
-        /// </summary>
-        public float stiffness;
     }
 
     /// <summary>
@@ -2767,7 +3131,7 @@ namespace TreeFamily.Native
         public float linking_reach;
         /// <summary>
         /// An edge costs its length times a random weight from this to 1; 0.01 to 1. Low values make crooked
-        /// branches that run together, 1 makes straight ones. Oak: 0.25.
+        /// branches that run together, 1 makes straight ones. Oak: 0.2.
         /// </summary>
         public float linking_low;
         /// <summary>
@@ -3390,6 +3754,95 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How a mesh of a tree is read. Everything is relative, so the unit of the mesh does not matter. Begin
+    /// with `tree_skeletonize_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_skeletonize_params
+    {
+        /// <summary>
+        /// `sizeof(tree_skeletonize_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Vertices nearer than a quarter of this share of the mesh's size are one, 1e-7 to 0.01. Default
+        /// 1e-5. Larger closes cracks and may melt twigs.
+        /// </summary>
+        public float weld;
+        /// <summary>
+        /// Least distance between nodes in bent wood, in halves of the radius, 0.1 to 20. Default 1. Straight
+        /// wood gets fewer nodes, up to ten radii apart.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// How far a node may lie off the measured centre line, in radii, 0 to 0.5. Default 0.08.
+        /// </summary>
+        public float tolerance;
+        /// <summary>
+        /// Side shoots that stand out of their parent by less than this share of its radius, and by less than
+        /// their own radius, are bumps of the bark, 0 to 2. Default 0.25.
+        /// </summary>
+        public float prune;
+        /// <summary>
+        /// Widest gap between separate pieces of wood that is bridged, as a share of the mesh's size, 0 to 1.
+        /// Default 0.05. Wood farther away is left out and reported.
+        /// </summary>
+        public float bridge;
+        /// <summary>
+        /// Whether leaves are made. Default 1.
+        /// </summary>
+        public uint leaves;
+    }
+
+    /// <summary>
+    /// Triangles of one material. Any unit of length; +Y up. Begin with `tree_mesh_part_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mesh_part
+    {
+        /// <summary>
+        /// `sizeof(tree_mesh_part)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the material or object. It names the leaf kind, and may tell wood from leaves.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Three floats for each vertex, finite.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Two floats for each vertex: texture coordinates, v downwards. NULL for none.
+        /// </summary>
+        public float* uvs;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Three for each triangle.
+        /// </summary>
+        public uint* indices;
+        /// <summary>
+        /// Number of indices, a multiple of 3.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// What it is made of. Default `TREE_HINT_AUTO`.
+        /// </summary>
+        public uint hint; // tree_hint
+        /// <summary>
+        /// Whether its texture has holes. Default 0.
+        /// </summary>
+        public uint alpha_masked;
+        /// <summary>
+        /// Whether both faces are drawn. Default 0.
+        /// </summary>
+        public uint double_sided;
+    }
+
+    /// <summary>
     /// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -3424,6 +3877,144 @@ namespace TreeFamily.Native
         /// One for each leaf: its kind, an index into the species' leaf kinds.
         /// </summary>
         public ushort* kinds;
+    }
+
+    /// <summary>
+    /// A view of the kinds of leaves that were found.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_kinds
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_kinds)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of kinds.
+        /// </summary>
+        public UIntPtr n_kinds;
+        /// <summary>
+        /// Names of the kinds: those of the parts they come from.
+        /// </summary>
+        public tree_str* names;
+        /// <summary>
+        /// Mean width of each kind as a share of its length.
+        /// </summary>
+        public float* widths;
+    }
+
+    /// <summary>
+    /// What one piece of wood stands for.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_piece
+    {
+        /// <summary>
+        /// Area of its surface.
+        /// </summary>
+        public float area;
+        /// <summary>
+        /// Bumps of the bark dropped.
+        /// </summary>
+        public uint n_bumps;
+        /// <summary>
+        /// Branches cut where they had grown together.
+        /// </summary>
+        public uint n_cut;
+    }
+
+    /// <summary>
+    /// A view of a separation. The triangles of component `i` are rows `starts[i]` up to, but not including,
+    /// `starts[i + 1]`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_separation_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_separation_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of components; each lies within one part.
+        /// </summary>
+        public UIntPtr n_components;
+        /// <summary>
+        /// For each component what it is taken for.
+        /// </summary>
+        public uint* classes;
+        /// <summary>
+        /// `n_components + 1` numbers.
+        /// </summary>
+        public ulong* starts;
+        /// <summary>
+        /// Number of triangles: all that have an area, once.
+        /// </summary>
+        public UIntPtr n_triangles;
+        /// <summary>
+        /// Two numbers for each triangle: its part, and which triangle of that part it is.
+        /// </summary>
+        public uint* triangles;
+    }
+
+    /// <summary>
+    /// What was found in a mesh.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_skeletonize_report
+    {
+        /// <summary>
+        /// `sizeof(tree_skeletonize_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Triangles of all parts.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Triangles without area after welding, and second ones at one place in a part.
+        /// </summary>
+        public ulong n_degenerate;
+        /// <summary>
+        /// Triangles of wood.
+        /// </summary>
+        public ulong n_wood_triangles;
+        /// <summary>
+        /// Connected pieces of wood.
+        /// </summary>
+        public ulong n_pieces;
+        /// <summary>
+        /// Pieces of wood too far from all others, left out.
+        /// </summary>
+        public ulong n_left_out;
+        /// <summary>
+        /// Bumps of the bark dropped.
+        /// </summary>
+        public ulong n_bumps;
+        /// <summary>
+        /// Branches cut where they had grown together.
+        /// </summary>
+        public ulong n_cut;
+        /// <summary>
+        /// Leaves made.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Closed bodies of leaves, for which nothing was made.
+        /// </summary>
+        public ulong n_blobs;
+        /// <summary>
+        /// Number of leaf kinds.
+        /// </summary>
+        public ulong n_leaf_kinds;
+        /// <summary>
+        /// Mean width of each leaf kind as a share of its length: of the first
+        /// `TREE_SKELETONIZE_LEAF_WIDTHS` kinds; `tree_found_leaves_view` has them all.
+        /// </summary>
+        public fixed float leaf_widths[256];
+        /// <summary>
+        /// Share of the wood's surface that the skeleton stands for, 0 to 1.
+        /// </summary>
+        public float covered;
     }
 
     /// <summary>
@@ -3727,10 +4318,10 @@ namespace TreeFamily.Native
         /// <summary>
         /// glTF attributes `_WIND*`: all of it. `tree_mesh_gltf_wind` gives them for files.
         ///
-        /// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; COLOR_0 4 unorm8: occlusion three times, 1;
-        /// TEXCOORD_0 2 f32; TEXCOORD_1 2 f32; _WIND_PIVOT 3 f32; _WIND_AXIS 3 f32; _WIND 4 f32: reach, phase,
-        /// stiffness, length in metres; _WIND_LEAF 4 f32: flutter, leaf phase, level, 1 for leaves; _WIND_ANCHOR
-        /// 3 f32; _WIND_BRANCH 4 u16: branch low, high, parent low, high.
+        /// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; `COLOR_0` 4 unorm8: occlusion three times, 1;
+        /// `TEXCOORD_0` 2 f32; `TEXCOORD_1` 2 f32; `_WIND_PIVOT` 3 f32; `_WIND_AXIS` 3 f32; `_WIND` 4 f32:
+        /// reach, phase, stiffness, length in metres; `_WIND_LEAF` 4 f32: flutter, leaf phase, level, 1 for
+        /// leaves; `_WIND_ANCHOR` 3 f32; `_WIND_BRANCH` 4 u16: branch low, high, parent low, high.
         /// </summary>
         public const int TREE_LAYOUT_GLTF_WIND = 6;
 
@@ -3789,6 +4380,11 @@ namespace TreeFamily.Native
         /// Three or more at a node, each whorl in the gaps of the last.
         /// </summary>
         public const int TREE_PHYLLOTAXIS_WHORLED = 4;
+
+        /// <summary>
+        /// Densities above this count as this.
+        /// </summary>
+        public const float TREE_DENSITY_CAP = 4.0f;
 
         /// <summary>
         /// One blade. Oak, beech, linden.
@@ -4167,6 +4763,51 @@ namespace TreeFamily.Native
         public const int TREE_SWC_RADIUS_INTERPOLATE = 1;
 
         /// <summary>
+        /// Not known: name, alpha and shape decide.
+        /// </summary>
+        public const int TREE_HINT_AUTO = 0;
+
+        /// <summary>
+        /// Bark.
+        /// </summary>
+        public const int TREE_HINT_WOOD = 1;
+
+        /// <summary>
+        /// Leaves, needles, flowers, or cards of whole sprays.
+        /// </summary>
+        public const int TREE_HINT_LEAVES = 2;
+
+        /// <summary>
+        /// Neither: ground, pots, labels.
+        /// </summary>
+        public const int TREE_HINT_IGNORE = 3;
+
+        /// <summary>
+        /// Leaf widths in a report: those of the first kinds.
+        /// </summary>
+        public const int TREE_SKELETONIZE_LEAF_WIDTHS = 256;
+
+        /// <summary>
+        /// Bark.
+        /// </summary>
+        public const int TREE_CLASS_WOOD = 0;
+
+        /// <summary>
+        /// A card or a small thin surface: one leaf.
+        /// </summary>
+        public const int TREE_CLASS_LEAF = 1;
+
+        /// <summary>
+        /// A closed body of leaves.
+        /// </summary>
+        public const int TREE_CLASS_BLOB = 2;
+
+        /// <summary>
+        /// Not looked at.
+        /// </summary>
+        public const int TREE_CLASS_IGNORED = 3;
+
+        /// <summary>
         /// Version of the ABI that this header describes. A library with the same number has every function and
         /// struct of this header; additions do not change it.
         /// </summary>
@@ -4378,6 +5019,38 @@ namespace TreeFamily.Native
         public static extern int tree_cancel_free(tree_cancel* cancel);
 
         /// <summary>
+        /// What a branch of a mesh does in the wind. Set `motion-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_branch_motion(tree_mesh* mesh, UIntPtr branch, tree_branch_motion* motion);
+
+        /// <summary>
+        /// How far along a branch of a mesh a point of three floats lies: 0 up to the collar, 1 at the tip and
+        /// beyond.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_branch_reach(tree_mesh* mesh, UIntPtr branch, float* point, float* reach);
+
+        /// <summary>
+        /// One branch for each axis of a skeleton, in the same order, turning about its fork. Those of a built
+        /// mesh turn about the places where their bark stands. Free them with `tree_wind_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_wind_branches(tree_skeleton* skeleton, uint continuation, tree_wind_branches** branches);
+
+        /// <summary>
+        /// Views the branches: where they begin, and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_wind_branches_view(tree_wind_branches* branches, tree_wind_branch** rows, UIntPtr* n);
+
+        /// <summary>
+        /// Ends branches.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_wind_branches_free(tree_wind_branches* branches);
+
+        /// <summary>
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -4543,7 +5216,7 @@ namespace TreeFamily.Native
         /// the old ones. For leaves on a bare skeleton, make a tree of it with `tree_tree_new`.
         ///
         /// `params` may be NULL for the default; `kind` must be a leaf kind of the tree's species. `density` may
-        /// be NULL for 1 everywhere, and is handed `user`. With `with_stalks` petioles and rachises become thin
+        /// be NULL for 1 everywhere, and is handed `user`. With `with_stalks` (a yes or no) petioles and rachises become thin
         /// branches, for close-ups: old nodes keep number, position, radius and parent, stalks come after them,
         /// and leaves name the stalk that bears them; without, leaflets name the shoot's node. The same seed
         /// gives the same leaves. `report` may be NULL. Free the tree with `tree_tree_free`.
@@ -4636,7 +5309,7 @@ namespace TreeFamily.Native
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_twigs_params_init(tree_twigs_params* @params, UIntPtr size);
+        public static extern int tree_instancing_params_init(tree_instancing_params* @params, UIntPtr size);
 
         /// <summary>
         /// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
@@ -4645,7 +5318,7 @@ namespace TreeFamily.Native
         /// with `tree_twigs_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_twigs_build(tree_tree* tree, tree_look* look, tree_mesh_params* mesh_params, tree_twigs_params* @params, ulong seed, tree_control* control, tree_twigs_report_x* report, tree_twigs** twigs);
+        public static extern int tree_twigs_build(tree_tree* tree, tree_look* look, tree_mesh_params* mesh_params, tree_instancing_params* @params, ulong seed, tree_control* control, tree_instancing_report* report, tree_twigs** twigs);
 
         /// <summary>
         /// Number of unique twigs.
@@ -4657,7 +5330,7 @@ namespace TreeFamily.Native
         /// What the twigs weigh and how near they come. Set `report-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_twigs_report(tree_twigs* twigs, tree_twigs_report_x* report);
+        public static extern int tree_twigs_report(tree_twigs* twigs, tree_instancing_report* report);
 
         /// <summary>
         /// The base mesh: wood and leaves that are not part of a twig, surfaces as `tree_mesh_build` makes them.
@@ -4749,6 +5422,50 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_gltf_write_files(tree_gltf_level* levels, UIntPtr n_levels, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// Builds a tree with one mesh for each kind of leaf instead of a copy for each leaf. Normals of
+        /// instanced leaves are those of the leaf itself: the parameters cannot turn them towards the outside of
+        /// the crown. `look`, `params` and `control` are as in `tree_mesh_build`. Free the bark with
+        /// `tree_mesh_free` and the leaves with `tree_gltf_leaves_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_build_instanced(tree_tree* tree, tree_look* look, tree_mesh_params* @params, tree_control* control, tree_mesh** bark, tree_gltf_leaves** leaves);
+
+        /// <summary>
+        /// Views the leaves, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
+        /// kinds there are. Their meshes belong to the leaves: do not free them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_leaves_view(tree_gltf_leaves* leaves, tree_gltf_instances** rows, UIntPtr* n);
+
+        /// <summary>
+        /// Ends leaves, and their meshes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_leaves_free(tree_gltf_leaves* leaves);
+
+        /// <summary>
+        /// The attributes `_WIND*` of all surfaces of a mesh, for a level of a glTF file: the streams of
+        /// `TREE_LAYOUT_GLTF_WIND` that are not glTF's own, four floats each, the missing ones 0, which every
+        /// reader takes. For Blender write occlusion as colour or not at all. `control` may be NULL. Free them
+        /// with `tree_gltf_attributes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_gltf_wind(tree_mesh* mesh, tree_control* control, tree_gltf_attributes** attributes);
+
+        /// <summary>
+        /// Views the attributes, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
+        /// there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_attributes_view(tree_gltf_attributes* attributes, tree_gltf_attribute** rows, UIntPtr* n);
+
+        /// <summary>
+        /// Ends attributes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_attributes_free(tree_gltf_attributes* attributes);
 
         /// <summary>
         /// What a note says, for people; the text is there for ever.
@@ -4885,6 +5602,26 @@ namespace TreeFamily.Native
         public static extern int tree_look_free(tree_look* look);
 
         /// <summary>
+        /// Makes `style`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bark_style_init(tree_bark_style* style, UIntPtr size);
+
+        /// <summary>
+        /// The style of a built-in bark, to be changed; what it points at is valid for ever. Set
+        /// `style-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bark_style_of(byte* name, UIntPtr name_len, tree_bark_style* style);
+
+        /// <summary>
+        /// Draws a bark of your own, which tiles without a seam; its name is `bark`. `style` may be NULL; `size` is
+        /// as for `tree_texture_bark`. Free the texture with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_bark_with(tree_bark_style* style, uint size, tree_control* control, tree_texture** texture);
+
+        /// <summary>
         /// Makes `look`, of `size` bytes, the default: a square card.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -4915,6 +5652,34 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_look_leaf_mesh(tree_look* look, UIntPtr kind, tree_leaf_mesh* mesh);
+
+        /// <summary>
+        /// Makes `shape`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_shape_init(tree_leaf_shape* shape, UIntPtr size);
+
+        /// <summary>
+        /// The shape of a built-in leaf, to be changed; what it points at is valid for ever. Set
+        /// `shape-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_shape_of(byte* name, UIntPtr name_len, tree_leaf_shape* shape);
+
+        /// <summary>
+        /// Turns the colours of a shape to those of autumn: `progress` 0 is summer and changes nothing, 1 is fully
+        /// turned.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_shape_autumn(tree_leaf_shape* shape, float progress);
+
+        /// <summary>
+        /// Draws a leaf of your own, upright with the base at the bottom centre; its name is `leaf`. `shape` and
+        /// `card` may be NULL; `size` and `card` are as for `tree_texture_leaf`. Free the texture with
+        /// `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_leaf_with(tree_leaf_shape* shape, uint size, tree_control* control, tree_leaf_card* card, tree_texture** texture);
 
         /// <summary>
         /// Makes `material`, of `size` bytes, the default: white, matt, without texture.
@@ -5234,6 +5999,12 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_check(tree_mesh* mesh);
+
+        /// <summary>
+        /// As `tree_mesh_check`, of the columns of surface `number` only.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_check_surface(tree_mesh* mesh, UIntPtr number);
 
         /// <summary>
         /// Checks that no colour of a material is brighter than 1, on which file formats rely; drawing does not.
@@ -5688,7 +6459,8 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// Reads an SWC file: metres, +Y up. Rows keep their order where parents come first; otherwise nodes come
-        /// breadth-first. The path, in UTF-8, has `path_len` bytes. `options` may be NULL for the defaults, and
+        /// breadth-first. The path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+        /// `TREE_NUL_TERMINATED`. `options` may be NULL for the defaults, and
         /// so may `control`, of which only the limits matter. What is wrong with a file is told with its line.
         /// Free the file with `tree_swc_free`.
         /// </summary>
@@ -5696,7 +6468,7 @@ namespace TreeFamily.Native
         public static extern int tree_swc_read_file(byte* path, UIntPtr path_len, tree_swc_options* options, tree_control* control, tree_swc** swc);
 
         /// <summary>
-        /// Reads the text of an SWC file, of `len` bytes. Otherwise as `tree_swc_read_file`.
+        /// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read_file`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_swc_read(byte* data, UIntPtr len, tree_swc_options* options, tree_control* control, tree_swc** swc);
@@ -5734,6 +6506,146 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_swc_write(tree_skeleton* skeleton, tree_swc_options* options, tree_bytes** text);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize_params_init(tree_skeletonize_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `part`, of `size` bytes, the default: nothing.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_part_init(tree_mesh_part* part, UIntPtr size);
+
+        /// <summary>
+        /// The fourth stage: makes a leaf of each leaf component, on the nearest wood of a skeleton as
+        /// `tree_pieces_link` returns it. Positions and sizes are in the units of the mesh already. `control` may
+        /// be NULL. Free the leaves with `tree_found_leaves_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_leaves(tree_separation* separation, tree_skeleton* skeleton, tree_control* control, tree_found_leaves** leaves);
+
+        /// <summary>
+        /// Views the leaves, in the form that `tree_tree_new` takes. Set `foliage-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_found_leaves_foliage(tree_found_leaves* leaves, tree_foliage* foliage);
+
+        /// <summary>
+        /// Views the kinds of leaves. Set `kinds-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_found_leaves_view(tree_found_leaves* leaves, tree_leaf_kinds* kinds);
+
+        /// <summary>
+        /// Ends leaves found in a mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_found_leaves_free(tree_found_leaves* leaves);
+
+        /// <summary>
+        /// The second stage: follows every connected piece of wood from its base, in parallel. `params` and
+        /// `control` may be NULL. Free the pieces with `tree_pieces_free`. `TREE_ERROR_NO_RESULT` where there is
+        /// no wood.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_follow(tree_separation* separation, tree_skeletonize_params* @params, tree_control* control, tree_pieces** pieces);
+
+        /// <summary>
+        /// Makes pieces of `n_pieces` skeletons, which are copied, and of what they stand for: for pieces that were
+        /// changed, or come from elsewhere. `control` may be NULL; only its limits matter.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_new(tree_skeleton** skeletons, tree_piece* rows, UIntPtr n_pieces, tree_control* control, tree_pieces** pieces);
+
+        /// <summary>
+        /// Number of pieces.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_count(tree_pieces* pieces, UIntPtr* n_pieces);
+
+        /// <summary>
+        /// One piece, `index` below their number: its skeleton, copied, in units of the mesh's longest side, and
+        /// what it stands for (NULL if not wanted). Free the skeleton with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_piece(tree_pieces* pieces, UIntPtr index, tree_piece* row, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// The third stage: links pieces over gaps of at most `params.bridge` to one skeleton, seen from its lowest
+        /// thick end. `reached`, NULL or with room for a byte for each piece, says whether it is part of it. Free
+        /// the skeleton with `tree_skeleton_free`. `TREE_ERROR_NO_RESULT` without pieces.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_link(tree_pieces* pieces, tree_skeletonize_params* @params, tree_control* control, byte* reached, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Ends pieces.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_free(tree_pieces* pieces);
+
+        /// <summary>
+        /// The first stage of `tree_skeletonize` by itself: welds the parts and says of each connected component
+        /// what it is. Arguments and errors are as there; `params.weld` counts. Free it with
+        /// `tree_separation_free`.
+        ///
+        /// The stages, one after the other: `tree_separation_new`, `tree_separation_follow`, `tree_pieces_link`,
+        /// `tree_separation_leaves`, `tree_separation_outward`. Up to the last all is in units of the mesh's
+        /// longest side, about its middle, whatever the mesh's own unit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_new(tree_mesh_part* parts, UIntPtr n_parts, tree_skeletonize_params* @params, tree_control* control, tree_separation** separation);
+
+        /// <summary>
+        /// As `tree_separation_new`, of a mesh: see `tree_skeletonize_mesh`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_of_mesh(tree_mesh* mesh, uint* hints, UIntPtr n_hints, tree_skeletonize_params* @params, tree_control* control, tree_separation** separation);
+
+        /// <summary>
+        /// Views a separation. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_view(tree_separation* separation, tree_separation_columns* columns);
+
+        /// <summary>
+        /// The same separation with other classes, one for each component: what a component was taken for need
+        /// not hold. The first one stays as it is. Free the other one too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_with_classes(tree_separation* separation, uint* classes, UIntPtr n_classes, tree_separation** other);
+
+        /// <summary>
+        /// The last stage: brings a skeleton back to the units of the mesh. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_outward(tree_separation* separation, tree_skeleton* skeleton, tree_skeleton** outward);
+
+        /// <summary>
+        /// Ends a separation.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_free(tree_separation* separation);
+
+        /// <summary>
+        /// Makes a tree of a mesh, in the mesh's unit: closed surfaces, tubes stuck into each other, thousands of
+        /// separate prisms; cards or blobs for leaves. `parts` is `n_parts` structs, which are not kept. Its bark is
+        /// named after the part with most wood, leaf kinds after the parts their leaves come from. `params`,
+        /// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_NO_RESULT` where
+        /// nothing looks like wood; `TREE_ERROR_INVALID` for parts whose columns do not fit together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize(tree_mesh_part* parts, UIntPtr n_parts, tree_skeletonize_params* @params, tree_control* control, tree_skeletonize_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// As `tree_skeletonize`, of a mesh: each surface is a part, named after its material. `hints` is NULL, or
+        /// has one for each surface.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize_mesh(tree_mesh* mesh, uint* hints, UIntPtr n_hints, tree_skeletonize_params* @params, tree_control* control, tree_skeletonize_report* report, tree_tree** tree);
 
         /// <summary>
         /// Makes a tree of a skeleton, which is copied, and columns of leaves (NULL for none), which are copied.
