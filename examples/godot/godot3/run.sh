@@ -25,7 +25,7 @@ if [ -z "$headers" ]; then
 fi
 [ -f "$headers/gdnative_api_struct.gen.h" ] || { echo "no Godot 3 headers in '$headers'" >&2; exit 2; }
 
-mkdir -p "$work"
+mkdir -p "$work"/.local/share "$work"/.config "$work"/.cache
 work=$(cd "$work" && pwd)
 cp "$here"/{project.godot,botanical_tree.gdnlib,botanical_tree.gdns,test.gd} "$work/"
 ln -sf "$library/libtree_ffi.so" "$work/libtree_ffi.so"
@@ -36,7 +36,7 @@ cc -std=c11 -Wall -Wextra -Werror -O2 -g -fPIC -shared "$here/botanical_tree.c" 
 
 # A script error leaves Godot running, and its exit status says little: the time limit and the marker.
 status=0
-HOME=$work LD_LIBRARY_PATH=$library timeout "${TREE_TIMEOUT:-120}" \
+HOME=$work LANG=en_US.UTF-8 LD_LIBRARY_PATH=$library timeout "${TREE_TIMEOUT:-120}" \
     "$godot" --path "$work" -s test.gd >"$work/output.txt" 2>&1 </dev/null || status=$?
 cat "$work/output.txt"
 if [ "$status" -ne 0 ] || ! grep -q '^TREE TEST PASSED' "$work/output.txt" ||
