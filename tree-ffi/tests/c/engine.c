@@ -196,6 +196,47 @@ static void pivot_textures(const tree_mesh *mesh) {
     OK(tree_packed_free(packed));
 }
 
+/* The normal and the tangent of a vertex, by the words of the header alone. */
+static void unpack(const tree_packed_vertex *vertex, float n[3], float t[3]) {
+    float x = (float)vertex->normal[0] / 32767, y = (float)vertex->normal[1] / 32767;
+    float z = 1 - fabsf(x) - fabsf(y);
+    if (z < 0) {
+        float old = x;
+        x = copysignf(1 - fabsf(y), x);
+        y = copysignf(1 - fabsf(old), y);
+    }
+    float length = sqrtf(x * x + y * y + z * z);
+    n[0] = x / length;
+    n[1] = y / length;
+    n[2] = z / length;
+    float s = copysignf(1, n[2]), a = -1 / (s + n[2]), b = n[0] * n[1] * a;
+    const float e[3] = {b, s + n[1] * n[1] * a, -n[1]};
+    float turn = (float)(vertex->tangent & 0x7FFF) * 6.2831853f / 32768;
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        t[i] = cosf(turn) * e[i] + sinf(turn) * (n[j] * e[k] - n[k] * e[j]);
+    }
+}
+
+static void directions(const tree_mesh *mesh) {
+    tree_surface bark = surface_of(mesh, 0);
+    tree_packed *packed = NULL;
+    OK(tree_mesh_pack(mesh, 0, TREE_LAYOUT_VERTEX, NULL, &packed));
+    tree_packed_vertices view = {.struct_size = sizeof view};
+    OK(tree_packed_vertices_view(packed, &view));
+    CHECK(view.n_anchors == 0 && view.n_vertices == bark.n_vertices);
+    for (size_t i = 0; i < view.n_vertices; i++) {
+        float normal[3], tangent[3];
+        unpack(&view.vertices[i], normal, tangent);
+        for (size_t axis = 0; axis < 3; axis++) {
+            CHECK(near(normal[axis], bark.normals[3 * i + axis], 5e-4f));
+            CHECK(near(tangent[axis], bark.tangents[4 * i + axis], 2e-3f));
+        }
+        CHECK((view.vertices[i].tangent >= 0x8000) == (bark.tangents[4 * i + 3] < 0));
+    }
+    OK(tree_packed_free(packed));
+}
+
 static void vertices(const tree_mesh *mesh) {
     tree_surface leaves = surface_of(mesh, 1);
     tree_packed *packed = NULL;
@@ -301,6 +342,16 @@ static void capsules(void) {
     size_t n = 0;
     OK(tree_capsules_view(capsules, &rows, &n));
     CHECK(n >= 1 && n <= 3 && report.n_capsules == n);
+    uint32_t inside = 9;
+    double volume = 0;
+    OK(tree_capsule_contains(&rows[0], rows[0].a, &inside));
+    CHECK(inside == 1);
+    const float far[] = {9, 9, 9};
+    OK(tree_capsule_contains(&rows[0], far, &inside));
+    CHECK(inside == 0);
+    OK(tree_capsule_volume(&rows[0], &volume));
+    CHECK(n > 1 || fabs(volume - report.bulk * report.volume * report.held) < 1e-6);
+    FAILS(TREE_ERROR_NULL, "capsule", tree_capsule_volume(NULL, &volume));
     CHECK(rows[0].radius >= 0.08f && report.is_enough && report.held >= 0.95 && report.bulk >= 1);
     CHECK(report.radius_min == 0.05f && report.volume > 0);
     OK(tree_capsules_free(capsules));
@@ -320,6 +371,7 @@ void test_engine(void) {
     streams(mesh);
     pivot_textures(mesh);
     vertices(mesh);
+    directions(mesh);
     wind(mesh);
     branches(mesh);
     capsules();
