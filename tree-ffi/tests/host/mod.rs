@@ -1,5 +1,6 @@
 //! What the tests of other languages share.
-#![allow(dead_code, reason = "each test takes what it needs")]
+#![allow(dead_code, unreachable_pub, reason = "each test takes what it needs")]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 pub mod c_header;
 pub mod csharp;

@@ -27,15 +27,14 @@ pub fn skip(why: &str) {
 
 /// Where cargo put the library for this test.
 pub fn library() -> PathBuf {
-    let test = std::env::current_exe().unwrap_or_default();
-    test.parent().map(Path::to_path_buf).unwrap_or_default()
+    std::env::current_exe().unwrap().parent().unwrap().to_path_buf()
 }
 
 /// An empty folder for a test's files.
 pub fn work(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);
-    assert!(std::fs::create_dir_all(&folder).is_ok(), "{} can be written", folder.display());
+    std::fs::create_dir_all(&folder).unwrap();
     folder
 }
 
@@ -44,8 +43,8 @@ pub fn work(name: &str) -> PathBuf {
 pub fn finish(command: &mut Command, work: &Path) -> (Option<i32>, String) {
     let output = work.join("output.txt");
     // A file and no pipe: a full pipe would make the program wait for us.
-    let Ok(file) = File::create(&output) else { panic!("{} can be written", output.display()) };
-    let Ok(second) = file.try_clone() else { panic!("a second handle of a file") };
+    let file = File::create(&output).unwrap();
+    let second = file.try_clone().unwrap();
     command.env("LD_LIBRARY_PATH", library()).stdin(Stdio::null()).stdout(file).stderr(second);
     let name = command.get_program().to_string_lossy().into_owned();
     let mut child = match command.spawn() {
