@@ -844,12 +844,15 @@ namespace TreeFamily.Native
         /// </summary>
         public fixed ushort position[3];
         /// <summary>
-        /// Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign.
-        /// 0 is the normal's any-orthonormal vector as Duff and others build it. Error: 3e-4 radians.
+        /// Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign:
+        /// cos * x + sin * cross(n, x), where n is the normal as it is read back and x is (b, s + n.y * n.y *
+        /// a, -n.y) with s the sign of n.z (1 or -1), a = -1 / (s + n.z) and b = n.x * n.y * a. Error: 3e-4
+        /// radians.
         /// </summary>
         public ushort tangent;
         /// <summary>
-        /// Octahedral normal, x and y / 32767. Error: 1e-4 radians.
+        /// Octahedral normal: x and y / 32767, z = 1 - |x| - |y|; where z is negative, x is (1 - |y|) and y
+        /// (1 - |x|), each with its old sign; then brought to unit length. Error: 1e-4 radians.
         /// </summary>
         public fixed short normal[2];
         /// <summary>
@@ -1388,36 +1391,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_instancing_params
-    {
-        /// <summary>
-        /// `sizeof(tree_instancing_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Most unique twigs, 1 to 1000. Default 30.
-        /// </summary>
-        public uint twigs_max;
-        /// <summary>
-        /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
-        /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
-        /// of `tree_instancing_report`.
-        /// </summary>
-        public float ratio;
-        /// <summary>
-        /// Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
-        /// </summary>
-        public float reach;
-        /// <summary>
-        /// Not used; 0.
-        /// </summary>
-        public uint reserved;
-    }
-
-    /// <summary>
     /// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
     /// `tree_mesh_params_init`.
     /// </summary>
@@ -1533,6 +1506,36 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_instancing_params
+    {
+        /// <summary>
+        /// `sizeof(tree_instancing_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Most unique twigs, 1 to 1000. Default 30.
+        /// </summary>
+        public uint twigs_max;
+        /// <summary>
+        /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
+        /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
+        /// of `tree_instancing_report`.
+        /// </summary>
+        public float ratio;
+        /// <summary>
+        /// Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
     /// What an instanced tree weighs and how near it comes.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -1586,7 +1589,8 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: a view.
+    /// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: as input, or as a
+    /// view.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct tree_twig_instances
@@ -5071,6 +5075,18 @@ namespace TreeFamily.Native
         public static extern int tree_capsules_view(tree_capsules* capsules, tree_capsule** rows, UIntPtr* n);
 
         /// <summary>
+        /// Whether a point of three floats lies inside a capsule or on its border.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_capsule_contains(tree_capsule* capsule, float* point, uint* inside);
+
+        /// <summary>
+        /// Volume of a capsule in cubic metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_capsule_volume(tree_capsule* capsule, double* volume);
+
+        /// <summary>
         /// Ends capsules.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -5306,12 +5322,6 @@ namespace TreeFamily.Native
         public static extern int tree_twig_params_check(tree_twig_params* @params);
 
         /// <summary>
-        /// Makes `params`, of `size` bytes, the default.
-        /// </summary>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_instancing_params_init(tree_instancing_params* @params, UIntPtr size);
-
-        /// <summary>
         /// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
         /// coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
         /// textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
@@ -5354,6 +5364,16 @@ namespace TreeFamily.Native
         public static extern int tree_twigs_instances(tree_twigs* twigs, UIntPtr number, tree_twig_instances* instances);
 
         /// <summary>
+        /// Makes twigs of parts of your own: a base mesh, and for each of `n_twigs` twigs its mesh, with as many
+        /// surfaces as the base, and where it stands. All is copied but the textures, and checked; scales must be
+        /// the same along all axes. The report has the sizes; `reach` and `deviation` are 0 in it. `control` may
+        /// be NULL; only its limits (instances count as `leaves`) and its pool matter. Free the twigs with
+        /// `tree_twigs_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_from_parts(tree_mesh* @base, tree_mesh** meshes, tree_twig_instances* instances, UIntPtr n_twigs, tree_control* control, tree_twigs** twigs);
+
+        /// <summary>
         /// Makes one plain mesh of base and instances: surfaces as the base has them, with the instances'
         /// triangles behind. Columns that not all parts have, and light-map coordinates, are left out. Every
         /// instance gets branches of its own, carried by the branch it stands on. Free the mesh with
@@ -5367,6 +5387,12 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_twigs_free(tree_twigs* twigs);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_instancing_params_init(tree_instancing_params* @params, UIntPtr size);
 
         /// <summary>
         /// Views the bytes: where they begin and how many there are.
@@ -5387,7 +5413,8 @@ namespace TreeFamily.Native
         public static extern int tree_glb_options_init(tree_glb_options* options, UIntPtr size);
 
         /// <summary>
-        /// Writes a mesh to a GLB file, whole or not at all. `options` and `control` may be NULL; of `control`
+        /// Writes a mesh to a GLB file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends with
+        /// a NUL and `path_len` is `TREE_NUL_TERMINATED`. `options` and `control` may be NULL; of `control`
         /// only threads and limits matter, and a cancellation before the work begins.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -5474,7 +5501,7 @@ namespace TreeFamily.Native
         public static extern int tree_note_text(uint note, tree_str* text);
 
         /// <summary>
-        /// Writes a mesh to an OBJ file and beside it the MTL file (`STEM.mtl`) and the textures
+        /// Writes a mesh to an OBJ file (the path is as in `tree_mesh_write_glb`) and beside it the MTL file (`STEM.mtl`) and the textures
         /// (`STEM_NAME.png`), all or none. Blanks and other trouble in the stem are replaced by `_` in the names
         /// of the files beside. Tangents and the other optional columns have no place in OBJ. `control` may be
         /// NULL; only a cancellation before the work begins matters.
@@ -5496,7 +5523,7 @@ namespace TreeFamily.Native
         public static extern int tree_ply_options_init(tree_ply_options* options, UIntPtr size);
 
         /// <summary>
-        /// Writes a mesh to a PLY file, whole or not at all: all surfaces as one, each vertex with the colour of
+        /// Writes a mesh to a PLY file (the path is as in `tree_mesh_write_glb`), whole or not at all: all surfaces as one, each vertex with the colour of
         /// its material times the mean of its texture. `options` and `control` may be NULL; of `control` only a
         /// cancellation before the work begins matters.
         /// </summary>
@@ -5516,7 +5543,8 @@ namespace TreeFamily.Native
         public static extern int tree_import_options_init(tree_import_options* options, UIntPtr size);
 
         /// <summary>
-        /// Reads a mesh from a file. It is checked before memory is taken for it, and never trusted; what was
+        /// Reads a mesh from a file; the path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+        /// `TREE_NUL_TERMINATED`. It is checked before memory is taken for it, and never trusted; what was
         /// left out or changed is in the report. `options`, `control` and `report` may be NULL. Free the mesh
         /// with `tree_mesh_free`.
         /// </summary>
@@ -6277,7 +6305,8 @@ namespace TreeFamily.Native
         public static extern int tree_picture_view(tree_picture* picture, tree_pixels* pixels);
 
         /// <summary>
-        /// Writes a picture to a PNG file, whole or not at all.
+        /// Writes a picture to a PNG file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends
+        /// with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_picture_write_png(tree_picture* picture, byte* path, UIntPtr path_len);

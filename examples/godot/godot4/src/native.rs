@@ -228,3 +228,45 @@ pub(crate) unsafe fn column<O, T>(_owner: &O, data: *const T, n: usize) -> &[T] 
     }
     unsafe { std::slice::from_raw_parts(data, n) }
 }
+
+/// What Godot is handed, without Godot: `cargo test` needs no engine.
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_oak_comes_in_godots_layout() {
+        let tree = Tree::grow("oak", 1).unwrap();
+        let mesh = Mesh::build(&tree, &Options { leaf_scale: 1.0, error: 0.01, light_map: true });
+        let mesh = mesh.unwrap();
+        drop(tree);
+        assert_eq!(mesh.n_surfaces().unwrap(), 2);
+        for number in 0..2 {
+            let surface = mesh.surface(number).unwrap();
+            let packed = mesh.pack(number).unwrap();
+            let n = surface.n_vertices;
+            let wide = [("POSITION", 3), ("NORMAL", 3), ("TANGENT", 4), ("UV", 2), ("UV2", 2)];
+            let custom = ["CUSTOM0", "CUSTOM1", "CUSTOM2", "CUSTOM3"].map(|name| (name, 4));
+            for (name, width) in wide.into_iter().chain(custom) {
+                assert_eq!(packed.floats(name).unwrap().len(), n * width, "{name}");
+            }
+            let indices = packed.indices().unwrap();
+            assert_eq!(indices.len(), surface.n_indices);
+            assert!(indices.iter().all(|&index| (0..n as i32).contains(&index)));
+            // SAFETY: a view of a mesh that is alive.
+            let ours = unsafe { column(&mesh, surface.indices, 3) };
+            assert_eq!(indices[..3], [ours[0], ours[2], ours[1]].map(|index| index as i32));
+
+            let (width, height, pixels) = {
+                let texture = mesh.texture(surface.material as usize).unwrap().unwrap();
+                let (width, height, pixels) = texture.pixels().unwrap();
+                (width as usize, height as usize, pixels.to_vec())
+            };
+            assert_eq!(pixels.len(), 4 * width * height);
+        }
+        drop(mesh);
+        assert_eq!(tree_live_objects(), 0);
+        let Err(failure) = Tree::grow("yggdrasil", 1) else { panic!("no such preset") };
+        assert!(failure.to_string().contains("yggdrasil"), "{failure}");
+    }
+}
