@@ -1,0 +1,6925 @@
+// The tree family's C interface for C#: made from include/tree.h, do not edit.
+//   TREE_UPDATE=1 cargo test -p tree-ffi --test csharp
+// Licence: MIT OR Apache-2.0.
+//
+// As in C: nothing here is checked, counted or freed for you. Tree.cs does that.
+// size_t is UIntPtr, char a byte of UTF-8, a function pointer an IntPtr: what
+// Marshal.GetFunctionPointerForDelegate makes of a delegate, which must be kept alive for as long as the
+// library may call it.
+
+using System;
+using System.Runtime.InteropServices;
+
+#pragma warning disable 0649, 1591
+
+namespace TreeFamily.Native
+{
+    /// <summary>
+    /// All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
+    /// </summary>
+    public struct tree_axes { }
+
+    /// <summary>
+    /// A file in memory.
+    /// </summary>
+    public struct tree_bytes { }
+
+    /// <summary>
+    /// A switch that cancels the calls it was given to.
+    /// </summary>
+    public struct tree_cancel { }
+
+    /// <summary>
+    /// Collision capsules of a tree.
+    /// </summary>
+    public struct tree_capsules { }
+
+    /// <summary>
+    /// Triangles of a surface that cross each other.
+    /// </summary>
+    public struct tree_crossings { }
+
+    /// <summary>
+    /// Leaves found in a mesh, and their kinds.
+    /// </summary>
+    public struct tree_found_leaves { }
+
+    /// <summary>
+    /// Columns for a glTF file.
+    /// </summary>
+    public struct tree_gltf_attributes { }
+
+    /// <summary>
+    /// Leaves of a tree, one small mesh for each kind and where its copies stand.
+    /// </summary>
+    public struct tree_gltf_leaves { }
+
+    /// <summary>
+    /// An undirected graph with costs.
+    /// </summary>
+    public struct tree_graph { }
+
+    /// <summary>
+    /// Nodes strewn in a volume, ready to be linked.
+    /// </summary>
+    public struct tree_graph_nodes { }
+
+    /// <summary>
+    /// The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
+    /// see how much of its triangles is visible.
+    /// </summary>
+    public struct tree_leaf_model { }
+
+    /// <summary>
+    /// What a species looks like: a material for the bark, and a leaf look for each leaf kind.
+    /// </summary>
+    public struct tree_look { }
+
+    /// <summary>
+    /// How much of each pixel a mesh covers.
+    /// </summary>
+    public struct tree_mask { }
+
+    /// <summary>
+    /// Surfaces with their materials, and the branches that move in the wind.
+    /// </summary>
+    public struct tree_mesh { }
+
+    /// <summary>
+    /// A surface in the axes and the layout of an engine.
+    /// </summary>
+    public struct tree_packed { }
+
+    /// <summary>
+    /// A picture: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
+    /// </summary>
+    public struct tree_picture { }
+
+    /// <summary>
+    /// Connected pieces of wood, each followed from its base.
+    /// </summary>
+    public struct tree_pieces { }
+
+    /// <summary>
+    /// Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
+    /// depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
+    /// threads of calls without a pool never end.
+    /// </summary>
+    public struct tree_pool { }
+
+    /// <summary>
+    /// A drawn profile: radius over height, from the ground up.
+    /// </summary>
+    public struct tree_profile { }
+
+    /// <summary>
+    /// For each node of a skeleton that was made of another, the node there that it comes from.
+    /// </summary>
+    public struct tree_rows { }
+
+    /// <summary>
+    /// The triangles of a mesh, welded and sorted into connected components, each of which is wood, a leaf, a
+    /// body of leaves or nothing. It holds copies of the parts.
+    /// </summary>
+    public struct tree_separation { }
+
+    /// <summary>
+    /// Branches as a rooted tree of nodes with radii.
+    /// </summary>
+    public struct tree_skeleton { }
+
+    /// <summary>
+    /// What an SWC file held: a skeleton, and what a skeleton has no column for.
+    /// </summary>
+    public struct tree_swc { }
+
+    /// <summary>
+    /// A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
+    /// </summary>
+    public struct tree_texture { }
+
+    /// <summary>
+    /// A whole tree: skeleton, leaves and species. Every leaf stands on a node that exists and has a kind
+    /// that exists.
+    /// </summary>
+    public struct tree_tree { }
+
+    /// <summary>
+    /// A tree as a base mesh and a few unique twigs, set down many times: at a tenth of its memory and less.
+    /// </summary>
+    public struct tree_twigs { }
+
+    /// <summary>
+    /// What a layout holds of each vertex, back in our axes, metres and winding.
+    /// </summary>
+    public struct tree_unpacked { }
+
+    /// <summary>
+    /// A solid, or a combination of solids. Plain solids contain their surface; revolutions and meshes
+    /// contain one side of it, so that solids set side by side share no point there.
+    /// </summary>
+    public struct tree_volume { }
+
+    /// <summary>
+    /// The branches of a skeleton, as the wind sees them.
+    /// </summary>
+    public struct tree_wind_branches { }
+
+    /// <summary>
+    /// Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
+    /// the share of the whole that is done, 0 to 1. Returns 0 to go on, anything else to cancel. Called from
+    /// whichever thread does the work, one call at a time or several; must not unwind.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int tree_progress_fn(void* user, byte* stage, float fraction);
+
+    /// <summary>
+    /// How densely leaves or twigs stand at `position`, three floats in metres: 0 none, 1 as the parameters
+    /// say, 2 twice as many, up to `TREE_DENSITY_CAP`. Less than 1 is the chance that a place bears; whorls stay whole.
+    /// Negative and not a number count as 0 and are reported. Asked once for each place, from any thread and
+    /// from several at a time; must give the same answer for the same place, and must not unwind.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate float tree_density_fn(void* user, float* position);
+
+    /// <summary>
+    /// `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void* tree_allocator_alloc(void* user, UIntPtr size, UIntPtr align);
+
+    /// <summary>
+    /// Gives back what `alloc` gave for this size and alignment.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void tree_allocator_free(void* user, void* block, UIntPtr size, UIntPtr align);
+
+    /// <summary>
+    /// A cost factor for a point in space, three floats in metres: finite and 0 or more, or the call fails
+    /// with `TREE_ERROR_PARAMETER`. Called from any thread, by several at once; must not unwind. For the same
+    /// tree each time it must give the same answer to the same point.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate float tree_cost_fn(void* user, float* point);
+
+    /// <summary>
+    /// What the host runs on one of its threads: `run(worker)`, once. It returns when the pool is freed.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void tree_worker_fn(void* worker);
+
+    /// <summary>
+    /// Asks the host for a thread that calls `run(worker)`, on any thread but the asking one. Returns 0 when
+    /// it will, anything else when it cannot (then `run` must not be called).
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int tree_spawn_fn(void* user, IntPtr run, void* worker);
+
+    /// <summary>
+    /// How the radii of a whole skeleton are found. Begin with `tree_radius_rule_init`. No rule makes a
+    /// branch thicker than the one below.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_radius_rule
+    {
+        /// <summary>
+        /// `sizeof(tree_radius_rule)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// `TREE_STRANDS_BY_ANGLE`: strands at the base, from the number of tips to 2⁵³. No default: 0,
+        /// which is refused.
+        /// </summary>
+        public ulong strand_base;
+        /// <summary>
+        /// Which rule. Default `TREE_RADII_PIPE`.
+        /// </summary>
+        public uint kind; // tree_radius_kind
+        /// <summary>
+        /// Pipe: Δ in r₀^Δ = Σ rᵢ^Δ, 1 to 10. Default 2.49, Murray's; da Vinci's is 2, Mandelbrot's 8/3. A
+        /// larger one makes the trunk thinner for the same tips.
+        /// </summary>
+        public float exponent;
+        /// <summary>
+        /// Pipe: radius of every tip in metres, 1e-6 to 100. Default 0.002. With a `trunk_radius` only its
+        /// proportion to `taper` matters.
+        /// </summary>
+        public float tip_radius;
+        /// <summary>
+        /// Pipe: how much the radius grows per metre towards the base, 0 to 1. Default 0.002: a bare shoot
+        /// of one metre is twice as thick at its base as at its tip.
+        /// </summary>
+        public float taper;
+        /// <summary>
+        /// Pipe: radius of the root node in metres, 1e-6 to 100: all radii, those of tips too, are
+        /// multiplied by the one factor that makes it so. Default 0: the tips decide.
+        /// </summary>
+        public float trunk_radius;
+        /// <summary>
+        /// Tip distance: radius on the trunk one metre from the tip, in metres, 1e-6 to 100. Default 0.05.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// Tip distance: the power of the distance, 0 to 10. Default 0.3. The larger, the quicker branches
+        /// taper.
+        /// </summary>
+        public float zeta;
+        /// <summary>
+        /// Tip distance: smallest radius of any node in metres, 0 to 100. Default 0.001. With 0 a branch
+        /// ends in a point.
+        /// </summary>
+        public float min_radius;
+        /// <summary>
+        /// Strands: diameter of a branch of one strand in metres, 1e-6 to 100; one of S strands has √S
+        /// times that. Default 0.004.
+        /// </summary>
+        public float strand_diameter;
+        /// <summary>
+        /// Strands: where their number comes from. Default `TREE_STRANDS_PER_TIP`.
+        /// </summary>
+        public uint strand_count; // tree_strand_count
+    }
+
+    /// <summary>
+    /// Caps for one call: over the cap is `TREE_ERROR_LIMIT`, before the memory is asked for. Begin with
+    /// `tree_limits_init` or `tree_limits_for_memory`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_limits
+    {
+        /// <summary>
+        /// `sizeof(tree_limits)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Nodes of a skeleton. Default 20 million.
+        /// </summary>
+        public ulong nodes;
+        /// <summary>
+        /// Nodes of all search graphs of one model together. Default 20 million.
+        /// </summary>
+        public ulong graph_nodes;
+        /// <summary>
+        /// Arcs of one search graph. Default 300 million.
+        /// </summary>
+        public ulong graph_arcs;
+        /// <summary>
+        /// Leaves of one tree. Default 20 million.
+        /// </summary>
+        public ulong leaves;
+        /// <summary>
+        /// Cells of a three-dimensional grid. Default 512³.
+        /// </summary>
+        public ulong voxels;
+        /// <summary>
+        /// Pixels of a picture, supersamples included. Default 16,384².
+        /// </summary>
+        public ulong pixels;
+        /// <summary>
+        /// Triangles of one mesh. Default 100 million.
+        /// </summary>
+        public ulong triangles;
+        /// <summary>
+        /// Bytes of an input file. Default 1 GiB.
+        /// </summary>
+        public ulong input_bytes;
+    }
+
+    /// <summary>
+    /// How a call is done. Begin with `tree_control_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_control
+    {
+        /// <summary>
+        /// `sizeof(tree_control)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Told of progress. Default NULL.
+        /// </summary>
+        public IntPtr progress;
+        /// <summary>
+        /// Handed to `progress`.
+        /// </summary>
+        public void* user;
+        /// <summary>
+        /// Cancels the call from any thread. Default NULL.
+        /// </summary>
+        public tree_cancel* cancel;
+        /// <summary>
+        /// Caps on what the call may use. Default NULL: those of `tree_limits_init`.
+        /// </summary>
+        public tree_limits* limits;
+        /// <summary>
+        /// Threads that do the work. Default NULL: one for each core, shared by all calls.
+        /// </summary>
+        public tree_pool* pool;
+    }
+
+    /// <summary>
+    /// What follows from a row of the table of branches.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branch_motion
+    {
+        /// <summary>
+        /// `sizeof(tree_branch_motion)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Share of the wind's full turn that it makes, 0 to 1.
+        /// </summary>
+        public float give;
+        /// <summary>
+        /// Its lowest natural frequency in hertz, as a bare, clamped, uniform rod of green wood; leaves make
+        /// it slower, taper faster. Infinite for a branch without length.
+        /// </summary>
+        public float frequency;
+        /// <summary>
+        /// The direction it swings in: a unit vector square to the axis, another one for each phase.
+        /// </summary>
+        public fixed float swing[3];
+    }
+
+    /// <summary>
+    /// A branch as the wind sees it: a rod that turns about its pivot, carried by its parent. Has no
+    /// `struct_size`: it is a row of a table, and never changes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_wind_branch
+    {
+        /// <summary>
+        /// The branch that carries this one; itself for the trunk. Parents come first.
+        /// </summary>
+        public uint parent;
+        /// <summary>
+        /// 0 for the trunk, one more than the parent otherwise.
+        /// </summary>
+        public uint level;
+        /// <summary>
+        /// Where it is attached: the point it turns about, in metres.
+        /// </summary>
+        public fixed float pivot[3];
+        /// <summary>
+        /// Unit vector from pivot to tip.
+        /// </summary>
+        public fixed float axis[3];
+        /// <summary>
+        /// Length along its bends in metres.
+        /// </summary>
+        public float length;
+        /// <summary>
+        /// Radius at the base in metres.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Distance from the pivot, in metres, up to which wood moves with the parent.
+        /// </summary>
+        public float collar;
+        /// <summary>
+        /// Where in the swing it starts, 0 to 1: so that branches do not move in step.
+        /// </summary>
+        public float phase;
+        /// <summary>
+        /// 1 does not give at all, 0 hangs in the wind: 1 / (1 + (length / radius / 100)³).
+        /// </summary>
+        public float stiffness;
+    }
+
+    /// <summary>
+    /// How capsules are made. Begin with `tree_capsule_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_capsule_params
+    {
+        /// <summary>
+        /// `sizeof(tree_capsule_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Most capsules, 1 to 4096. Default 32.
+        /// </summary>
+        public uint count_max;
+        /// <summary>
+        /// Wood thinner than this is passed over, in metres, 0 to 10. Default 0.05. When nothing is as
+        /// thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
+        /// </summary>
+        public float radius_min;
+        /// <summary>
+        /// Share of the volume of the other wood that must lie inside, 0 to 1. Default 0.95.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// Which child goes on at a fork. Default `TREE_CONTINUATION_THICKEST`.
+        /// </summary>
+        public uint continuation; // tree_continuation
+    }
+
+    /// <summary>
+    /// How well capsules fit.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_capsule_report
+    {
+        /// <summary>
+        /// `sizeof(tree_capsule_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of capsules.
+        /// </summary>
+        public ulong n_capsules;
+        /// <summary>
+        /// Volume of the wood above the radius, in cubic metres: the sum of its frusta.
+        /// </summary>
+        public double volume;
+        /// <summary>
+        /// Share of that volume that lies in a capsule, 0 to 1, as measured; 1 when there is no wood.
+        /// </summary>
+        public double held;
+        /// <summary>
+        /// Volume of the capsules, those that overlap counted twice, over that of the wood they hold; 1 would
+        /// be perfect. 0 when there is no wood.
+        /// </summary>
+        public double bulk;
+        /// <summary>
+        /// The radius above which wood counted, in metres.
+        /// </summary>
+        public float radius_min;
+        /// <summary>
+        /// Whether `held` reaches the share asked for.
+        /// </summary>
+        public uint is_enough;
+    }
+
+    /// <summary>
+    /// A cylinder with round ends.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_capsule
+    {
+        /// <summary>
+        /// Middle of one end, in metres.
+        /// </summary>
+        public fixed float a[3];
+        /// <summary>
+        /// Middle of the other end.
+        /// </summary>
+        public fixed float b[3];
+        /// <summary>
+        /// Radius in metres.
+        /// </summary>
+        public float radius;
+    }
+
+    /// <summary>
+    /// What a convention says.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_convention_traits
+    {
+        /// <summary>
+        /// `sizeof(tree_convention_traits)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Length units in one metre.
+        /// </summary>
+        public float unit;
+        /// <summary>
+        /// Whether the axes form a left hand.
+        /// </summary>
+        public uint is_left_handed;
+        /// <summary>
+        /// Whether front faces run clockwise, so that triangles must be turned.
+        /// </summary>
+        public uint is_clockwise;
+        /// <summary>
+        /// Whether texture v runs upwards.
+        /// </summary>
+        public uint is_v_up;
+    }
+
+    /// <summary>
+    /// A text in UTF-8. As input, `len` may be `TREE_NUL_TERMINATED` and `data` NULL for an empty text. As
+    /// output it is borrowed, and no NUL byte need follow it.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_str
+    {
+        /// <summary>
+        /// The first byte.
+        /// </summary>
+        public byte* data;
+        /// <summary>
+        /// Number of bytes.
+        /// </summary>
+        public UIntPtr len;
+    }
+
+    /// <summary>
+    /// One attribute of all vertices. Rows of an array; the array belongs to a `tree_packed`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stream
+    {
+        /// <summary>
+        /// The engine's name for it.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// `components` numbers for each vertex, tightly packed, in the machine's order of bytes.
+        /// </summary>
+        public void* data;
+        /// <summary>
+        /// Number of bytes.
+        /// </summary>
+        public UIntPtr n_bytes;
+        /// <summary>
+        /// Numbers of one vertex, 1 to 4.
+        /// </summary>
+        public uint components;
+        /// <summary>
+        /// What the numbers are.
+        /// </summary>
+        public uint number; // tree_number
+    }
+
+    /// <summary>
+    /// A view of a `tree_packed`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_packed_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_packed_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The layout.
+        /// </summary>
+        public uint layout; // tree_layout
+        /// <summary>
+        /// Whose axes the numbers are in.
+        /// </summary>
+        public uint convention; // tree_convention
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Bytes of one vertex, all streams together.
+        /// </summary>
+        public UIntPtr vertex_bytes;
+        /// <summary>
+        /// The attributes, each with a row for every vertex. None for `TREE_LAYOUT_VERTEX`.
+        /// </summary>
+        public tree_stream* streams;
+        /// <summary>
+        /// Number of streams.
+        /// </summary>
+        public UIntPtr n_streams;
+        /// <summary>
+        /// Three for each triangle, wound as the engine has its front faces: `uint16_t` or `uint32_t`.
+        /// </summary>
+        public void* indices;
+        /// <summary>
+        /// Number of indices.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// Bytes of one index: 2 for at most 65,535 vertices, so that no index is 0xFFFF, or 4.
+        /// </summary>
+        public uint index_bytes;
+        /// <summary>
+        /// `TREE_LAYOUT_SPEEDTREE9`: `_ST_BranchStretchLimits`, the longest free lengths of branches 1 and 2
+        /// in metres, the same for all surfaces of a mesh. Else 0.
+        /// </summary>
+        public fixed float stretch_limits[2];
+    }
+
+    /// <summary>
+    /// The textures of `TREE_LAYOUT_PIVOT_PAINTER`, the same for all surfaces of a mesh. Elements lie in rows
+    /// from the top left, as their branches do in the table; the trunk is its own parent.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pivots
+    {
+        /// <summary>
+        /// `sizeof(tree_pivots)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in texels, a power of two.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in texels, a power of two.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Four floats for each texel, row by row from the top: the pivot in centimetres, in Unreal's axes,
+        /// and the parent's number as a float whose half has the bits number + 1024.
+        /// </summary>
+        public float* position_and_index;
+        /// <summary>
+        /// The same as halves; the parents' numbers are exact in them too.
+        /// </summary>
+        public ushort* position_and_index_half;
+        /// <summary>
+        /// Four bytes for each texel: (axis + 1) / 2, and extent / 2048 cm.
+        /// </summary>
+        public byte* axis_and_extent;
+        /// <summary>
+        /// One for each branch of the mesh: its element, or that of the branch it became part of.
+        /// </summary>
+        public uint* element_of;
+        /// <summary>
+        /// Number of branches.
+        /// </summary>
+        public UIntPtr n_branches;
+        /// <summary>
+        /// Texels in use.
+        /// </summary>
+        public UIntPtr n_elements;
+        /// <summary>
+        /// Branches that became part of the one that carries them, since they lie too deep.
+        /// </summary>
+        public UIntPtr n_merged;
+        /// <summary>
+        /// Levels of the mesh.
+        /// </summary>
+        public uint levels;
+        /// <summary>
+        /// Levels that are left, at most 4: as many as Epic's material functions follow.
+        /// </summary>
+        public uint kept_levels;
+    }
+
+    /// <summary>
+    /// A texel of the pivot textures, read back as the shader does, in our axes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pivot_element
+    {
+        /// <summary>
+        /// `sizeof(tree_pivot_element)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The element that carries it; itself for the trunk.
+        /// </summary>
+        public uint parent;
+        /// <summary>
+        /// Pivot in metres.
+        /// </summary>
+        public fixed float pivot[3];
+        /// <summary>
+        /// Axis, a unit vector.
+        /// </summary>
+        public fixed float axis[3];
+        /// <summary>
+        /// Length in metres, 0.08 to 20.48.
+        /// </summary>
+        public float extent;
+    }
+
+    /// <summary>
+    /// A view of a `tree_unpacked`. A column is NULL when the layout has no place for it.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_unpacked_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_unpacked_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Three floats for each vertex: positions in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Three floats for each vertex: normals.
+        /// </summary>
+        public float* normals;
+        /// <summary>
+        /// Four floats for each vertex: tangents, in the fourth the sign.
+        /// </summary>
+        public float* tangents;
+        /// <summary>
+        /// Two floats for each vertex: texture coordinates.
+        /// </summary>
+        public float* uvs;
+        /// <summary>
+        /// Two floats for each vertex: light-map coordinates.
+        /// </summary>
+        public float* uvs2;
+        /// <summary>
+        /// Three for each triangle.
+        /// </summary>
+        public uint* indices;
+        /// <summary>
+        /// Number of indices.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// Ambient occlusion.
+        /// </summary>
+        public float* occlusion;
+        /// <summary>
+        /// The branch, its number in the table; for `TREE_LAYOUT_PIVOT_PAINTER` its element.
+        /// </summary>
+        public uint* branches;
+        /// <summary>
+        /// The branch, or element, that carries it.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// Level of the branch.
+        /// </summary>
+        public uint* levels;
+        /// <summary>
+        /// Three floats for each vertex: pivot of the branch.
+        /// </summary>
+        public float* pivots;
+        /// <summary>
+        /// Three floats for each vertex: axis of the branch.
+        /// </summary>
+        public float* axes;
+        /// <summary>
+        /// Phase of the branch.
+        /// </summary>
+        public float* phases;
+        /// <summary>
+        /// Stiffness of the branch.
+        /// </summary>
+        public float* stiffness;
+        /// <summary>
+        /// How far along the branch.
+        /// </summary>
+        public float* reach;
+        /// <summary>
+        /// How far along the leaf.
+        /// </summary>
+        public float* flutter;
+        /// <summary>
+        /// Phase of the leaf.
+        /// </summary>
+        public float* leaf_phases;
+        /// <summary>
+        /// Three floats for each vertex: where the leaf is attached.
+        /// </summary>
+        public float* anchors;
+        /// <summary>
+        /// Whether the vertex is part of a leaf: 0 or 1.
+        /// </summary>
+        public byte* is_leaf;
+        /// <summary>
+        /// Two floats for each vertex: bend weights. SpeedTree 8: branch weight, 0; 9: those of branches 1
+        /// and 2; Tree Creator: primary and secondary bend.
+        /// </summary>
+        public float* weights;
+        /// <summary>
+        /// Two vectors of three floats for each vertex. SpeedTree 8: swing, growth; 9: directions of
+        /// branches 1 and 2.
+        /// </summary>
+        public float* directions;
+    }
+
+    /// <summary>
+    /// A vertex of `TREE_LAYOUT_VERTEX`, in our axes. Errors are the largest, rounding of floats (1e-7 of the
+    /// largest coordinate) apart. Parent, pivot and axis of a branch stand in the mesh's table of branches,
+    /// to be uploaded as a buffer and read by the number of the branch.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_packed_vertex
+    {
+        /// <summary>
+        /// Position: min + (max - min) * position / 65535 of the view's `bounds`. Error: extent / 131,070.
+        /// </summary>
+        public fixed ushort position[3];
+        /// <summary>
+        /// Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign:
+        /// cos * x + sin * cross(n, x), where n is the normal as it is read back and x is (b, s + n.y * n.y *
+        /// a, -n.y) with s the sign of n.z (1 or -1), a = -1 / (s + n.z) and b = n.x * n.y * a. Error: 3e-4
+        /// radians.
+        /// </summary>
+        public ushort tangent;
+        /// <summary>
+        /// Octahedral normal: x and y / 32767, z = 1 - |x| - |y|; where z is negative, x is (1 - |y|) and y
+        /// (1 - |x|), each with its old sign; then brought to unit length. Error: 1e-4 radians.
+        /// </summary>
+        public fixed short normal[2];
+        /// <summary>
+        /// Texture coordinates over the view's `uv_range`, as positions. Error: range / 131,070.
+        /// </summary>
+        public fixed ushort uv[2];
+        /// <summary>
+        /// Light-map coordinates / 65535.
+        /// </summary>
+        public fixed ushort uv2[2];
+        /// <summary>
+        /// Number of the branch.
+        /// </summary>
+        public uint branch;
+        /// <summary>
+        /// How far along the branch / 65535.
+        /// </summary>
+        public ushort reach;
+        /// <summary>
+        /// Ambient occlusion / 255.
+        /// </summary>
+        public byte occlusion;
+        /// <summary>
+        /// How far along the leaf / 255.
+        /// </summary>
+        public byte flutter;
+        /// <summary>
+        /// Phase of the branch / 255.
+        /// </summary>
+        public byte phase;
+        /// <summary>
+        /// Stiffness of the branch / 255.
+        /// </summary>
+        public byte stiffness;
+        /// <summary>
+        /// Level of the branch; 255 for more.
+        /// </summary>
+        public byte level;
+        /// <summary>
+        /// Phase of the leaf / 255.
+        /// </summary>
+        public byte leaf_phase;
+    }
+
+    /// <summary>
+    /// The vertices of `TREE_LAYOUT_VERTEX`, and what a shader needs to read them.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_packed_vertices
+    {
+        /// <summary>
+        /// `sizeof(tree_packed_vertices)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The vertices.
+        /// </summary>
+        public tree_packed_vertex* vertices;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Three floats for each leaf: where it is attached, in metres. The leaf of vertex `i` is
+        /// `i / (n_vertices / n_anchors)`.
+        /// </summary>
+        public float* anchors;
+        /// <summary>
+        /// Number of leaves; 0 for wood.
+        /// </summary>
+        public UIntPtr n_anchors;
+        /// <summary>
+        /// Box of the positions in metres: its lower corner, then its upper one.
+        /// </summary>
+        public fixed float bounds[6];
+        /// <summary>
+        /// Smallest, then largest texture coordinates.
+        /// </summary>
+        public fixed float uv_range[4];
+    }
+
+    /// <summary>
+    /// A vertex in the wind. All but the anchor lie within 0 to 1.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_vertex_wind
+    {
+        /// <summary>
+        /// The branch it moves with, in the mesh's table; 0 when the mesh has none.
+        /// </summary>
+        public uint branch;
+        /// <summary>
+        /// How far along the branch it lies; leaves as far as the place they are attached.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// Leaves: how far from the anchor, 0 there and 1 at the leaf's farthest vertex. 0 for wood.
+        /// </summary>
+        public float flutter;
+        /// <summary>
+        /// Leaves: where in its flutter the leaf starts. 0 for wood.
+        /// </summary>
+        public float leaf_phase;
+        /// <summary>
+        /// Leaves: where the leaf is attached. Wood: the vertex itself.
+        /// </summary>
+        public fixed float anchor[3];
+    }
+
+    /// <summary>
+    /// A steady wind with gusts. Begin with `tree_wind_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_wind
+    {
+        /// <summary>
+        /// `sizeof(tree_wind)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where it blows to; its length does not matter. Each -1e6 to 1e6; default 1, 0, 0.
+        /// </summary>
+        public fixed float direction[3];
+        /// <summary>
+        /// Turn of a branch without any stiffness, in radians, -10 to 10. Default 0.5.
+        /// </summary>
+        public float strength;
+        /// <summary>
+        /// Share of the turn that swings to and fro, 0 to 1. Default 0.4.
+        /// </summary>
+        public float gusts;
+        /// <summary>
+        /// Swings in a second, 0 to 100. Default 0.5.
+        /// </summary>
+        public float frequency;
+        /// <summary>
+        /// How far leaves turn to and fro at their anchors, in radians, -10 to 10. Default 0.3.
+        /// </summary>
+        public float flutter;
+    }
+
+    /// <summary>
+    /// Where leaves stand and how they are held. Lengths in metres, angles in radians. Begin with
+    /// `tree_leaf_params_init`, or with a species' own from `tree_foliage_preset`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_params
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How leaves stand along the shoot. Default `TREE_PHYLLOTAXIS_SPIRAL`.
+        /// </summary>
+        public uint arrangement; // tree_phyllotaxis
+        /// <summary>
+        /// Spiral: angle from one leaf to the next, -2π to 2π. Default the golden angle, 2.39996.
+        /// </summary>
+        public float divergence;
+        /// <summary>
+        /// Whorled: leaves at a node, 3 to 64. No default: 0, which is refused.
+        /// </summary>
+        public uint whorl;
+        /// <summary>
+        /// What one leaf consists of. Default `TREE_LEAVES_SIMPLE`.
+        /// </summary>
+        public uint form; // tree_leaves_form
+        /// <summary>
+        /// Pinnate: pairs of leaflets, 1 to 100. Default 4.
+        /// </summary>
+        public uint pinnate_pairs;
+        /// <summary>
+        /// Pinnate: whether a leaflet ends the rachis. Default 1.
+        /// </summary>
+        public uint pinnate_odd;
+        /// <summary>
+        /// Pinnate: length of the rachis above the petiole in lengths of the largest leaflet, 0 to 1000.
+        /// Default 2.
+        /// </summary>
+        public float pinnate_rachis;
+        /// <summary>
+        /// Pinnate: how far the rachis bends back over its length, -π to π. Default 0.4.
+        /// </summary>
+        public float pinnate_droop;
+        /// <summary>
+        /// Pinnate: angle between rachis and leaflets at its base and at its tip, 0 to π. Default 1.2, 0.8.
+        /// </summary>
+        public fixed float pinnate_angle[2];
+        /// <summary>
+        /// Pinnate: size of the leaflets at base, middle and tip, 0.01 to 1. Default 0.75, 1, 0.8.
+        /// </summary>
+        public fixed float pinnate_profile[3];
+        /// <summary>
+        /// Pinnate: how far leaflets are raised out of the leaf's plane, -π/2 (hanging) to π/2. Default 0.
+        /// </summary>
+        public float pinnate_fold;
+        /// <summary>
+        /// Pinnate: length of a leaflet's stalk in lengths of the largest leaflet, 0 to 2. Default 0.03.
+        /// </summary>
+        public float pinnate_petiolule;
+        /// <summary>
+        /// Pinnate: pairs of leaflets on each pinna of a leaf that is pinnate twice, up to 50. Default 0:
+        /// pinnate once.
+        /// </summary>
+        public uint pinnate_pinna_pairs;
+        /// <summary>
+        /// Pinnate twice: length of the longest pinna as a share of the rachis, 0.01 to 2. Default 0.5.
+        /// </summary>
+        public float pinnate_pinna;
+        /// <summary>
+        /// Palmate: leaflets, 2 to 64. Default 7.
+        /// </summary>
+        public uint palmate_leaflets;
+        /// <summary>
+        /// Palmate: angle from the first leaflet to the last, 0 to 2π. Default 4.
+        /// </summary>
+        public float palmate_spread;
+        /// <summary>
+        /// Palmate: size of the outermost leaflets against the middle one, 0.01 to 1. Default 0.55.
+        /// </summary>
+        public float palmate_outer;
+        /// <summary>
+        /// Palmate: angle by which leaflets hang below the leaf's plane, -π/2 to π/2. Default 0.2.
+        /// </summary>
+        public float palmate_droop;
+        /// <summary>
+        /// Fascicle: needles, 1 to 16. Rosette: needles, 1 to 128. No default: 0, which is refused.
+        /// </summary>
+        public uint needles;
+        /// <summary>
+        /// Fascicle: angle between a needle and the axis, 0 to π/2. Rosette: angle between the outermost
+        /// needles and the axis, 0 to π. Default 0.
+        /// </summary>
+        public float needle_spread;
+        /// <summary>
+        /// Distance between leaf-bearing nodes along the shoot, 1e-4 to 1e6. Default 0.07.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Shoots bear leaves up to this distance from their tip, 0 to 1e6. Default 0.55.
+        /// </summary>
+        public float bearing;
+        /// <summary>
+        /// Length of a blade (of a full leaflet or needle where the leaf has many), 1e-6 to 1e6. Default
+        /// 0.13.
+        /// </summary>
+        public float size;
+        /// <summary>
+        /// Sizes vary by up to this share either way, 0 to 0.9. Default 0.25.
+        /// </summary>
+        public float size_variation;
+        /// <summary>
+        /// How much smaller leaves are at the tip than at the lower end of the bearing zone, 0 to 0.9 of
+        /// their size; a negative number, down to -0.9, makes those at the lower end smaller. Default 0.
+        /// </summary>
+        public float size_gradient;
+        /// <summary>
+        /// Length of the petiole in lengths of the blade, 0 to 100; the blade stands off the shoot by as
+        /// much. Default 0: whatever petiole there is belongs to the picture of the leaf.
+        /// </summary>
+        public float petiole;
+        /// <summary>
+        /// Radius of the petiole in lengths of the blade, 0 to 0.5; used where stalks are grown too.
+        /// Default 0.008.
+        /// </summary>
+        public float petiole_radius;
+        /// <summary>
+        /// Angle between shoot and petiole, 0 (along the shoot) to π (back along it). Default 0.9.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// Random deviation of all angles, 0 to π. Default 0.35.
+        /// </summary>
+        public float jitter;
+        /// <summary>
+        /// How far blades hang: 0 not at all, 1 straight down. The petiole does not hang. Default 0.15.
+        /// </summary>
+        public float droop;
+        /// <summary>
+        /// How far upper faces turn to the light by rolling about the midrib: 0 not at all, 1 as far as
+        /// that brings them. Default 0.6.
+        /// </summary>
+        public float phototropism;
+        /// <summary>
+        /// Largest angle between petiole and blade, 0 to π: after the roll, the blade turns towards the
+        /// light by the share `phototropism` of what is left, but no more than this. Default 0: the midrib
+        /// goes on as it was.
+        /// </summary>
+        public float lamina_turn;
+        /// <summary>
+        /// Where light comes from; any length but 0. Default 0, 1, 0.
+        /// </summary>
+        public fixed float light[3];
+        /// <summary>
+        /// Whether each tip bears a leaf that goes on in its direction. Default 1.
+        /// </summary>
+        public uint terminal;
+        /// <summary>
+        /// The leaves' kind: an index into the species' leaf kinds, 0 to 65,535. Default 0.
+        /// </summary>
+        public uint kind;
+    }
+
+    /// <summary>
+    /// What growing leaves did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_report
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Leaf-bearing nodes of the shoots (a whorl is one, a tip's leaf too).
+        /// </summary>
+        public ulong n_bearing;
+        /// <summary>
+        /// Leaves; a compound leaf and a fascicle is one.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Blades: rows of the foliage.
+        /// </summary>
+        public ulong n_blades;
+        /// <summary>
+        /// Bearing nodes that the density left out.
+        /// </summary>
+        public ulong n_thinned;
+        /// <summary>
+        /// Bearing nodes where the density was negative or not a number, and counted as 0.
+        /// </summary>
+        public ulong n_bad_density;
+        /// <summary>
+        /// Axes without a leaf.
+        /// </summary>
+        public ulong n_barren;
+        /// <summary>
+        /// Nodes added for petioles and rachises.
+        /// </summary>
+        public ulong n_stalk_nodes;
+    }
+
+    /// <summary>
+    /// Where twigs stand, how long they are and how they are held. Lengths in metres, angles in radians.
+    /// Begin with `tree_twig_params_init`, or with a species' own from `tree_foliage_preset`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_twig_params
+    {
+        /// <summary>
+        /// `sizeof(tree_twig_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How each twig goes on. Default `TREE_BRANCHING_MONOPODIAL`.
+        /// </summary>
+        public uint branching; // tree_branching
+        /// <summary>
+        /// Sympodial: internodes of a module, 1 to 100. Default 1, as linden has.
+        /// </summary>
+        public uint module_internodes;
+        /// <summary>
+        /// Sympodial: angle by which the next module turns off, 0 to π. Default 0.
+        /// </summary>
+        public float module_turn;
+        /// <summary>
+        /// Sympodial: angle from the side of one turn to that of the next, -2π to 2π. Default π, a zig-zag;
+        /// 0 gives a curl, anything between a helix.
+        /// </summary>
+        public float module_divergence;
+        /// <summary>
+        /// Sympodial: length of the dead tip that stays where a module ended, in internodes, 0 to 10.
+        /// Default 0: it is shed.
+        /// </summary>
+        public float module_stub;
+        /// <summary>
+        /// How twigs stand along shoots, and laterals along main twigs. Default `TREE_PHYLLOTAXIS_SPIRAL`.
+        /// </summary>
+        public uint arrangement; // tree_phyllotaxis
+        /// <summary>
+        /// Spiral: angle from one twig to the next, -2π to 2π. Default the golden angle, 2.39996.
+        /// </summary>
+        public float divergence;
+        /// <summary>
+        /// Whorled: twigs at a node, 3 to 64. No default: 0, which is refused.
+        /// </summary>
+        public uint whorl;
+        /// <summary>
+        /// Orders of twigs, 1 (no laterals) to 3. Default 2. Each multiplies the number of nodes.
+        /// </summary>
+        public uint levels;
+        /// <summary>
+        /// Twig-bearing nodes per metre of shoot, 1e-3 to 1e4. Default 10.
+        /// </summary>
+        public float per_metre;
+        /// <summary>
+        /// Shoots bear twigs up to this distance from their tip, 0 to 1e6. Default 0.6.
+        /// </summary>
+        public float bearing;
+        /// <summary>
+        /// Most twigs on one node of the skeleton, 1 to 64; more are left out and reported. Default 4.
+        /// </summary>
+        public uint crowd;
+        /// <summary>
+        /// Length of the longest twigs, 1e-5 to 1e6. Default 0.25.
+        /// </summary>
+        public float length;
+        /// <summary>
+        /// Lengths vary by up to this share either way, 0 to 0.9. Default 0.25.
+        /// </summary>
+        public float length_variation;
+        /// <summary>
+        /// How much shorter twigs are at the tip of the bearing shoot than at the lower end of the bearing
+        /// zone, 0 to 1 of their length; a negative number, down to -1, makes the lower ones shorter. Holds
+        /// for laterals along their twig too. Default 0.5.
+        /// </summary>
+        public float taper;
+        /// <summary>
+        /// Length of the twig that goes on at the tip of a shoot, in lengths of the longest, 0 (none) to 1.
+        /// Default 0.6.
+        /// </summary>
+        public float terminal;
+        /// <summary>
+        /// Length of laterals against the twig that bears them, 0 to 1. Default 0.45.
+        /// </summary>
+        public float lateral;
+        /// <summary>
+        /// Length of an internode, 1e-5 to 1e6; a twig of less than half an internode is left out. Default
+        /// 0.03.
+        /// </summary>
+        public float internode;
+        /// <summary>
+        /// Angle between a twig and what bears it, 0 to π. Default 0.85.
+        /// </summary>
+        public float angle;
+        /// <summary>
+        /// Random deviation of all angles, 0 to π; a quarter of it from one internode to the next. Default
+        /// 0.2.
+        /// </summary>
+        public float jitter;
+        /// <summary>
+        /// Stiffness of the wood: its modulus of elasticity in gigapascal, 1e-4 to 1e6. Default 4, a green
+        /// twig; 0.2 hangs like a weeping willow.
+        /// </summary>
+        public float stiffness;
+        /// <summary>
+        /// Weight of leaves and fruit in kilograms per metre of twig, 0 to 1000. Default 0.03.
+        /// </summary>
+        public float load;
+        /// <summary>
+        /// How strongly growth turns down, per metre, -1000 to 1000: a twig that points sideways turns by so
+        /// many radians a metre. Negative turns up, as most shoots do. Default 0.
+        /// </summary>
+        public float gravitropism;
+        /// <summary>
+        /// How strongly growth turns to the light, per metre, -1000 to 1000. Default 0.5.
+        /// </summary>
+        public float phototropism;
+        /// <summary>
+        /// Where light comes from; any length but 0. Default 0, 1, 0.
+        /// </summary>
+        public fixed float light[3];
+        /// <summary>
+        /// Radius of every twig's tip, 1e-6 to 100. Default 0.0008.
+        /// </summary>
+        public float tip_radius;
+        /// <summary>
+        /// How much the radius grows per metre towards the base, 0 to 1. Default 0.003.
+        /// </summary>
+        public float radius_taper;
+        /// <summary>
+        /// Exponent of the pipe model where laterals leave, 1 to 10. Default 2.49.
+        /// </summary>
+        public float pipe_exponent;
+        /// <summary>
+        /// Thickest a twig may be at its base, as a share of the radius of what bears it there, 0 to 1; a
+        /// thicker one is made thinner as a whole. Default 0.75.
+        /// </summary>
+        public float radius_share;
+        /// <summary>
+        /// Must be 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What growing twigs did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_twig_report
+    {
+        /// <summary>
+        /// `sizeof(tree_twig_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Twigs that old nodes bear.
+        /// </summary>
+        public ulong n_twigs;
+        /// <summary>
+        /// Twigs that twigs bear.
+        /// </summary>
+        public ulong n_laterals;
+        /// <summary>
+        /// Nodes added.
+        /// </summary>
+        public ulong n_nodes;
+        /// <summary>
+        /// Axes of the old skeleton without a place for a twig: too short, beyond the bearing zone, or left
+        /// out by the density.
+        /// </summary>
+        public ulong n_barren;
+        /// <summary>
+        /// Places that the density left out.
+        /// </summary>
+        public ulong n_thinned;
+        /// <summary>
+        /// Places where the density was negative or not a number, and counted as 0.
+        /// </summary>
+        public ulong n_bad_density;
+        /// <summary>
+        /// Twigs and laterals left out, shorter than half an internode.
+        /// </summary>
+        public ulong n_too_short;
+        /// <summary>
+        /// Twigs left out because their node bears `crowd` already. Many mean that the skeleton has too few
+        /// nodes; see `tree_skeleton_refine`.
+        /// </summary>
+        public ulong n_crowded;
+        /// <summary>
+        /// Largest distance in metres from a twig's place on the shoot to the node that bears it.
+        /// </summary>
+        public double moved;
+    }
+
+    /// <summary>
+    /// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
+    /// `tree_mesh_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mesh_params
+    {
+        /// <summary>
+        /// `sizeof(tree_mesh_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Which child goes on at a fork and which start tubes of their own. Default
+        /// `TREE_CONTINUATION_THICKEST`.
+        /// </summary>
+        public uint continuation; // tree_continuation
+        /// <summary>
+        /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
+        /// </summary>
+        public uint sides_min;
+        /// <summary>
+        /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
+        /// </summary>
+        public uint sides_max;
+        /// <summary>
+        /// The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
+        /// </summary>
+        public uint fit; // tree_curve_fit
+        /// <summary>
+        /// How it is said how far the mesh may leave the round, curved branch, which rules the number of
+        /// sides between the two bounds above and the number of rings. Default `TREE_BOUND_METRES`.
+        /// </summary>
+        public uint error_kind; // tree_bound_kind
+        /// <summary>
+        /// With `TREE_BOUND_METRES`: the error, 0.01 mm to 1 m. Default 3 mm.
+        /// </summary>
+        public float error;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: width of the error on the screen, 0.01 to 1000. Default 1.
+        /// </summary>
+        public float error_pixels;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: from the eye to the tree in metres, 0.01 to 1e6. Default 10 m.
+        /// </summary>
+        public float error_distance;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: vertical field of view, 0.01 to 3. Default 1.
+        /// </summary>
+        public float error_fov_y;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: height of the screen in pixels, 1 or more. Default 1080.
+        /// </summary>
+        public uint error_height;
+        /// <summary>
+        /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
+        /// bend in the wind.
+        /// </summary>
+        public float strip_max;
+        /// <summary>
+        /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
+        /// </summary>
+        public float radius_min;
+        /// <summary>
+        /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
+        /// that it goes round a whole number of times.
+        /// </summary>
+        public float bark_width;
+        /// <summary>
+        /// Height of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m.
+        /// </summary>
+        public float bark_length;
+        /// <summary>
+        /// How much wider the trunk is at the ground, as a share of its radius, 0 to 3; 0 turns the root
+        /// flare off. Default 0.35.
+        /// </summary>
+        public float flare;
+        /// <summary>
+        /// Height of the root flare in radii of the trunk, 0.1 to 20. Default 3.
+        /// </summary>
+        public float flare_height;
+        /// <summary>
+        /// Number of buttresses in the flare, 0 to 12. Default 5.
+        /// </summary>
+        public uint flare_lobes;
+        /// <summary>
+        /// How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
+        /// </summary>
+        public float flare_lobe_depth;
+        /// <summary>
+        /// Factor on the length of every leaf, 0.01 to 100. Default 1.
+        /// </summary>
+        public float leaf_scale;
+        /// <summary>
+        /// Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its look says.
+        /// </summary>
+        public float leaf_width;
+        /// <summary>
+        /// How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
+        /// Default 0.6: soft light over the whole crown.
+        /// </summary>
+        public float leaf_rounding;
+        /// <summary>
+        /// Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default no.
+        /// </summary>
+        public uint tangents;
+        /// <summary>
+        /// Whether vertices get texture coordinates for a light map, 8 bytes each. Default no.
+        /// </summary>
+        public uint lightmap;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_instancing_params
+    {
+        /// <summary>
+        /// `sizeof(tree_instancing_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Most unique twigs, 1 to 1000. Default 30.
+        /// </summary>
+        public uint twigs_max;
+        /// <summary>
+        /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
+        /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
+        /// of `tree_instancing_report`.
+        /// </summary>
+        public float ratio;
+        /// <summary>
+        /// Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What an instanced tree weighs and how near it comes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_instancing_report
+    {
+        /// <summary>
+        /// `sizeof(tree_instancing_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Unique twigs.
+        /// </summary>
+        public ulong n_twigs;
+        /// <summary>
+        /// Instances of all twigs.
+        /// </summary>
+        public ulong n_instances;
+        /// <summary>
+        /// Bytes of the columns of base and twigs, and of the instances.
+        /// </summary>
+        public ulong bytes;
+        /// <summary>
+        /// Bytes of the columns of the flattened tree.
+        /// </summary>
+        public ulong bytes_flat;
+        /// <summary>
+        /// Leaves of the tree.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Leaves of the instanced tree.
+        /// </summary>
+        public ulong n_leaves_instanced;
+        /// <summary>
+        /// `bytes_flat / bytes`.
+        /// </summary>
+        public float ratio;
+        /// <summary>
+        /// Length that twigs were limited to, in metres.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// How far middle and spread of a subtree's leaves are off those of the twig that stands for it, in
+        /// metres: root mean square over all leaves.
+        /// </summary>
+        public float deviation;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: as input, or as a
+    /// view.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_twig_instances
+    {
+        /// <summary>
+        /// `sizeof(tree_twig_instances)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of instances.
+        /// </summary>
+        public UIntPtr n_instances;
+        /// <summary>
+        /// Three floats for each instance: where its base is, in metres.
+        /// </summary>
+        public float* translations;
+        /// <summary>
+        /// Four floats for each instance: its turn, a unit quaternion x, y, z, w.
+        /// </summary>
+        public float* rotations;
+        /// <summary>
+        /// Three floats for each instance: factor on its size, the same along all axes.
+        /// </summary>
+        public float* scales;
+        /// <summary>
+        /// One for each instance: the branch of the base mesh that bears it.
+        /// </summary>
+        public uint* branches;
+    }
+
+    /// <summary>
+    /// How a glTF file is written. Begin with `tree_glb_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_glb_options
+    {
+        /// <summary>
+        /// `sizeof(tree_glb_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
+        /// them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
+        /// for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
+        /// length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
+        /// Default 0.
+        /// </summary>
+        public uint quantize;
+        /// <summary>
+        /// Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
+        /// know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
+        /// look into it.
+        /// </summary>
+        public uint translucency;
+        /// <summary>
+        /// What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
+        /// </summary>
+        public uint occlusion; // tree_gltf_occlusion
+    }
+
+    /// <summary>
+    /// A mesh and where its copies stand: scaled, turned, then moved.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_gltf_instances
+    {
+        /// <summary>
+        /// `sizeof(tree_gltf_instances)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the node and the mesh.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// What is drawn many times, with materials of its own. Copied while the file is written.
+        /// </summary>
+        public tree_mesh* mesh;
+        /// <summary>
+        /// Number of copies, at least 1.
+        /// </summary>
+        public UIntPtr n;
+        /// <summary>
+        /// Three floats for each copy: where the origin comes to lie, in metres.
+        /// </summary>
+        public float* translations;
+        /// <summary>
+        /// Four floats for each copy: how it is turned, a unit quaternion x, y, z, w.
+        /// </summary>
+        public float* rotations;
+        /// <summary>
+        /// Three floats for each copy: factors along the axes of the mesh.
+        /// </summary>
+        public float* scales;
+    }
+
+    /// <summary>
+    /// A column of the caller's own, for one surface of a mesh.
+    ///
+    /// Blender 5.0.1 mixes up attributes of one mesh whose names begin with `_` when they differ in their
+    /// number of components, and then now and then refuses the file: give all the same number there, and
+    /// write occlusion in another way.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_gltf_attribute
+    {
+        /// <summary>
+        /// `sizeof(tree_gltf_attribute)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of the surface in the mesh.
+        /// </summary>
+        public UIntPtr surface;
+        /// <summary>
+        /// Name in the file: `_` and then capital letters, digits and `_`, at most 64 in all.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Numbers per vertex, 1 to 4.
+        /// </summary>
+        public UIntPtr components;
+        /// <summary>
+        /// `components` finite numbers for each vertex.
+        /// </summary>
+        public float* values;
+        /// <summary>
+        /// Number of values: `components` times the number of vertices of the surface.
+        /// </summary>
+        public UIntPtr n_values;
+    }
+
+    /// <summary>
+    /// One level of detail of a glTF file, or all of it.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_gltf_level
+    {
+        /// <summary>
+        /// `sizeof(tree_gltf_level)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// What is drawn once. May be NULL when there are instances.
+        /// </summary>
+        public tree_mesh* mesh;
+        /// <summary>
+        /// What is drawn many times.
+        /// </summary>
+        public tree_gltf_instances* instances;
+        /// <summary>
+        /// Number of `instances`, 0 to 65,536.
+        /// </summary>
+        public UIntPtr n_instances;
+        /// <summary>
+        /// More columns for the surfaces of `mesh`.
+        /// </summary>
+        public tree_gltf_attribute* attributes;
+        /// <summary>
+        /// Number of `attributes`, 0 to 65,536.
+        /// </summary>
+        public UIntPtr n_attributes;
+        /// <summary>
+        /// Share of the screen's height (0 to 1) from which this level is drawn, the finest first. Not used
+        /// when there is one level.
+        /// </summary>
+        public float coverage;
+    }
+
+    /// <summary>
+    /// How a PLY file is written. Begin with `tree_ply_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_ply_options
+    {
+        /// <summary>
+        /// `sizeof(tree_ply_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whether numbers are written as text instead of little-endian binary: five times the size, for
+        /// people and old programs. Default 0.
+        /// </summary>
+        public uint ascii;
+    }
+
+    /// <summary>
+    /// How files are read. Begin with `tree_import_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_import_options
+    {
+        /// <summary>
+        /// `sizeof(tree_import_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whether files that the file names (buffers, textures, MTL) are read. Only those within its own
+        /// folder and below are: no absolute path, no `..`, no scheme, no link that leads out. Default 0:
+        /// textures and materials are left out and noted, missing buffers are an error.
+        /// </summary>
+        public uint external;
+        /// <summary>
+        /// The file's format. Default `TREE_MESH_FORMAT_BY_NAME`.
+        /// </summary>
+        public uint format; // tree_mesh_format
+    }
+
+    /// <summary>
+    /// What a file held, and what was left out or changed.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_import_report
+    {
+        /// <summary>
+        /// `sizeof(tree_import_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Nodes of the scene (glTF), objects and groups (OBJ), 1 for PLY.
+        /// </summary>
+        public ulong n_nodes;
+        /// <summary>
+        /// Surfaces made.
+        /// </summary>
+        public ulong n_surfaces;
+        /// <summary>
+        /// Vertices of all surfaces.
+        /// </summary>
+        public ulong n_vertices;
+        /// <summary>
+        /// Triangles of all surfaces.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Copies that `EXT_mesh_gpu_instancing` asked for.
+        /// </summary>
+        public ulong n_instances;
+        /// <summary>
+        /// Textures decoded.
+        /// </summary>
+        public ulong n_textures;
+        /// <summary>
+        /// How often each thing was left out or changed, by `TREE_NOTE_` constants; `tree_note_text` says
+        /// what they mean.
+        /// </summary>
+        public fixed ulong notes[18];
+    }
+
+    /// <summary>
+    /// What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
+    /// `tree_leaf_names`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_species
+    {
+        /// <summary>
+        /// `sizeof(tree_species)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name for people and files.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Name of the bark.
+        /// </summary>
+        public tree_str bark;
+        /// <summary>
+        /// Names of the leaf kinds.
+        /// </summary>
+        public tree_str* leaf_kinds;
+        /// <summary>
+        /// Number of leaf kinds.
+        /// </summary>
+        public UIntPtr n_leaf_kinds;
+    }
+
+    /// <summary>
+    /// What a surface looks like, in glTF's metallic-roughness terms; nothing on a tree is metal. As input
+    /// (begin with `tree_material_init`), or as a view.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_material
+    {
+        /// <summary>
+        /// `sizeof(tree_material)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name for people and files. As input, empty is `material`.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// As input: the picture wrapped on the surface, or NULL for none; the material keeps what it needs,
+        /// so the handle may be freed. In views always NULL: `has_texture` says whether there is one, and
+        /// `tree_mesh_texture` or `tree_look_texture` give a handle of it.
+        /// </summary>
+        public tree_texture* texture;
+        /// <summary>
+        /// Linear colour (0 or more; files hold up to 1) and alpha (0 to 1), multiplied with the texture.
+        /// Default white.
+        /// </summary>
+        public fixed float base_color[4];
+        /// <summary>
+        /// 0 mirror-like to 1 matt. Default 0.9.
+        /// </summary>
+        public float roughness;
+        /// <summary>
+        /// How texture alpha is used. Default `TREE_ALPHA_OPAQUE`.
+        /// </summary>
+        public uint alpha; // tree_alpha
+        /// <summary>
+        /// With `TREE_ALPHA_MASK`: alpha below which pixels are not drawn, 0 to 1. Default 0.5.
+        /// </summary>
+        public float alpha_cutoff;
+        /// <summary>
+        /// Whether back faces are drawn, with their normals turned over. Default no.
+        /// </summary>
+        public uint double_sided;
+        /// <summary>
+        /// Share of the light on one face that shines through the other, 0 to 1. Leaves have about 0.4.
+        /// Default 0.
+        /// </summary>
+        public float translucency;
+        /// <summary>
+        /// In views: whether there is a texture. Ignored in input.
+        /// </summary>
+        public uint has_texture;
+    }
+
+    /// <summary>
+    /// One leaf as a small mesh in its own frame: base at the origin, midrib along +Y with the apex at a
+    /// height of about 1, upper face towards +Z. Triangles counter-clockwise seen from above. As input, or as
+    /// a view.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_mesh
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_mesh)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of vertices, at most 65,536.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Number of indices, three for each triangle.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// Three floats for each vertex: where it is, in lengths of the leaf.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Three floats for each vertex: its unit normal.
+        /// </summary>
+        public float* normals;
+        /// <summary>
+        /// Two floats for each vertex: texture coordinates, v downwards.
+        /// </summary>
+        public float* uvs;
+        /// <summary>
+        /// Two floats for each vertex, or NULL: where it lies on the leaf's own piece of the light map, 0 to 1
+        /// both ways. NULL: above its place in the plane of the leaf, right for leaves that do not overlap
+        /// themselves.
+        /// </summary>
+        public float* uvs2;
+        /// <summary>
+        /// Three for each triangle: its vertices.
+        /// </summary>
+        public uint* indices;
+    }
+
+    /// <summary>
+    /// What leaves of one kind look like: as input (begin with `tree_leaf_look_init`), or as a view.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_look
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_look)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Goes on the leaves. Should be double-sided, with an alpha mask where the texture has one. As input,
+        /// NULL is the default material. In views always NULL: `tree_look_material` views it.
+        /// </summary>
+        public tree_material* material;
+        /// <summary>
+        /// With `TREE_LEAF_MESH`: the leaf, which is copied. In views always NULL: `tree_look_leaf_mesh` views
+        /// it.
+        /// </summary>
+        public tree_leaf_mesh* mesh;
+        /// <summary>
+        /// Width of the picture in lengths of the leaf, 0.001 to 1000; 1 is square. Default 1. Unused by
+        /// `TREE_LEAF_MESH`, which has its own.
+        /// </summary>
+        public float width;
+        /// <summary>
+        /// What a leaf is cut out of. Default `TREE_LEAF_CARD`.
+        /// </summary>
+        public uint form; // tree_leaf_form
+        /// <summary>
+        /// With `TREE_LEAF_OUTLINE` and `TREE_LEAF_MODELLED`: most vertices of the polygon, 4 to 64. Default
+        /// 8; a modelled leaf of 12 has up to 20 triangles when folded or bent.
+        /// </summary>
+        public uint vertices_max;
+        /// <summary>
+        /// Copies of the leaf turned about its midrib, evenly over half a turn, 1 to 8. Two or three make
+        /// clusters and needles look full from all sides. Default 1.
+        /// </summary>
+        public uint sheets;
+        /// <summary>
+        /// Angle in radians by which each half of a leaf stands up along the midrib, 0 to 1.4. Default 0.
+        /// </summary>
+        public float fold;
+        /// <summary>
+        /// Angle in radians by which the midrib bends down from base to apex, evenly, 0 to π. Default 0.
+        /// </summary>
+        public float bend;
+        /// <summary>
+        /// Rows of triangles that a bent leaf has at least, 1 to 16. Default 2.
+        /// </summary>
+        public uint rows;
+        /// <summary>
+        /// Width of petioles in lengths of the leaf, 0 to 0.2: a prism of three sides from the shoot to the
+        /// base of the leaf, eight vertices and six triangles a leaf. Default 0, none.
+        /// </summary>
+        public float petiole;
+    }
+
+    /// <summary>
+    /// Spots of another colour on bark. Has no `struct_size`: it is a row of an array, and never changes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bark_patches
+    {
+        /// <summary>
+        /// sRGB colour.
+        /// </summary>
+        public fixed byte color[3];
+        /// <summary>
+        /// Not used.
+        /// </summary>
+        public byte reserved;
+        /// <summary>
+        /// Waves of the noise that shapes them, across and along, 1 to 256.
+        /// </summary>
+        public fixed uint count[2];
+        /// <summary>
+        /// Share of the bark they cover, roughly, 0 to 1.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// Width of their edges, 0.01 (hard) to 1.
+        /// </summary>
+        public float softness;
+        /// <summary>
+        /// How much of the colour below they hide, 0 to 1.
+        /// </summary>
+        public float opacity;
+        /// <summary>
+        /// How rough their surface is, 0 to 1: dark cracks along the trunk.
+        /// </summary>
+        public float roughness;
+    }
+
+    /// <summary>
+    /// What bark looks like. One tile of the texture is meant for 0.5 to 1 metre of trunk; counts are per
+    /// tile and 0 switches a layer off, so do strengths of 0. Begin with `tree_bark_style_init`, or with the
+    /// style of a built-in bark by `tree_bark_style_of`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bark_style
+    {
+        /// <summary>
+        /// `sizeof(tree_bark_style)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the noise starts: another seed is another piece of the same bark. Default 0.
+        /// </summary>
+        public ulong seed;
+        /// <summary>
+        /// Spots of another colour, drawn in order (lichen, peeling, old bark). Default none.
+        /// </summary>
+        public tree_bark_patches* patches;
+        /// <summary>
+        /// Number of `patches`, at most 16.
+        /// </summary>
+        public UIntPtr n_patches;
+        /// <summary>
+        /// How much of `tint` is mixed in at most, 0 to 1. Default 0.3.
+        /// </summary>
+        public float tinting;
+        /// <summary>
+        /// Plates across and along, 0 to 256. Default none.
+        /// </summary>
+        public fixed uint plates[2];
+        /// <summary>
+        /// Width of the cracks between plates, in widths of a plate, 0 to 1. Default 0.2.
+        /// </summary>
+        public float crack;
+        /// <summary>
+        /// How much brightness differs from plate to plate, 0 to 1. Default 0.15.
+        /// </summary>
+        public float plate_contrast;
+        /// <summary>
+        /// Waves of the noise whose zero lines are furrows, across and along, 0 to 256. Default 8, 2.
+        /// </summary>
+        public fixed uint furrows[2];
+        /// <summary>
+        /// Width of the furrows, as height of that noise, 0 to 1. Default 0.3.
+        /// </summary>
+        public float furrow_width;
+        /// <summary>
+        /// Depth of the furrows, 0 to 1. Default 1.
+        /// </summary>
+        public float furrow_depth;
+        /// <summary>
+        /// How ragged edges are, 0 to 1. Default 0.4.
+        /// </summary>
+        public float ragged;
+        /// <summary>
+        /// How far points are shifted, in tiles, 0 to 0.5. Default 0.03.
+        /// </summary>
+        public float warp;
+        /// <summary>
+        /// Strength of the flakes, thin layers with stepped edges, 0 to 1. Default 0.
+        /// </summary>
+        public float flakes;
+        /// <summary>
+        /// Waves of the finest layer across and along, 0 to 256. Default 24, 12.
+        /// </summary>
+        public fixed uint grain[2];
+        /// <summary>
+        /// Height of the grain, 0 to 1. Default 0.3.
+        /// </summary>
+        public float grain_height;
+        /// <summary>
+        /// Rings around the trunk, waves along a tile, 0 to 256. Default 0.
+        /// </summary>
+        public uint rings;
+        /// <summary>
+        /// Strength of the rings, 0 to 1. Default 0.3.
+        /// </summary>
+        public float ring_contrast;
+        /// <summary>
+        /// Strength of the baked light, 0 to 3. Default 1.
+        /// </summary>
+        public float relief;
+        /// <summary>
+        /// Whether there are lenticels, short dark lines across the trunk, as on birch and cherry. Default no.
+        /// </summary>
+        public uint has_lenticels;
+        /// <summary>
+        /// With `has_lenticels`: places for one, across and along, 1 to 256. Default 5, 34.
+        /// </summary>
+        public fixed uint lenticel_count[2];
+        /// <summary>
+        /// With `has_lenticels`: share of the places taken, 0 to 1. Default 0.45.
+        /// </summary>
+        public float lenticel_share;
+        /// <summary>
+        /// With `has_lenticels`: length of the longest, in places, 0.01 to 1. Default 1.
+        /// </summary>
+        public float lenticel_length;
+        /// <summary>
+        /// With `has_lenticels`: thickness of the thickest, in places, 0.01 to 1. Default 0.45.
+        /// </summary>
+        public float lenticel_thickness;
+        /// <summary>
+        /// With `has_lenticels`: sRGB colour. Default a dark brown.
+        /// </summary>
+        public fixed byte lenticel_color[3];
+        /// <summary>
+        /// sRGB colour of the ridges. Default a grey brown.
+        /// </summary>
+        public fixed byte ridge[3];
+        /// <summary>
+        /// sRGB colour of the depths of cracks and furrows. Default a dark brown.
+        /// </summary>
+        public fixed byte furrow[3];
+        /// <summary>
+        /// sRGB colour that slow noise mixes in. Default a greenish grey.
+        /// </summary>
+        public fixed byte tint[3];
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a leaf's mesh came about.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_model_report
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_model_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whether the picture could not be outlined (no mask, or nothing of it visible) and the leaf is a card
+        /// instead.
+        /// </summary>
+        public uint fallback;
+        /// <summary>
+        /// Whether the margin is modelled, so that no mask is needed.
+        /// </summary>
+        public uint opaque;
+        /// <summary>
+        /// Share of the picture's pixels that can be seen; 1 without a mask.
+        /// </summary>
+        public float visible;
+        /// <summary>
+        /// Area of the polygon in the picture as share of the picture; 1 for a card.
+        /// </summary>
+        public float drawn;
+        /// <summary>
+        /// Area of all triangles together, in squared lengths of the leaf.
+        /// </summary>
+        public float area;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// The shape and colours of a leaf, in lengths of its blade (the petiole joins at the origin, the apex is
+    /// at 0, 1), and how leaves stand on a twig. Angles in radians, colours in sRGB. Begin with
+    /// `tree_leaf_shape_init`, or with the shape of a built-in leaf by `tree_leaf_shape_of`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_shape
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_shape)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where mottling and the irregularities of a spray start. Default 0.
+        /// </summary>
+        public ulong seed;
+        /// <summary>
+        /// Right half of the outline from the petiole to the apex, three floats for each point: x (0 to 2), y
+        /// (-1 to 2) and sharpness (0 rounded, 1 a corner). Default an ovate leaf.
+        /// </summary>
+        public float* outline;
+        /// <summary>
+        /// Number of points of the outline, 2 to 256.
+        /// </summary>
+        public UIntPtr n_outline;
+        /// <summary>
+        /// Angles of the main veins of the right half with the midrib, 0 to π. The midrib is always there.
+        /// Default none.
+        /// </summary>
+        public float* rays;
+        /// <summary>
+        /// Number of `rays`, at most 8.
+        /// </summary>
+        public UIntPtr n_rays;
+        /// <summary>
+        /// Pairs of secondary veins per blade length, 0 to 64. Default 8.
+        /// </summary>
+        public float vein_pairs;
+        /// <summary>
+        /// Rise of the secondary veins along the main vein per distance from it, 0 to 4. Default 0.8.
+        /// </summary>
+        public float vein_slope;
+        /// <summary>
+        /// How much lighter veins are, 0 to 1. Default 0.5.
+        /// </summary>
+        public float vein_contrast;
+        /// <summary>
+        /// Teeth on each half of the margin, 0 to 100. Default 0.
+        /// </summary>
+        public uint n_teeth;
+        /// <summary>
+        /// How far teeth stand out, in blade lengths, 0 to 0.2. Default 0.
+        /// </summary>
+        public float tooth_depth;
+        /// <summary>
+        /// Teeth from 0 for waves to 1 for a saw that points to the apex. Default 0.
+        /// </summary>
+        public float tooth_sharpness;
+        /// <summary>
+        /// Whether each tooth bears three smaller ones. Default no.
+        /// </summary>
+        public uint double_teeth;
+        /// <summary>
+        /// Length of the petiole, as share of the whole leaf, 0 to 0.8. Default 0.15.
+        /// </summary>
+        public float petiole;
+        /// <summary>
+        /// Strength of mottling and shading, 0 to 1. Default 0.5.
+        /// </summary>
+        public float mottle;
+        /// <summary>
+        /// Whether leaves stand on a twig, as the fields that begin with `spray` say (lengths in lengths of
+        /// the twig; along it, angles and sizes go evenly from the first value to the last). Default no.
+        /// </summary>
+        public uint has_spray;
+        /// <summary>
+        /// Leaves on the main twig, 1 to 400; one of them ends it. Default 9.
+        /// </summary>
+        public uint spray_leaves;
+        /// <summary>
+        /// Whether leaves stand in pairs. Default no.
+        /// </summary>
+        public uint spray_opposite;
+        /// <summary>
+        /// Share of the twig below the first leaf, 0 to 0.9. Default 0.2.
+        /// </summary>
+        public float spray_bare;
+        /// <summary>
+        /// Angle of the lowest and the topmost leaf with the twig, 0 to π. Default 1.15, 0.5.
+        /// </summary>
+        public fixed float spray_angle[2];
+        /// <summary>
+        /// Length of the lowest, a middle and the topmost leaf, 0.01 to 2. Default 0.42, 0.46, 0.4.
+        /// </summary>
+        public fixed float spray_size[3];
+        /// <summary>
+        /// How irregular angle, size and brightness are, 0 to 1. Default 0.5.
+        /// </summary>
+        public float spray_jitter;
+        /// <summary>
+        /// How far leaves turn towards the tip of the twig on their way, in leaf lengths, -0.5 to 0.5. Default
+        /// 0.08.
+        /// </summary>
+        public float spray_bend;
+        /// <summary>
+        /// Thickness of the twig at its base, 0.001 to 0.2. Default 0.022.
+        /// </summary>
+        public float spray_twig;
+        /// <summary>
+        /// Side shoots, 0 to 32; they bear the same leaves, fewer. Default 0.
+        /// </summary>
+        public uint spray_shoots;
+        /// <summary>
+        /// Angle of the side shoots, 0 to π. Default 0.8.
+        /// </summary>
+        public float spray_shoot_angle;
+        /// <summary>
+        /// Length of the lowest side shoot, 0.05 to 1. Default 0.5.
+        /// </summary>
+        public float spray_shoot_size;
+        /// <summary>
+        /// Colour of the blade. Default a mid green.
+        /// </summary>
+        public fixed byte @base[3];
+        /// <summary>
+        /// Colour of the veins.
+        /// </summary>
+        public fixed byte vein[3];
+        /// <summary>
+        /// Colour of the petiole.
+        /// </summary>
+        public fixed byte stalk[3];
+        /// <summary>
+        /// What `tree_leaf_shape_autumn` turns the blade to.
+        /// </summary>
+        public fixed byte autumn[3];
+        /// <summary>
+        /// Colour of the twig of a spray.
+        /// </summary>
+        public fixed byte spray_twig_color[3];
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public byte reserved;
+    }
+
+    /// <summary>
+    /// How a picture of a leaf goes on a card.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_card
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_card)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width of the card per length from base to apex: `width` of `tree_leaf_look`.
+        /// </summary>
+        public float width;
+        /// <summary>
+        /// Share of the height, from the base, that is stalk (for a spray: bare twig), 0 to 1.
+        /// </summary>
+        public float petiole;
+    }
+
+    /// <summary>
+    /// A picture's name and pixels: as input, or as a view of a `tree_texture`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_texture_pixels
+    {
+        /// <summary>
+        /// `sizeof(tree_texture_pixels)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name for people and files, without extension.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// `4 * width * height` bytes: red, green, blue and alpha in sRGB with straight alpha, rows from top
+        /// to bottom.
+        /// </summary>
+        public byte* pixels;
+        /// <summary>
+        /// Width in pixels, 1 or more.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels, 1 or more.
+        /// </summary>
+        public uint height;
+    }
+
+    /// <summary>
+    /// The host's allocator. Its functions are called from any thread and must not call the library.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_allocator
+    {
+        /// <summary>
+        /// `sizeof(tree_allocator)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Handed to the functions.
+        /// </summary>
+        public void* user;
+        /// <summary>
+        /// `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
+        /// </summary>
+        public IntPtr alloc;
+        /// <summary>
+        /// Gives back what `alloc` gave for this size and alignment.
+        /// </summary>
+        public IntPtr free;
+    }
+
+    /// <summary>
+    /// What a mesh was made of and what was left out.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mesh_report
+    {
+        /// <summary>
+        /// `sizeof(tree_mesh_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Vertices of all surfaces.
+        /// </summary>
+        public ulong n_vertices;
+        /// <summary>
+        /// Triangles of all surfaces.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Tubes drawn.
+        /// </summary>
+        public ulong n_tubes;
+        /// <summary>
+        /// Axes of which so little comes out of the parent's wood that they are drawn as a point.
+        /// </summary>
+        public ulong n_stubs;
+        /// <summary>
+        /// Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What they
+        /// carry is drawn on the axis below.
+        /// </summary>
+        public ulong skipped_axes;
+        /// <summary>
+        /// Laterals whose base was turned or moved because another one has its place.
+        /// </summary>
+        public ulong moved_axes;
+        /// <summary>
+        /// Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
+        /// the wood.
+        /// </summary>
+        public ulong skipped_nodes;
+        /// <summary>
+        /// Leaves of size 0, not drawn.
+        /// </summary>
+        public ulong skipped_leaves;
+        /// <summary>
+        /// Number of leaf kinds whose picture could not be outlined as their look asks (it has no mask, or
+        /// nothing of it is visible): drawn as cards.
+        /// </summary>
+        public ulong n_leaf_fallbacks;
+        /// <summary>
+        /// Those leaf kinds, or NULL for none. Part of the mesh: valid until it is freed.
+        /// </summary>
+        public uint* leaf_fallbacks;
+    }
+
+    /// <summary>
+    /// How a surface is subdivided. Begin with `tree_subdivide_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_subdivide_params
+    {
+        /// <summary>
+        /// `sizeof(tree_subdivide_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How often each triangle becomes four, 0 to 8. Default 2.
+        /// </summary>
+        public uint levels;
+        /// <summary>
+        /// Angle between normals in radians above which an edge is a crease, 0 to π. Default 1.
+        /// </summary>
+        public float crease;
+        /// <summary>
+        /// Rounds in which the limit surface is brought to the old points, 0 (Loop's own, which shrinks) to
+        /// 20. Default 1. More is for coarse meshes: where rings stand much closer than they are wide, as at
+        /// the joints of a fine mesh, each round overshoots and the surface can fold. Fine meshes shrink
+        /// little: 0 or 1 is enough.
+        /// </summary>
+        public uint fit;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How bark is displaced. Lengths in metres. Begin with `tree_displace_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_displace_params
+    {
+        /// <summary>
+        /// `sizeof(tree_displace_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Height of the highest ridges and depth of the deepest furrows, 0 to 10 m; most points move less
+        /// than half as far. Default 1 cm.
+        /// </summary>
+        public float amplitude;
+        /// <summary>
+        /// Wavelength across the branch, 0.1 mm to 100 m. Default 8 cm.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// How many times longer the relief is along the branch, 1 to 20. Default 3.
+        /// </summary>
+        public float stretch;
+        /// <summary>
+        /// Layers of noise, each of half the wavelength and half the height, 1 to 8. Default 3. The cost grows
+        /// with it.
+        /// </summary>
+        public uint octaves;
+        /// <summary>
+        /// Largest share of the local radius by which a point moves, 0 to 0.5. Default 0.15.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// The local radius where the mesh has no branches, 0 to 1000 m. Default 10 cm.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Whether points on the ground keep their height, so that the tree stands as it stood. Default yes.
+        /// </summary>
+        public uint has_ground;
+        /// <summary>
+        /// With `has_ground`: points at or below this height keep theirs. Default 1 mm.
+        /// </summary>
+        public float ground;
+    }
+
+    /// <summary>
+    /// How ambient occlusion is computed. Begin with `tree_occlusion_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_occlusion_params
+    {
+        /// <summary>
+        /// `sizeof(tree_occlusion_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Cells along the longest side of the tree, 4 to 512. Default 64. Cost grows with its third power.
+        /// </summary>
+        public uint cells;
+        /// <summary>
+        /// Directions that light comes from, 6 to 1024. Default 48. Cost grows with it.
+        /// </summary>
+        public uint directions;
+        /// <summary>
+        /// Share of the light that a leaf keeps back, 0 to 1. Default 0.5: leaves let light pass, and their
+        /// cards are not full.
+        /// </summary>
+        public float leaf_opacity;
+        /// <summary>
+        /// Light from below the horizon as a share of that from above, 0.01 (dark ground) to 1. Default 0.5:
+        /// what looks to the sky counts more than what looks to the ground.
+        /// </summary>
+        public float ground;
+    }
+
+    /// <summary>
+    /// Triangles of one material, in columns: a view of a mesh's surface, or input. Columns that are absent
+    /// are NULL. Triangles are counter-clockwise seen from outside; texture coordinates have their origin at
+    /// the top left of the picture, v downwards.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_surface
+    {
+        /// <summary>
+        /// `sizeof(tree_surface)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Number of indices, three for each triangle.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// Number of leaves; 0 for bark.
+        /// </summary>
+        public UIntPtr n_anchors;
+        /// <summary>
+        /// Vertices of each leaf, `n_vertices / n_anchors`; 0 when the surface is not made of leaves. Ignored
+        /// in input.
+        /// </summary>
+        public UIntPtr vertices_per_leaf;
+        /// <summary>
+        /// Three floats for each vertex: where it is, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Three floats for each vertex: its unit normal.
+        /// </summary>
+        public float* normals;
+        /// <summary>
+        /// Two floats for each vertex: texture coordinates. Bark repeats beyond 0 to 1.
+        /// </summary>
+        public float* uvs;
+        /// <summary>
+        /// Four floats for each vertex, or NULL: the unit tangent, the direction in which u grows along the
+        /// surface, and the sign that makes `sign * cross(normal, tangent)` point against v, up the picture
+        /// (as glTF).
+        /// </summary>
+        public float* tangents;
+        /// <summary>
+        /// Two floats for each vertex, or NULL: texture coordinates for a light map, within 0 to 1, in which
+        /// no two places of the whole mesh overlap.
+        /// </summary>
+        public float* uvs2;
+        /// <summary>
+        /// One for each vertex, or NULL: the branch it moves with, an index into the branches that
+        /// `tree_mesh_branches` views.
+        /// </summary>
+        public uint* branches;
+        /// <summary>
+        /// One for each vertex, or NULL: ambient occlusion, 0 (dark) to 1 (open).
+        /// </summary>
+        public float* occlusion;
+        /// <summary>
+        /// One for each vertex, or NULL when no vertex is a copy: the first vertex that stands at the same
+        /// point of the closed surface, itself unless it is a copy at a seam of the texture.
+        /// </summary>
+        public uint* welds;
+        /// <summary>
+        /// Three floats for each leaf, or NULL when there are none: where it is attached. All leaves have the
+        /// same number of vertices and lie one after the other.
+        /// </summary>
+        public float* anchors;
+        /// <summary>
+        /// Three for each triangle: its vertices.
+        /// </summary>
+        public uint* indices;
+        /// <summary>
+        /// The material, an index into the mesh's materials.
+        /// </summary>
+        public uint material;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What `tree_mesh_examine` found. Vertices that are copies of one point, for a seam of the texture, count
+    /// as one. Lengths in metres.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_topology
+    {
+        /// <summary>
+        /// `sizeof(tree_topology)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Points that triangles use; copies at seams count once.
+        /// </summary>
+        public ulong n_points;
+        /// <summary>
+        /// Edges between points.
+        /// </summary>
+        public ulong n_edges;
+        /// <summary>
+        /// Triangles of three different points.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Triangles with two corners at one point. They have no area and are not counted elsewhere.
+        /// </summary>
+        public ulong collapsed_triangles;
+        /// <summary>
+        /// Edges of one triangle only: holes.
+        /// </summary>
+        public ulong boundary_edges;
+        /// <summary>
+        /// Edges of more than two triangles.
+        /// </summary>
+        public ulong non_manifold_edges;
+        /// <summary>
+        /// Edges of two triangles that run along them in the same direction: one faces inwards.
+        /// </summary>
+        public ulong misoriented_edges;
+        /// <summary>
+        /// Points whose triangles form more than one fan.
+        /// </summary>
+        public ulong non_manifold_points;
+        /// <summary>
+        /// Vertices that do not stand exactly where the vertex they are welded to stands: cracks.
+        /// </summary>
+        public ulong cracks;
+        /// <summary>
+        /// Pieces that share no point.
+        /// </summary>
+        public ulong components;
+        /// <summary>
+        /// Triangles with less area than `TREE_FLAT_SHARE` allows.
+        /// </summary>
+        public ulong flat_triangles;
+        /// <summary>
+        /// Euler characteristic, points − edges + triangles: 2 for each closed piece without handles.
+        /// </summary>
+        public long euler;
+        /// <summary>
+        /// Enclosed volume in m³; of a closed surface only. Negative when its triangles face inwards.
+        /// </summary>
+        public double volume;
+        /// <summary>
+        /// Area in m².
+        /// </summary>
+        public double area;
+        /// <summary>
+        /// Area of the smallest triangle in m²; infinite without triangles.
+        /// </summary>
+        public double smallest_area;
+        /// <summary>
+        /// Smallest angle of any triangle in radians, up to π/3; infinite without triangles.
+        /// </summary>
+        public double smallest_angle;
+        /// <summary>
+        /// Whether this is a closed, consistently oriented 2-manifold, of any number of pieces.
+        /// </summary>
+        public uint is_closed;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of crossings. Pairs are two triangle numbers each, the lower one first, sorted.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crossing_pairs
+    {
+        /// <summary>
+        /// `sizeof(tree_crossing_pairs)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of `pairs`.
+        /// </summary>
+        public UIntPtr n_pairs;
+        /// <summary>
+        /// Number of `pairs_at_points`.
+        /// </summary>
+        public UIntPtr n_pairs_at_points;
+        /// <summary>
+        /// Triangles that share no point of the surface and yet have a place in common; NULL for none.
+        /// </summary>
+        public uint* pairs;
+        /// <summary>
+        /// Triangles that share one point of the surface and have another place in common; NULL for none.
+        /// </summary>
+        public uint* pairs_at_points;
+        /// <summary>
+        /// Different triangles in either list.
+        /// </summary>
+        public ulong n_triangles;
+    }
+
+    /// <summary>
+    /// How much there is of a mesh.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mesh_totals
+    {
+        /// <summary>
+        /// `sizeof(tree_mesh_totals)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of surfaces.
+        /// </summary>
+        public ulong n_surfaces;
+        /// <summary>
+        /// Number of materials.
+        /// </summary>
+        public ulong n_materials;
+        /// <summary>
+        /// Number of branches that move in the wind.
+        /// </summary>
+        public ulong n_branches;
+        /// <summary>
+        /// Vertices of all surfaces.
+        /// </summary>
+        public ulong n_vertices;
+        /// <summary>
+        /// Triangles of all surfaces.
+        /// </summary>
+        public ulong n_triangles;
+    }
+
+    /// <summary>
+    /// A box and a ball around vertices, in metres. All 0 when there are no vertices.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bounds
+    {
+        /// <summary>
+        /// `sizeof(tree_bounds)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Lower corner of the box.
+        /// </summary>
+        public fixed float min[3];
+        /// <summary>
+        /// Upper corner of the box.
+        /// </summary>
+        public fixed float max[3];
+        /// <summary>
+        /// Centre of a ball that holds every vertex: the middle of the box.
+        /// </summary>
+        public fixed float center[3];
+        /// <summary>
+        /// Its radius, at most √3 times that of the smallest such ball.
+        /// </summary>
+        public float radius;
+    }
+
+    /// <summary>
+    /// Makes edges dearer or cheaper inside a volume. Begin with `tree_paint_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_paint
+    {
+        /// <summary>
+        /// `sizeof(tree_paint)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where: edges whose middle lies inside. No default: NULL, which is refused.
+        /// </summary>
+        public tree_volume* volume;
+        /// <summary>
+        /// Their cost is multiplied by this, 0 to 1000. Below 1 attracts branches, above 1 repels them.
+        /// Default 1, which changes nothing.
+        /// </summary>
+        public float factor;
+    }
+
+    /// <summary>
+    /// How nodes are linked and what edges cost. Begin with `tree_link_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_link_params
+    {
+        /// <summary>
+        /// `sizeof(tree_link_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Painted edge costs; where several overlap, they multiply. Default NULL.
+        /// </summary>
+        public tree_paint* paints;
+        /// <summary>
+        /// Number of paints, at most 65,536.
+        /// </summary>
+        public UIntPtr n_paints;
+        /// <summary>
+        /// A cost factor for every point, multiplied with the paints. Default NULL.
+        /// </summary>
+        public IntPtr cost;
+        /// <summary>
+        /// Handed to `cost`.
+        /// </summary>
+        public void* cost_user;
+        /// <summary>
+        /// What no edge may pass through. Default NULL.
+        /// </summary>
+        public tree_volume* obstacle;
+        /// <summary>
+        /// Distance to keep from the obstacle in metres, 0 or more. Default 0.
+        /// </summary>
+        public float clearance;
+        /// <summary>
+        /// Linking distance in separations, 1.2 to 4. Default 2. More links make straighter paths and cost
+        /// time and memory with the third power; under 1.6 graphs fall apart.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// An edge costs its length times a random weight from `low` to 1; 0.01 to 1. Default 0.25.
+        /// </summary>
+        public float low;
+        /// <summary>
+        /// Weights are `low + (1 - low) * u^bias` with u uniform in 0 to 1; 0.1 to 10. Default 1.
+        /// </summary>
+        public float bias;
+    }
+
+    /// <summary>
+    /// One direction of an edge.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_graph_arc
+    {
+        /// <summary>
+        /// The node it leads to.
+        /// </summary>
+        public uint to;
+        /// <summary>
+        /// What it costs, 0 or more.
+        /// </summary>
+        public float cost;
+    }
+
+    /// <summary>
+    /// A view of a graph, as compressed rows: the arcs that leave node `i` are `arcs[starts[i]]` up to, but
+    /// not including, `arcs[starts[i + 1]]`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_graph_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_graph_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Three floats for each node, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// `n_nodes + 1` numbers.
+        /// </summary>
+        public uint* starts;
+        /// <summary>
+        /// Number of arcs: two for each edge.
+        /// </summary>
+        public UIntPtr n_arcs;
+        /// <summary>
+        /// The arcs, node by node.
+        /// </summary>
+        public tree_graph_arc* arcs;
+    }
+
+    /// <summary>
+    /// Subgraphs grown round the endpoints of the level before. Begin with `tree_path_level_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_path_level
+    {
+        /// <summary>
+        /// `sizeof(tree_path_level)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Custom: any volume, drawn for a root at the origin, axis +Y and radius 1. Default NULL.
+        /// </summary>
+        public tree_volume* custom;
+        /// <summary>
+        /// Endpoints in each subgraph, 1 to 10,000. Default 4.
+        /// </summary>
+        public uint branching;
+        /// <summary>
+        /// Shape of the subgraphs. Default `TREE_PATH_SHAPE_SECTOR`.
+        /// </summary>
+        public uint shape; // tree_path_shape
+        /// <summary>
+        /// Sector: angle from the axis in radians, 0.05 to pi (the whole ball). Default 0.3 pi.
+        /// </summary>
+        public float angle;
+        /// <summary>
+        /// Cones: base radius as a share of the height, 0.05 to 5. No default: 0, which is refused.
+        /// </summary>
+        public float width;
+        /// <summary>
+        /// Nodes of each subgraph, 8 to `tree_limits.graph_nodes`. Default 110.
+        /// </summary>
+        public uint graph_nodes;
+        /// <summary>
+        /// Which way subgraphs point. Default `TREE_PATH_AXIS_OUTWARD`.
+        /// </summary>
+        public uint axis; // tree_path_axis
+        /// <summary>
+        /// Fixed axis: its direction, of any length but 0. Default 0, 0, 0, which is refused.
+        /// </summary>
+        public fixed float direction[3];
+        /// <summary>
+        /// Turn of the axis about the horizontal in radians, -pi to pi: positive bends branches down,
+        /// negative up. Default 0.
+        /// </summary>
+        public float turn;
+        /// <summary>
+        /// Radius of the subgraphs in metres. Default 0: the one that follows from `size` and `shrink` of the
+        /// `tree_path_params`.
+        /// </summary>
+        public float size;
+        /// <summary>
+        /// Where endpoints may lie. Default `TREE_PATH_PLACING_VOLUME`.
+        /// </summary>
+        public uint placing; // tree_path_placing
+        /// <summary>
+        /// Whether subgraphs grow round the endpoints of all levels before, not only the last. Default 0.
+        /// </summary>
+        public uint from_all_levels;
+    }
+
+    /// <summary>
+    /// Everything that shapes a tree of least-cost paths. Lengths in metres, angles in radians. Begin with
+    /// `tree_path_params_init`, which makes it an oak, or with `tree_path_preset`. What the structs of presets
+    /// point at belongs to the library, lives for ever and is not to be written: to alter levels, copy them
+    /// to an array of your own and point at that.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_path_params
+    {
+        /// <summary>
+        /// `sizeof(tree_path_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The volume of level 1: trunk and crown, or root ball; bounded. It decides the shape of the tree
+        /// more than all else. Oak: a trunk of 3 m under a round crown, 10.4 m high.
+        /// </summary>
+        public tree_volume* volume;
+        /// <summary>
+        /// Where all paths end; inside `volume` or within linking distance. Oak: the origin.
+        /// </summary>
+        public fixed float root[3];
+        /// <summary>
+        /// Nodes of the level 1 graph, 8 to `tree_limits.graph_nodes`; the graph has this many within about a
+        /// tenth. More make branches finer and cost time in proportion. Oak: 5000.
+        /// </summary>
+        public uint graph_nodes;
+        /// <summary>
+        /// Endpoints of level 1 drawn at random, at most 10,000. Oak: 24.
+        /// </summary>
+        public uint endpoints_random;
+        /// <summary>
+        /// Where random endpoints may lie. Oak: `TREE_PATH_PLACING_VOLUME`.
+        /// </summary>
+        public uint endpoints_placing; // tree_path_placing
+        /// <summary>
+        /// Candidates drawn for each random endpoint, of which the one farthest from all others is taken, 1
+        /// to 64. More spread the branches evenly and cost time with the square of `endpoints_random`. Oak: 4.
+        /// </summary>
+        public uint endpoints_candidates;
+        /// <summary>
+        /// Random endpoints lie above this share of the volume's height, 0 to 0.95; keeps main branches off
+        /// the trunk. Oak: 0.25.
+        /// </summary>
+        public float endpoints_above;
+        /// <summary>
+        /// Endpoints placed by hand, three floats each. Oak: NULL.
+        /// </summary>
+        public float* placed;
+        /// <summary>
+        /// Number of endpoints placed by hand.
+        /// </summary>
+        public UIntPtr n_placed;
+        /// <summary>
+        /// Radius of the subgraphs of level 2 in metres, above 0. Oak: 2.2.
+        /// </summary>
+        public float size;
+        /// <summary>
+        /// Ratio of the subgraph radii of successive levels, 0.05 to 2. Oak: 0.62.
+        /// </summary>
+        public float shrink;
+        /// <summary>
+        /// Levels 2 and on. Oak: three.
+        /// </summary>
+        public tree_path_level* levels;
+        /// <summary>
+        /// Number of those levels, at most 16.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// How long branches live. Oak: `TREE_PATH_LIFESPAN_FULL`.
+        /// </summary>
+        public uint lifespan; // tree_path_lifespan
+        /// <summary>
+        /// Random lifespan: chance to end at each level, 0 to 1; the authors use 0.3. Oak: 0.
+        /// </summary>
+        public float lifespan_stop;
+        /// <summary>
+        /// Linking distance in separations, 1.2 to 4. Oak: 2. More links make straighter paths and cost time
+        /// and memory with the third power; under 1.6 graphs fall apart.
+        /// </summary>
+        public float linking_reach;
+        /// <summary>
+        /// An edge costs its length times a random weight from this to 1; 0.01 to 1. Low values make crooked
+        /// branches that run together, 1 makes straight ones. Oak: 0.2.
+        /// </summary>
+        public float linking_low;
+        /// <summary>
+        /// Weights are `low + (1 - low) * u^bias` with u uniform in 0 to 1; 0.1 to 10. Above 1 cheap edges
+        /// are many, below 1 few. Oak: 1.
+        /// </summary>
+        public float linking_bias;
+        /// <summary>
+        /// Smoothing passes over the branches, 0 to 50; each takes away some of the zigzag from node to node.
+        /// Oak: 3.
+        /// </summary>
+        public uint smoothing;
+        /// <summary>
+        /// Painted edge costs; where several overlap, they multiply. Oak: NULL.
+        /// </summary>
+        public tree_paint* paints;
+        /// <summary>
+        /// Number of paints, at most 65,536.
+        /// </summary>
+        public UIntPtr n_paints;
+        /// <summary>
+        /// A cost factor for every point, multiplied with the paints. Oak: NULL.
+        /// </summary>
+        public IntPtr cost;
+        /// <summary>
+        /// Handed to `cost`.
+        /// </summary>
+        public void* cost_user;
+        /// <summary>
+        /// What no path may enter. Oak: NULL.
+        /// </summary>
+        public tree_volume* obstacle;
+        /// <summary>
+        /// How thick branches are; NULL for the defaults of `tree_radius_rule_init`. Oak: the pipe model,
+        /// scaled to its trunk.
+        /// </summary>
+        public tree_radius_rule* radii;
+        /// <summary>
+        /// Leaves; NULL for none. Oak: clusters of oak leaves.
+        /// </summary>
+        public tree_leaf_params* leaves;
+        /// <summary>
+        /// Names of species, bark and leaves; NULL for an oak's. With leaves it must have the kind that they
+        /// name.
+        /// </summary>
+        public tree_species* species;
+        /// <summary>
+        /// A root system, grown by the same method from the same root. Its own `root` and `leaves` are
+        /// ignored; its own `roots` must be NULL. Oak: NULL.
+        /// </summary>
+        public tree_path_params* roots;
+        /// <summary>
+        /// Distance to keep from the obstacle in metres, 0 or more. Oak: 0.
+        /// </summary>
+        public float clearance;
+    }
+
+    /// <summary>
+    /// What one level took, and what it left out.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_path_level_report
+    {
+        /// <summary>
+        /// Graphs searched.
+        /// </summary>
+        public ulong graphs;
+        /// <summary>
+        /// Nodes in them.
+        /// </summary>
+        public ulong graph_nodes;
+        /// <summary>
+        /// Arcs in them: two for each edge.
+        /// </summary>
+        public ulong graph_arcs;
+        /// <summary>
+        /// Nodes no path led to.
+        /// </summary>
+        public ulong stray_nodes;
+        /// <summary>
+        /// Graphs that fell apart at the linking distance asked for and were linked again with a longer one.
+        /// </summary>
+        public ulong widened;
+        /// <summary>
+        /// Bytes of the largest single graph.
+        /// </summary>
+        public ulong largest_bytes;
+        /// <summary>
+        /// Endpoints reached.
+        /// </summary>
+        public ulong endpoints;
+        /// <summary>
+        /// Random endpoints asked for that the graphs had no nodes for.
+        /// </summary>
+        public ulong missing;
+        /// <summary>
+        /// Endpoints of the levels before from which nothing grew, because an obstacle left no room or a
+        /// narrow subgraph did not hang together.
+        /// </summary>
+        public ulong stunted;
+        /// <summary>
+        /// Endpoints of the level before whose lifespan had ended.
+        /// </summary>
+        public ulong ended;
+    }
+
+    /// <summary>
+    /// What growing a tree took, and what it left out.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_path_report
+    {
+        /// <summary>
+        /// `sizeof(tree_path_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// All levels together, roots included.
+        /// </summary>
+        public tree_path_level_report total;
+        /// <summary>
+        /// Number of levels of the tree.
+        /// </summary>
+        public ulong n_levels;
+        /// <summary>
+        /// Number of levels of its root system.
+        /// </summary>
+        public ulong n_root_levels;
+        /// <summary>
+        /// A row for each level of the tree, the first for the base volume.
+        /// </summary>
+        public tree_path_level_report levels_0, levels_1, levels_2, levels_3, levels_4, levels_5, levels_6, levels_7, levels_8, levels_9, levels_10, levels_11, levels_12, levels_13, levels_14, levels_15, levels_16;
+        /// <summary>
+        /// A row for each level of its root system.
+        /// </summary>
+        public tree_path_level_report root_levels_0, root_levels_1, root_levels_2, root_levels_3, root_levels_4, root_levels_5, root_levels_6, root_levels_7, root_levels_8, root_levels_9, root_levels_10, root_levels_11, root_levels_12, root_levels_13, root_levels_14, root_levels_15, root_levels_16;
+    }
+
+    /// <summary>
+    /// Which nodes are strewn. Begin with `tree_strew_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_strew_params
+    {
+        /// <summary>
+        /// `sizeof(tree_strew_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where there are no nodes. Default NULL.
+        /// </summary>
+        public tree_volume* obstacle;
+        /// <summary>
+        /// Points that become nodes wherever they lie, three floats each. Default NULL.
+        /// </summary>
+        public float* forced;
+        /// <summary>
+        /// Number of those points.
+        /// </summary>
+        public UIntPtr n_forced;
+        /// <summary>
+        /// Distance to keep from the obstacle in metres, 0 or more. Default 0.
+        /// </summary>
+        public float clearance;
+        /// <summary>
+        /// Nodes wanted, at most `tree_limits.graph_nodes`; there will be this many within about a tenth, and
+        /// up to 2.8 times as many in a volume thinner than their distance. Default 5000, as for an oak.
+        /// </summary>
+        public uint n_nodes;
+    }
+
+    /// <summary>
+    /// A view of strewn nodes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_graph_nodes_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_graph_nodes_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Three floats for each node, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Number of forced points.
+        /// </summary>
+        public UIntPtr n_forced;
+        /// <summary>
+        /// For each forced point its node.
+        /// </summary>
+        public uint* forced;
+        /// <summary>
+        /// No two nodes are closer than this, in metres; forced ones may be.
+        /// </summary>
+        public float separation;
+    }
+
+    /// <summary>
+    /// How a drawing becomes a profile. Begin with `tree_profile_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_profile_options
+    {
+        /// <summary>
+        /// `sizeof(tree_profile_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Height of the tree in metres, 0.01 to 10,000. Default 10.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Factor on all radii, 0.01 to 100. Default 1.
+        /// </summary>
+        public float widen;
+    }
+
+    /// <summary>
+    /// A view of a profile.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_profile_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_profile_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Two floats for each point, in metres: radius and height. `tree_volume_revolution` takes them.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Whether it was taken from a closed outline: 1 or 0.
+        /// </summary>
+        public uint from_outline;
+    }
+
+    /// <summary>
+    /// Which threads a pool has. Begin with `tree_pool_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pool_options
+    {
+        /// <summary>
+        /// `sizeof(tree_pool_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of threads, at most 1024. Default 0: one for each core.
+        /// </summary>
+        public uint n_threads;
+        /// <summary>
+        /// Bytes of stack of each thread that the library starts. Default 0: the system's.
+        /// </summary>
+        public UIntPtr stack_size;
+        /// <summary>
+        /// Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
+        /// the pool's whole life. Default NULL: the library starts threads.
+        /// </summary>
+        public IntPtr spawn;
+        /// <summary>
+        /// Handed to `spawn`.
+        /// </summary>
+        public void* user;
+    }
+
+    /// <summary>
+    /// A view of a mask.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mask_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_mask_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// One byte for each pixel, rows from top to bottom: 0 is empty, 255 is full.
+        /// </summary>
+        public byte* coverage;
+        /// <summary>
+        /// Number of pixels: `width * height`.
+        /// </summary>
+        public UIntPtr n_pixels;
+        /// <summary>
+        /// Covered area in pixels.
+        /// </summary>
+        public double area;
+    }
+
+    /// <summary>
+    /// A view of a picture's pixels.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pixels
+    {
+        /// <summary>
+        /// `sizeof(tree_pixels)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Four bytes for each pixel (red, green, blue, alpha), rows from top to bottom.
+        /// </summary>
+        public byte* pixels;
+        /// <summary>
+        /// Number of bytes: `4 * width * height`.
+        /// </summary>
+        public UIntPtr n_bytes;
+    }
+
+    /// <summary>
+    /// Size, quality and camera of a picture. Begin with `tree_view_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_view
+    {
+        /// <summary>
+        /// `sizeof(tree_view)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels, 1 to 16,384. Default 1024.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels, 1 to 16,384. Default 1024.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
+        /// </summary>
+        public uint samples;
+        /// <summary>
+        /// How the camera is placed. Default `TREE_CAMERA_FRAMED`.
+        /// </summary>
+        public uint camera; // tree_camera
+        /// <summary>
+        /// How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
+        /// </summary>
+        public uint lens; // tree_lens
+        /// <summary>
+        /// Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
+        /// quarter turn on +X. Finite; default 0.6.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
+        /// Default 0.09.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
+        /// </summary>
+        public float margin;
+        /// <summary>
+        /// Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
+        /// </summary>
+        public float lens_height;
+        /// <summary>
+        /// Placed: where the camera stands, in metres. Default 0, 0, 0.
+        /// </summary>
+        public fixed float eye[3];
+        /// <summary>
+        /// Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
+        /// </summary>
+        public fixed float target[3];
+        /// <summary>
+        /// Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
+        /// </summary>
+        public fixed float up[3];
+    }
+
+    /// <summary>
+    /// Light, ground and backdrop of a picture. Begin with `tree_style_init`, a clear day on grass, or
+    /// `tree_style_studio`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_style
+    {
+        /// <summary>
+        /// `sizeof(tree_style)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the sun stands around the trunk, in radians, as `yaw` of a view: 0 on +Z, a quarter turn on
+        /// +X. Finite; default -0.35.
+        /// </summary>
+        public float sun_yaw;
+        /// <summary>
+        /// Height of the sun over the horizon in radians, 0.05 to pi/2. Default 0.85.
+        /// </summary>
+        public float sun_pitch;
+        /// <summary>
+        /// Strength of the sun, 0 (none) to 100. Default 2.3.
+        /// </summary>
+        public float sun;
+        /// <summary>
+        /// Strength of the sky, 0 (none) to 100. Default 1.
+        /// </summary>
+        public float sky;
+        /// <summary>
+        /// What the light is multiplied with before the tone curve, 0.01 to 100. Default 1.
+        /// </summary>
+        public float exposure;
+        /// <summary>
+        /// Sharpness of the sun's shadows: about this many texels squared, 16 to 8192. Cost grows with the
+        /// square. Default 2048.
+        /// </summary>
+        public uint sun_map_px;
+        /// <summary>
+        /// From how many directions sky light is taken, 0 (unhindered everywhere) to 64. More gives smoother
+        /// shade at a cost of one pass over all triangles each. Default 12.
+        /// </summary>
+        public uint sky_directions;
+        /// <summary>
+        /// Sharpness of the sky's shade: texels squared per direction, 16 to 2048. Default 256.
+        /// </summary>
+        public uint sky_map_px;
+        /// <summary>
+        /// What is behind the mesh. Default `TREE_BACKDROP_SKY`.
+        /// </summary>
+        public uint backdrop; // tree_backdrop
+        /// <summary>
+        /// Whether there is an endless ground; without, roots stay visible. Default 1.
+        /// </summary>
+        public uint has_ground;
+        /// <summary>
+        /// Height of the ground in metres, -1e6 to 1e6. Default 0, the base of the tree.
+        /// </summary>
+        public float ground;
+        /// <summary>
+        /// Linear colour of the ground, 0 to 1 each; varied a little over the ground under
+        /// `TREE_BACKDROP_SKY`. Default 0.075, 0.098, 0.032.
+        /// </summary>
+        public fixed float ground_color[3];
+    }
+
+    /// <summary>
+    /// A skeleton's columns: as input, or as a view of a `tree_skeleton`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_skeleton_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_skeleton_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes, at least 1.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Three floats for each node: where it is, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// One for each node: radius of the wood in metres, 0 or more.
+        /// </summary>
+        public float* radii;
+        /// <summary>
+        /// One for each node: the node it stands on, or `TREE_NO_PARENT` for the root.
+        /// </summary>
+        public uint* parents;
+    }
+
+    /// <summary>
+    /// The axes in columns. Parent axes come first; axis 0 is the trunk.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_axis_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_axis_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of axes, at least 1.
+        /// </summary>
+        public UIntPtr n_axes;
+        /// <summary>
+        /// Number of nodes of the skeleton.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// One for each axis: its order after Gravelius, 0 for the trunk, one more than the parent axis for
+        /// a lateral.
+        /// </summary>
+        public uint* orders;
+        /// <summary>
+        /// One more than there are axes: the nodes of axis `i` are `nodes[starts[i]]` up to, but not
+        /// including, `nodes[starts[i + 1]]`.
+        /// </summary>
+        public uint* starts;
+        /// <summary>
+        /// `n_nodes` numbers: the nodes, axis after axis, each from base to tip. A lateral's first node is
+        /// the first one above the fork; the fork itself belongs to the parent axis.
+        /// </summary>
+        public uint* nodes;
+        /// <summary>
+        /// One for each node: the axis it lies on.
+        /// </summary>
+        public uint* axis_of;
+    }
+
+    /// <summary>
+    /// How an SWC file relates to this library. Begin with `tree_swc_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_swc_options
+    {
+        /// <summary>
+        /// `sizeof(tree_swc_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Metres per unit of the file, for positions and radii; 1e-9 to 1e9. Default 1.
+        /// </summary>
+        public double scale;
+        /// <summary>
+        /// The file's upward axis. Default `TREE_SWC_UP_Z`.
+        /// </summary>
+        public uint up; // tree_swc_up
+        /// <summary>
+        /// Whether reading moves the root to the origin. Default 1. The move is made in double precision, so
+        /// that coordinates of a map grid lose nothing. Not used in writing.
+        /// </summary>
+        public uint base_at_origin;
+        /// <summary>
+        /// What becomes of radii that the file does not know. Default `TREE_SWC_RADIUS_KEEP`. Not used in
+        /// writing.
+        /// </summary>
+        public uint unknown_radius; // tree_swc_radius
+        /// <summary>
+        /// Must be 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What an SWC file held beside the skeleton, and what was noted while reading.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_swc_contents
+    {
+        /// <summary>
+        /// `sizeof(tree_swc_contents)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// One for each node: its type as in the file; 3 continues its parent's axis, 4 starts a lateral.
+        /// </summary>
+        public int* types;
+        /// <summary>
+        /// One for each node: its id as in the file.
+        /// </summary>
+        public long* ids;
+        /// <summary>
+        /// All comments without their `#`, a line each.
+        /// </summary>
+        public tree_str comments;
+        /// <summary>
+        /// Rows without a known radius.
+        /// </summary>
+        public ulong n_unknown_radii;
+        /// <summary>
+        /// How many of these `unknown_radius` gave a radius.
+        /// </summary>
+        public ulong n_filled_radii;
+        /// <summary>
+        /// Rows with more than seven fields; the further ones were passed over.
+        /// </summary>
+        public ulong n_rows_with_more_fields;
+        /// <summary>
+        /// 1 if rows came before their parents, so that nodes have another order than rows; else 0.
+        /// </summary>
+        public uint reordered;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// What was added to every position to bring the root to the origin, in metres and this library's
+        /// axes; zeros if nothing was moved.
+        /// </summary>
+        public fixed double moved_by[3];
+    }
+
+    /// <summary>
+    /// How a mesh of a tree is read. Everything is relative, so the unit of the mesh does not matter. Begin
+    /// with `tree_skeletonize_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_skeletonize_params
+    {
+        /// <summary>
+        /// `sizeof(tree_skeletonize_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Vertices nearer than a quarter of this share of the mesh's size are one, 1e-7 to 0.01. Default
+        /// 1e-5. Larger closes cracks and may melt twigs.
+        /// </summary>
+        public float weld;
+        /// <summary>
+        /// Least distance between nodes in bent wood, in halves of the radius, 0.1 to 20. Default 1. Straight
+        /// wood gets fewer nodes, up to ten radii apart.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// How far a node may lie off the measured centre line, in radii, 0 to 0.5. Default 0.08.
+        /// </summary>
+        public float tolerance;
+        /// <summary>
+        /// Side shoots that stand out of their parent by less than this share of its radius, and by less than
+        /// their own radius, are bumps of the bark, 0 to 2. Default 0.25.
+        /// </summary>
+        public float prune;
+        /// <summary>
+        /// Widest gap between separate pieces of wood that is bridged, as a share of the mesh's size, 0 to 1.
+        /// Default 0.05. Wood farther away is left out and reported.
+        /// </summary>
+        public float bridge;
+        /// <summary>
+        /// Whether leaves are made. Default 1.
+        /// </summary>
+        public uint leaves;
+    }
+
+    /// <summary>
+    /// Triangles of one material. Any unit of length; +Y up. Begin with `tree_mesh_part_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mesh_part
+    {
+        /// <summary>
+        /// `sizeof(tree_mesh_part)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the material or object. It names the leaf kind, and may tell wood from leaves.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Three floats for each vertex, finite.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Two floats for each vertex: texture coordinates, v downwards. NULL for none.
+        /// </summary>
+        public float* uvs;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Three for each triangle.
+        /// </summary>
+        public uint* indices;
+        /// <summary>
+        /// Number of indices, a multiple of 3.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// What it is made of. Default `TREE_HINT_AUTO`.
+        /// </summary>
+        public uint hint; // tree_hint
+        /// <summary>
+        /// Whether its texture has holes. Default 0.
+        /// </summary>
+        public uint alpha_masked;
+        /// <summary>
+        /// Whether both faces are drawn. Default 0.
+        /// </summary>
+        public uint double_sided;
+    }
+
+    /// <summary>
+    /// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_foliage
+    {
+        /// <summary>
+        /// `sizeof(tree_foliage)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of rows.
+        /// </summary>
+        public UIntPtr n_leaves;
+        /// <summary>
+        /// One for each leaf: the skeleton's node that bears it.
+        /// </summary>
+        public uint* nodes;
+        /// <summary>
+        /// Three floats for each leaf: the base of the blade, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
+        /// along +Y, upper face to +Z) into the tree's.
+        /// </summary>
+        public float* rotations;
+        /// <summary>
+        /// One for each leaf: length from base to apex in metres, 0 or more.
+        /// </summary>
+        public float* sizes;
+        /// <summary>
+        /// One for each leaf: its kind, an index into the species' leaf kinds.
+        /// </summary>
+        public ushort* kinds;
+    }
+
+    /// <summary>
+    /// A view of the kinds of leaves that were found.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_kinds
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_kinds)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of kinds.
+        /// </summary>
+        public UIntPtr n_kinds;
+        /// <summary>
+        /// Names of the kinds: those of the parts they come from.
+        /// </summary>
+        public tree_str* names;
+        /// <summary>
+        /// Mean width of each kind as a share of its length.
+        /// </summary>
+        public float* widths;
+    }
+
+    /// <summary>
+    /// What one piece of wood stands for.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_piece
+    {
+        /// <summary>
+        /// Area of its surface.
+        /// </summary>
+        public float area;
+        /// <summary>
+        /// Bumps of the bark dropped.
+        /// </summary>
+        public uint n_bumps;
+        /// <summary>
+        /// Branches cut where they had grown together.
+        /// </summary>
+        public uint n_cut;
+    }
+
+    /// <summary>
+    /// A view of a separation. The triangles of component `i` are rows `starts[i]` up to, but not including,
+    /// `starts[i + 1]`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_separation_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_separation_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of components; each lies within one part.
+        /// </summary>
+        public UIntPtr n_components;
+        /// <summary>
+        /// For each component what it is taken for.
+        /// </summary>
+        public uint* classes;
+        /// <summary>
+        /// `n_components + 1` numbers.
+        /// </summary>
+        public ulong* starts;
+        /// <summary>
+        /// Number of triangles: all that have an area, once.
+        /// </summary>
+        public UIntPtr n_triangles;
+        /// <summary>
+        /// Two numbers for each triangle: its part, and which triangle of that part it is.
+        /// </summary>
+        public uint* triangles;
+    }
+
+    /// <summary>
+    /// What was found in a mesh.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_skeletonize_report
+    {
+        /// <summary>
+        /// `sizeof(tree_skeletonize_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Triangles of all parts.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Triangles without area after welding, and second ones at one place in a part.
+        /// </summary>
+        public ulong n_degenerate;
+        /// <summary>
+        /// Triangles of wood.
+        /// </summary>
+        public ulong n_wood_triangles;
+        /// <summary>
+        /// Connected pieces of wood.
+        /// </summary>
+        public ulong n_pieces;
+        /// <summary>
+        /// Pieces of wood too far from all others, left out.
+        /// </summary>
+        public ulong n_left_out;
+        /// <summary>
+        /// Bumps of the bark dropped.
+        /// </summary>
+        public ulong n_bumps;
+        /// <summary>
+        /// Branches cut where they had grown together.
+        /// </summary>
+        public ulong n_cut;
+        /// <summary>
+        /// Leaves made.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Closed bodies of leaves, for which nothing was made.
+        /// </summary>
+        public ulong n_blobs;
+        /// <summary>
+        /// Number of leaf kinds.
+        /// </summary>
+        public ulong n_leaf_kinds;
+        /// <summary>
+        /// Mean width of each leaf kind as a share of its length: of the first
+        /// `TREE_SKELETONIZE_LEAF_WIDTHS` kinds; `tree_found_leaves_view` has them all.
+        /// </summary>
+        public fixed float leaf_widths[256];
+        /// <summary>
+        /// Share of the wood's surface that the skeleton stands for, 0 to 1.
+        /// </summary>
+        public float covered;
+    }
+
+    /// <summary>
+    /// A view of what a volume is made of. What its kind does not use is 0 or NULL.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_solid
+    {
+        /// <summary>
+        /// `sizeof(tree_solid)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Columns of points: a profile's distance and height, two floats each; a mesh's positions, three
+        /// floats each.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Three for each triangle of a mesh.
+        /// </summary>
+        public uint* indices;
+        /// <summary>
+        /// Number of triangles.
+        /// </summary>
+        public UIntPtr n_triangles;
+        /// <summary>
+        /// Number of parts of a combination: 2 for a difference, 1 for a transformed volume. See
+        /// `tree_volume_part`.
+        /// </summary>
+        public UIntPtr n_parts;
+        /// <summary>
+        /// Which solid it is.
+        /// </summary>
+        public uint kind; // tree_solid_kind
+        /// <summary>
+        /// Centre, base, start, lower corner, point on the plane or apex.
+        /// </summary>
+        public fixed float a[3];
+        /// <summary>
+        /// Top, end, upper corner, radii of an ellipsoid, normal, or the axis of a sector or revolution.
+        /// </summary>
+        public fixed float b[3];
+        /// <summary>
+        /// Radius; that at the base of a frustum.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Radius at the top of a frustum.
+        /// </summary>
+        public float top_radius;
+        /// <summary>
+        /// Angle of a sector, in radians.
+        /// </summary>
+        public float angle;
+        /// <summary>
+        /// Map of a transformed volume, column by column as for `tree_volume_transformed`.
+        /// </summary>
+        public fixed float columns[12];
+    }
+
+    /// <summary>The header's constants and functions.</summary>
+    public static unsafe class TreeNative
+    {
+#if (UNITY_IOS || UNITY_WEBGL) && !UNITY_EDITOR
+        /// <summary>The library is linked into the program there.</summary>
+        public const string Library = "__Internal";
+#else
+        /// <summary>libtree_ffi.so, libtree_ffi.dylib or tree_ffi.dll.</summary>
+        public const string Library = "tree_ffi";
+#endif
+
+        public static readonly UIntPtr TREE_NUL_TERMINATED = (UIntPtr)(UIntPtr.Size == 8 ? ulong.MaxValue : uint.MaxValue);
+
+        /// <summary>
+        /// Exponent of the pipe model by Leonardo da Vinci: the cross-sections above a fork together are the
+        /// cross-section below.
+        /// </summary>
+        public const float TREE_PIPE_DA_VINCI = 2.0f;
+
+        /// <summary>
+        /// Exponent of the pipe model by Murray (1927), who measured circumferences against the weight they
+        /// carry.
+        /// </summary>
+        public const float TREE_PIPE_MURRAY = 2.49f;
+
+        /// <summary>
+        /// Exponent of the pipe model by Mandelbrot (1983), 8/3.
+        /// </summary>
+        public const float TREE_PIPE_MANDELBROT = 2.6666667f;
+
+        /// <summary>
+        /// The pipe model, for most trees: at every fork the powers of the radii above add up to that below
+        /// (da Vinci, Murray, Mandelbrot).
+        /// </summary>
+        public const int TREE_RADII_PIPE = 0;
+
+        /// <summary>
+        /// The further from the tip, the thicker; the higher the order of the axis, the thinner (Xu &amp; Mould).
+        /// </summary>
+        public const int TREE_RADII_TIP_DISTANCE = 1;
+
+        /// <summary>
+        /// By counting strands that run from the base to the tips (Holton).
+        /// </summary>
+        public const int TREE_RADII_STRANDS = 2;
+
+        /// <summary>
+        /// One strand for each tip, which makes the rule da Vinci's.
+        /// </summary>
+        public const int TREE_STRANDS_PER_TIP = 0;
+
+        /// <summary>
+        /// A number at the base, shared out at forks: the less a branch turns away, the more it gets.
+        /// </summary>
+        public const int TREE_STRANDS_BY_ANGLE = 1;
+
+        /// <summary>
+        /// Done.
+        /// </summary>
+        public const int TREE_OK = 0;
+
+        /// <summary>
+        /// A pointer that must not be NULL is.
+        /// </summary>
+        public const int TREE_ERROR_NULL = 1;
+
+        /// <summary>
+        /// A handle is not alive: it was freed, is of another kind, or never was one.
+        /// </summary>
+        public const int TREE_ERROR_HANDLE = 2;
+
+        /// <summary>
+        /// A struct's `struct_size` fits no version of it. Usually it was not set.
+        /// </summary>
+        public const int TREE_ERROR_STRUCT_SIZE = 3;
+
+        /// <summary>
+        /// A text is not UTF-8, or a path or a name has a NUL byte in it.
+        /// </summary>
+        public const int TREE_ERROR_TEXT = 4;
+
+        /// <summary>
+        /// A number that should be one of a set of constants is none of them.
+        /// </summary>
+        public const int TREE_ERROR_ENUM = 5;
+
+        /// <summary>
+        /// A parameter lies outside its range, or is not finite.
+        /// </summary>
+        public const int TREE_ERROR_PARAMETER = 6;
+
+        /// <summary>
+        /// Columns do not fit together: lengths, orders, indices that name nothing, coordinates that are not
+        /// finite.
+        /// </summary>
+        public const int TREE_ERROR_INVALID = 7;
+
+        /// <summary>
+        /// No preset, texture or format has this name.
+        /// </summary>
+        public const int TREE_ERROR_UNKNOWN_NAME = 8;
+
+        /// <summary>
+        /// More was asked for than the limits of `tree_control` allow.
+        /// </summary>
+        public const int TREE_ERROR_LIMIT = 9;
+
+        /// <summary>
+        /// The memory budget does not allow it.
+        /// </summary>
+        public const int TREE_ERROR_MEMORY = 10;
+
+        /// <summary>
+        /// The caller cancelled. Nothing was changed and nothing was written.
+        /// </summary>
+        public const int TREE_ERROR_CANCELLED = 11;
+
+        /// <summary>
+        /// A file could not be read or written.
+        /// </summary>
+        public const int TREE_ERROR_IO = 12;
+
+        /// <summary>
+        /// A file is not what its format asks for, or needs what this library cannot do.
+        /// </summary>
+        public const int TREE_ERROR_FORMAT = 13;
+
+        /// <summary>
+        /// The parameters are each in order, but no tree, mesh or picture comes of them.
+        /// </summary>
+        public const int TREE_ERROR_NO_RESULT = 14;
+
+        /// <summary>
+        /// The caller's buffer is too small.
+        /// </summary>
+        public const int TREE_ERROR_BUFFER = 15;
+
+        /// <summary>
+        /// A call that cannot be made now, such as freeing a pool that is at work.
+        /// </summary>
+        public const int TREE_ERROR_ORDER = 16;
+
+        /// <summary>
+        /// A defect in the library. Please report it with the text.
+        /// </summary>
+        public const int TREE_ERROR_PANIC = 17;
+
+        /// <summary>
+        /// Ours: glTF, also Bevy and three.js.
+        /// </summary>
+        public const int TREE_CONVENTION_GLTF = 0;
+
+        /// <summary>
+        /// Godot 4.
+        /// </summary>
+        public const int TREE_CONVENTION_GODOT = 1;
+
+        /// <summary>
+        /// Unity.
+        /// </summary>
+        public const int TREE_CONVENTION_UNITY = 2;
+
+        /// <summary>
+        /// Unreal Engine.
+        /// </summary>
+        public const int TREE_CONVENTION_UNREAL = 3;
+
+        /// <summary>
+        /// Blender.
+        /// </summary>
+        public const int TREE_CONVENTION_BLENDER = 4;
+
+        /// <summary>
+        /// From our axes to theirs.
+        /// </summary>
+        public const int TREE_CONVERT_TO = 0;
+
+        /// <summary>
+        /// From their axes back to ours.
+        /// </summary>
+        public const int TREE_CONVERT_BACK = 1;
+
+        /// <summary>
+        /// Unity's SpeedTree 8 shader: one branch, and leaves.
+        ///
+        /// POSITION 3 f32, metres in Unity's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion three
+        /// times, blend (1); UV0 4 f32: u, v, branch weight, branch direction; UV1 4 f32: light map u, v, anchor
+        /// x, y; UV2 4 f32: the vertex's place in the next level of detail (itself), anchor z; UV3 4 f32: leaf
+        /// scale, growth, ripple, kind (0 wood, 2 leaf).
+        /// </summary>
+        public const int TREE_LAYOUT_SPEEDTREE8 = 0;
+
+        /// <summary>
+        /// Unity's SpeedTree 9 shader: two branches, and leaves. `stretch_limits` of the view belong into
+        /// `_ST_BranchStretchLimits`.
+        ///
+        /// POSITION 3 f32, metres in Unity's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion three
+        /// times, blend (1); UV0 4 f32: u, v, noise and direction of branch 1; UV1 4 f32: light map u, v, weight
+        /// of branch 1, ripple weight; UV2 4 f32: noise, direction and weight of branch 2, 0; UV3 4 f32: anchor
+        /// x, y, z, 0.
+        /// </summary>
+        public const int TREE_LAYOUT_SPEEDTREE9 = 1;
+
+        /// <summary>
+        /// Unity's Tree Creator shaders, and most vegetation shaders: bend weights and a phase.
+        ///
+        /// POSITION 3 f32, metres in Unity's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: branch phase,
+        /// edge flutter, 0, occlusion; UV0 2 f32: u, v; UV1 2 f32: primary and secondary bend.
+        /// </summary>
+        public const int TREE_LAYOUT_TREE_CREATOR = 2;
+
+        /// <summary>
+        /// Unreal's Pivot Painter 2: the hierarchy, at most 4 levels, in two textures that
+        /// `tree_packed_pivots` views.
+        ///
+        /// POSITION 3 f32, centimetres in Unreal's axes; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion,
+        /// flutter, leaf phase, 1; UV0 2 f32: u, v; UV1 2 f32: light map u, v; UV2 2 f32: texel of the element.
+        /// </summary>
+        public const int TREE_LAYOUT_PIVOT_PAINTER = 3;
+
+        /// <summary>
+        /// Godot 4, `CUSTOM0` to `CUSTOM3` as floats: the own branch in full, and the parent's part.
+        ///
+        /// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; COLOR 4 unorm8: occlusion three times, 1; UV 2
+        /// f32: u, v; UV2 2 f32: light map u, v; CUSTOM0 4: pivot x, y, z, reach; CUSTOM1 4: axis x, y, z, phase;
+        /// CUSTOM2 4: stiffness, level, flutter, leaf phase; CUSTOM3 4: parent's pivot x, y, z, reach of the
+        /// pivot on the parent.
+        /// </summary>
+        public const int TREE_LAYOUT_GODOT = 4;
+
+        /// <summary>
+        /// As `TREE_LAYOUT_GODOT`, with `CUSTOM0` to `CUSTOM3` as halves: 32 bytes a vertex instead of 64. Pivots
+        /// are rounded to 4 mm at 8 m, 8 mm at 16 m.
+        /// </summary>
+        public const int TREE_LAYOUT_GODOT_HALF = 5;
+
+        /// <summary>
+        /// glTF attributes `_WIND*`: all of it. `tree_mesh_gltf_wind` gives them for files.
+        ///
+        /// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; `COLOR_0` 4 unorm8: occlusion three times, 1;
+        /// `TEXCOORD_0` 2 f32; `TEXCOORD_1` 2 f32; `_WIND_PIVOT` 3 f32; `_WIND_AXIS` 3 f32; `_WIND` 4 f32:
+        /// reach, phase, stiffness, length in metres; `_WIND_LEAF` 4 f32: flutter, leaf phase, level, 1 for
+        /// leaves; `_WIND_ANCHOR` 3 f32; `_WIND_BRANCH` 4 u16: branch low, high, parent low, high.
+        /// </summary>
+        public const int TREE_LAYOUT_GLTF_WIND = 6;
+
+        /// <summary>
+        /// Own renderers: 32 bytes a vertex, quantised, in our axes; `tree_packed_vertices` views them. There are
+        /// no streams.
+        /// </summary>
+        public const int TREE_LAYOUT_VERTEX = 7;
+
+        /// <summary>
+        /// 32-bit floats.
+        /// </summary>
+        public const int TREE_NUMBER_F32 = 0;
+
+        /// <summary>
+        /// 16-bit floats.
+        /// </summary>
+        public const int TREE_NUMBER_F16 = 1;
+
+        /// <summary>
+        /// Whole numbers of 16 bits, without sign.
+        /// </summary>
+        public const int TREE_NUMBER_U16 = 2;
+
+        /// <summary>
+        /// Bytes that stand for 0 to 1.
+        /// </summary>
+        public const int TREE_NUMBER_UNORM8 = 3;
+
+        /// <summary>
+        /// Element of a branch that has none.
+        /// </summary>
+        public const uint TREE_NO_ELEMENT = 4294967295;
+
+        /// <summary>
+        /// One at a node, each turned by the same angle from the last. Oak, poplar.
+        /// </summary>
+        public const int TREE_PHYLLOTAXIS_SPIRAL = 0;
+
+        /// <summary>
+        /// One at a node, in two rows. Beech, elm, linden.
+        /// </summary>
+        public const int TREE_PHYLLOTAXIS_DISTICHOUS = 1;
+
+        /// <summary>
+        /// Two at a node, all pairs in one plane.
+        /// </summary>
+        public const int TREE_PHYLLOTAXIS_OPPOSITE = 2;
+
+        /// <summary>
+        /// Two at a node, each pair across the last. Maple, ash.
+        /// </summary>
+        public const int TREE_PHYLLOTAXIS_DECUSSATE = 3;
+
+        /// <summary>
+        /// Three or more at a node, each whorl in the gaps of the last.
+        /// </summary>
+        public const int TREE_PHYLLOTAXIS_WHORLED = 4;
+
+        /// <summary>
+        /// Densities above this count as this.
+        /// </summary>
+        public const float TREE_DENSITY_CAP = 4.0f;
+
+        /// <summary>
+        /// One blade. Oak, beech, linden.
+        /// </summary>
+        public const int TREE_LEAVES_SIMPLE = 0;
+
+        /// <summary>
+        /// Leaflets along a rachis. Ash, walnut, rowan; palms with feathers.
+        /// </summary>
+        public const int TREE_LEAVES_PINNATE = 1;
+
+        /// <summary>
+        /// Leaflets from one point, like fingers. Horse chestnut; palms with fans.
+        /// </summary>
+        public const int TREE_LEAVES_PALMATE = 2;
+
+        /// <summary>
+        /// A few needles from one sheath, evenly round its axis. Pines.
+        /// </summary>
+        public const int TREE_LEAVES_FASCICLE = 3;
+
+        /// <summary>
+        /// Many needles on a short shoot, from its axis to all sides. Larch, cedar.
+        /// </summary>
+        public const int TREE_LEAVES_ROSETTE = 4;
+
+        /// <summary>
+        /// One main axis, with laterals. Spruce, oak.
+        /// </summary>
+        public const int TREE_BRANCHING_MONOPODIAL = 0;
+
+        /// <summary>
+        /// A chain of modules: each ends, and its topmost lateral takes over. Linden, elm, beech.
+        /// </summary>
+        public const int TREE_BRANCHING_SYMPODIAL = 1;
+
+        /// <summary>
+        /// As the attribute `_OCCLUSION`, which only shaders that know it use.
+        /// </summary>
+        public const int TREE_GLTF_OCCLUSION_ATTRIBUTE = 0;
+
+        /// <summary>
+        /// As grey vertex colours (`COLOR_0`, 8 bits), which every program multiplies with the base colour:
+        /// visible everywhere, but direct light is darkened too.
+        /// </summary>
+        public const int TREE_GLTF_OCCLUSION_COLOR = 1;
+
+        /// <summary>
+        /// Not at all.
+        /// </summary>
+        public const int TREE_GLTF_OCCLUSION_OMIT = 2;
+
+        /// <summary>
+        /// Primitives, elements or lines that are points or lines, left out.
+        /// </summary>
+        public const int TREE_NOTE_POINTS_OR_LINES = 0;
+
+        /// <summary>
+        /// Primitives without positions, left out.
+        /// </summary>
+        public const int TREE_NOTE_NO_POSITIONS = 1;
+
+        /// <summary>
+        /// Corners left over behind the last whole triangle, or faces with fewer than three.
+        /// </summary>
+        public const int TREE_NOTE_PARTIAL_FACES = 2;
+
+        /// <summary>
+        /// Surfaces (OBJ: corners) whose normals were computed because there were none.
+        /// </summary>
+        public const int TREE_NOTE_NORMALS_COMPUTED = 3;
+
+        /// <summary>
+        /// Single normals of no length, computed from the triangles around.
+        /// </summary>
+        public const int TREE_NOTE_NORMALS_REPAIRED = 4;
+
+        /// <summary>
+        /// Surfaces (OBJ: corners) without texture coordinates, which became 0.
+        /// </summary>
+        public const int TREE_NOTE_UVS_MISSING = 5;
+
+        /// <summary>
+        /// Vertex colours, which a surface has no column for. PLY: their mean became the material's.
+        /// </summary>
+        public const int TREE_NOTE_VERTEX_COLORS = 6;
+
+        /// <summary>
+        /// Skins and morph targets; the mesh is as it rests.
+        /// </summary>
+        public const int TREE_NOTE_DEFORMATIONS = 7;
+
+        /// <summary>
+        /// Nodes a scene lists as roots although they are not.
+        /// </summary>
+        public const int TREE_NOTE_LISTED_TWICE = 8;
+
+        /// <summary>
+        /// Materials that blend by alpha, cut at one half instead.
+        /// </summary>
+        public const int TREE_NOTE_BLEND_AS_MASK = 9;
+
+        /// <summary>
+        /// Normal, roughness, occlusion and emission maps, left out.
+        /// </summary>
+        public const int TREE_NOTE_OTHER_TEXTURES = 10;
+
+        /// <summary>
+        /// Colours and factors outside their range, brought back into it.
+        /// </summary>
+        public const int TREE_NOTE_CLAMPED = 11;
+
+        /// <summary>
+        /// Textures and materials in other files, which were not asked for.
+        /// </summary>
+        public const int TREE_NOTE_EXTERNAL_REFUSED = 12;
+
+        /// <summary>
+        /// Textures and materials in files that are not there.
+        /// </summary>
+        public const int TREE_NOTE_EXTERNAL_MISSING = 13;
+
+        /// <summary>
+        /// Textures that could not be decoded.
+        /// </summary>
+        public const int TREE_NOTE_TEXTURE_UNREADABLE = 14;
+
+        /// <summary>
+        /// Textures without a picture in a known format.
+        /// </summary>
+        public const int TREE_NOTE_TEXTURE_UNSUPPORTED = 15;
+
+        /// <summary>
+        /// Materials that faces name and no file defines.
+        /// </summary>
+        public const int TREE_NOTE_MATERIAL_UNKNOWN = 16;
+
+        /// <summary>
+        /// Statements or elements that are not understood, passed over.
+        /// </summary>
+        public const int TREE_NOTE_UNKNOWN = 17;
+
+        /// <summary>
+        /// Number of notes in this version; new ones may be added.
+        /// </summary>
+        public const int TREE_N_NOTES = 18;
+
+        /// <summary>
+        /// As the file's extension says: `glb`, `gltf`, `obj` or `ply`, in letters of any case.
+        /// </summary>
+        public const int TREE_MESH_FORMAT_BY_NAME = 0;
+
+        /// <summary>
+        /// glTF 2.0, as one file (GLB) or as JSON.
+        /// </summary>
+        public const int TREE_MESH_FORMAT_GLTF = 1;
+
+        /// <summary>
+        /// OBJ.
+        /// </summary>
+        public const int TREE_MESH_FORMAT_OBJ = 2;
+
+        /// <summary>
+        /// PLY, text or binary.
+        /// </summary>
+        public const int TREE_MESH_FORMAT_PLY = 3;
+
+        /// <summary>
+        /// A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
+        /// </summary>
+        public const int TREE_LEAF_CARD = 0;
+
+        /// <summary>
+        /// A polygon of at most `vertices_max` vertices around all of the picture that is not cut away: no visible
+        /// pixel is lost, few invisible ones are drawn. A picture without a mask, or all of it cut away, stays a
+        /// card; the report says so.
+        /// </summary>
+        public const int TREE_LEAF_OUTLINE = 1;
+
+        /// <summary>
+        /// A leaf whose margin is modelled: a polygon along the margin of the picture, as much inside as outside,
+        /// drawn without a mask. For close views and for renderers that pay for masks. Leaves are taken to be
+        /// alike left and right. Pictures as above stay cards.
+        /// </summary>
+        public const int TREE_LEAF_MODELLED = 2;
+
+        /// <summary>
+        /// A leaf of your own, shared by all leaves of the kind.
+        /// </summary>
+        public const int TREE_LEAF_MESH = 3;
+
+        /// <summary>
+        /// Alpha is ignored.
+        /// </summary>
+        public const int TREE_ALPHA_OPAQUE = 0;
+
+        /// <summary>
+        /// Pixels with alpha below the material's `alpha_cutoff` are not drawn.
+        /// </summary>
+        public const int TREE_ALPHA_MASK = 1;
+
+        /// <summary>
+        /// Straight from node to node.
+        /// </summary>
+        public const int TREE_CURVE_STRAIGHT = 0;
+
+        /// <summary>
+        /// A clamped cubic B-spline through the nodes: what was modelled stays where it is.
+        /// </summary>
+        public const int TREE_CURVE_THROUGH = 1;
+
+        /// <summary>
+        /// A clamped cubic B-spline with the nodes as control points: passes near inner nodes, and calms what
+        /// jitters, such as scanned skeletons.
+        /// </summary>
+        public const int TREE_CURVE_NEAR = 2;
+
+        /// <summary>
+        /// As a length.
+        /// </summary>
+        public const int TREE_BOUND_METRES = 0;
+
+        /// <summary>
+        /// As what a camera sees: the nearer it comes, the finer the mesh.
+        /// </summary>
+        public const int TREE_BOUND_PIXELS = 1;
+
+        /// <summary>
+        /// A triangle counts as flat when its area is below this share of the squared diagonal of the box around
+        /// the surface: a square with a side of a ten-millionth of the diagonal, and a tenth as high. For a tree of
+        /// 10 m that is 1e-13 m².
+        /// </summary>
+        public const float TREE_FLAT_SHARE = 1e-15f;
+
+        /// <summary>
+        /// Predecessor of the root, and of nodes that no path leads to.
+        /// </summary>
+        public const uint TREE_NO_NODE = 4294967295;
+
+        /// <summary>
+        /// Anywhere in the volume.
+        /// </summary>
+        public const int TREE_PATH_PLACING_VOLUME = 0;
+
+        /// <summary>
+        /// Within one separation of the volume's surface.
+        /// </summary>
+        public const int TREE_PATH_PLACING_SURFACE = 1;
+
+        /// <summary>
+        /// The part of a ball round the root that lies within an angle of the axis.
+        /// </summary>
+        public const int TREE_PATH_SHAPE_SECTOR = 0;
+
+        /// <summary>
+        /// A cone that stands on the root and narrows outwards.
+        /// </summary>
+        public const int TREE_PATH_SHAPE_CONE = 1;
+
+        /// <summary>
+        /// A cone with its tip on the root that widens outwards.
+        /// </summary>
+        public const int TREE_PATH_SHAPE_INVERTED_CONE = 2;
+
+        /// <summary>
+        /// Any volume.
+        /// </summary>
+        public const int TREE_PATH_SHAPE_CUSTOM = 3;
+
+        /// <summary>
+        /// From the root of the graph before through the endpoint.
+        /// </summary>
+        public const int TREE_PATH_AXIS_OUTWARD = 0;
+
+        /// <summary>
+        /// Straight down.
+        /// </summary>
+        public const int TREE_PATH_AXIS_DOWN = 1;
+
+        /// <summary>
+        /// One direction for all.
+        /// </summary>
+        public const int TREE_PATH_AXIS_FIXED = 2;
+
+        /// <summary>
+        /// A random direction for each.
+        /// </summary>
+        public const int TREE_PATH_AXIS_RANDOM = 3;
+
+        /// <summary>
+        /// Through all levels.
+        /// </summary>
+        public const int TREE_PATH_LIFESPAN_FULL = 0;
+
+        /// <summary>
+        /// At each level a branch ends with the chance `lifespan_stop`; else the number of levels left, L, falls
+        /// by a number drawn from 0 to L. Makes irregular, livelier trees.
+        /// </summary>
+        public const int TREE_PATH_LIFESPAN_RANDOM = 1;
+
+        /// <summary>
+        /// Rows for levels in a report: as many as there can be.
+        /// </summary>
+        public const int TREE_PATH_REPORT_LEVELS = 17;
+
+        /// <summary>
+        /// A clear sky.
+        /// </summary>
+        public const int TREE_BACKDROP_SKY = 0;
+
+        /// <summary>
+        /// Light grey paper under soft white light.
+        /// </summary>
+        public const int TREE_BACKDROP_STUDIO = 1;
+
+        /// <summary>
+        /// It chooses its place so that the whole mesh is in the picture.
+        /// </summary>
+        public const int TREE_CAMERA_FRAMED = 0;
+
+        /// <summary>
+        /// It stands where it is told to.
+        /// </summary>
+        public const int TREE_CAMERA_PLACED = 1;
+
+        /// <summary>
+        /// Far things are smaller.
+        /// </summary>
+        public const int TREE_LENS_PERSPECTIVE = 0;
+
+        /// <summary>
+        /// Parallel projection; what lies behind the eye is not drawn.
+        /// </summary>
+        public const int TREE_LENS_ORTHOGRAPHIC = 1;
+
+        /// <summary>
+        /// Parent of the root: no node.
+        /// </summary>
+        public const uint TREE_NO_PARENT = 4294967295;
+
+        /// <summary>
+        /// The child with the largest radius, by length to the tip where radii are equal. The default.
+        /// </summary>
+        public const int TREE_CONTINUATION_THICKEST = 0;
+
+        /// <summary>
+        /// The child with the longest path to a tip.
+        /// </summary>
+        public const int TREE_CONTINUATION_LONGEST = 1;
+
+        /// <summary>
+        /// The child that bends least from the segment below; at the root, the longest.
+        /// </summary>
+        public const int TREE_CONTINUATION_STRAIGHTEST = 2;
+
+        /// <summary>
+        /// +Y, as in this library.
+        /// </summary>
+        public const int TREE_SWC_UP_Y = 0;
+
+        /// <summary>
+        /// +Z, as laser scanners and foresters have it.
+        /// </summary>
+        public const int TREE_SWC_UP_Z = 1;
+
+        /// <summary>
+        /// They stay 0, for example to be found by `tree_skeleton_by_rule`.
+        /// </summary>
+        public const int TREE_SWC_RADIUS_KEEP = 0;
+
+        /// <summary>
+        /// They go from the radius below to the thickest known radius above, in proportion to the path length.
+        /// Where nothing is known above, the radius below is taken; where nothing is known below, the one above;
+        /// where nothing is known at all, 0 stays.
+        /// </summary>
+        public const int TREE_SWC_RADIUS_INTERPOLATE = 1;
+
+        /// <summary>
+        /// Not known: name, alpha and shape decide.
+        /// </summary>
+        public const int TREE_HINT_AUTO = 0;
+
+        /// <summary>
+        /// Bark.
+        /// </summary>
+        public const int TREE_HINT_WOOD = 1;
+
+        /// <summary>
+        /// Leaves, needles, flowers, or cards of whole sprays.
+        /// </summary>
+        public const int TREE_HINT_LEAVES = 2;
+
+        /// <summary>
+        /// Neither: ground, pots, labels.
+        /// </summary>
+        public const int TREE_HINT_IGNORE = 3;
+
+        /// <summary>
+        /// Leaf widths in a report: those of the first kinds.
+        /// </summary>
+        public const int TREE_SKELETONIZE_LEAF_WIDTHS = 256;
+
+        /// <summary>
+        /// Bark.
+        /// </summary>
+        public const int TREE_CLASS_WOOD = 0;
+
+        /// <summary>
+        /// A card or a small thin surface: one leaf.
+        /// </summary>
+        public const int TREE_CLASS_LEAF = 1;
+
+        /// <summary>
+        /// A closed body of leaves.
+        /// </summary>
+        public const int TREE_CLASS_BLOB = 2;
+
+        /// <summary>
+        /// Not looked at.
+        /// </summary>
+        public const int TREE_CLASS_IGNORED = 3;
+
+        /// <summary>
+        /// Version of the ABI that this header describes. A library with the same number has every function and
+        /// struct of this header; additions do not change it.
+        /// </summary>
+        public const int TREE_ABI_VERSION = 1;
+
+        /// <summary>
+        /// None of those below: newer than this header.
+        /// </summary>
+        public const int TREE_SOLID_OTHER = 0;
+
+        /// <summary>
+        /// A ball.
+        /// </summary>
+        public const int TREE_SOLID_SPHERE = 1;
+
+        /// <summary>
+        /// An axis-aligned ellipsoid.
+        /// </summary>
+        public const int TREE_SOLID_ELLIPSOID = 2;
+
+        /// <summary>
+        /// A round cylinder.
+        /// </summary>
+        public const int TREE_SOLID_CYLINDER = 3;
+
+        /// <summary>
+        /// A cone, whole or truncated.
+        /// </summary>
+        public const int TREE_SOLID_FRUSTUM = 4;
+
+        /// <summary>
+        /// All within a distance of a segment.
+        /// </summary>
+        public const int TREE_SOLID_CAPSULE = 5;
+
+        /// <summary>
+        /// An axis-aligned box.
+        /// </summary>
+        public const int TREE_SOLID_BOX = 6;
+
+        /// <summary>
+        /// All on one side of a plane.
+        /// </summary>
+        public const int TREE_SOLID_HALF_SPACE = 7;
+
+        /// <summary>
+        /// The points of a ball within an angle of an axis.
+        /// </summary>
+        public const int TREE_SOLID_SECTOR = 8;
+
+        /// <summary>
+        /// What a profile sweeps.
+        /// </summary>
+        public const int TREE_SOLID_REVOLUTION = 9;
+
+        /// <summary>
+        /// What a closed mesh bounds.
+        /// </summary>
+        public const int TREE_SOLID_MESH = 10;
+
+        /// <summary>
+        /// What lies in any part.
+        /// </summary>
+        public const int TREE_SOLID_UNION = 11;
+
+        /// <summary>
+        /// What lies in all parts.
+        /// </summary>
+        public const int TREE_SOLID_INTERSECTION = 12;
+
+        /// <summary>
+        /// What lies in part 0 but not in part 1.
+        /// </summary>
+        public const int TREE_SOLID_DIFFERENCE = 13;
+
+        /// <summary>
+        /// Part 0, transformed.
+        /// </summary>
+        public const int TREE_SOLID_TRANSFORMED = 14;
+
+        /// <summary>
+        /// Murray's angles, at which a vessel of radius `r0` parts into `r1` and `r2` with the least volume:
+        /// between the branch below and the first branch, then the second, in radians. Radii are above 0, and
+        /// `r0` is from √|r1² - r2²| to √(r1² + r2²): elsewhere no such fork is.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_murray_angles(float r0, float r1, float r2, float* angles);
+
+        /// <summary>
+        /// Murray's angles where the branch below follows the pipe model with `exponent`, 2 to 10; exact for
+        /// twigs however thin. `r1` and `r2` are above 0. Otherwise as `tree_murray_angles`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pipe_angles(float exponent, float r1, float r2, float* angles);
+
+        /// <summary>
+        /// Holton's angles: the more strands a branch has, the less it turns. `s1` and `s2` are the strands of
+        /// the two branches, not both 0; `sum` is the angle between them in radians, 0 to 2π. Otherwise as
+        /// `tree_murray_angles`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_strand_angles(ulong s1, ulong s2, float sum, float* angles);
+
+        /// <summary>
+        /// The radius of every node by a rule, in metres: `radii` has room for `capacity` floats, at least one
+        /// for each node. `rule` may be NULL for the default. The radii that are there do not matter.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_radii(tree_skeleton* skeleton, tree_radius_rule* rule, float* radii, UIntPtr capacity);
+
+        /// <summary>
+        /// A new skeleton with the radii that a rule gives, see `tree_skeleton_radii`. For radii of your own
+        /// there is `tree_skeleton_with_radii`. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_by_rule(tree_skeleton* skeleton, tree_radius_rule* rule, tree_skeleton** changed);
+
+        /// <summary>
+        /// The radius of every node by distance to the tip, in metres, with levels of your own in place of the
+        /// axes' orders: `levels` has `n_levels` numbers, one for each node, 0 for the trunk. Of `rule`, which
+        /// may be NULL for the default, the fields by distance to the tip count, whatever its kind is. `radii`
+        /// has room for `capacity` floats, at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_radii_at_levels(tree_skeleton* skeleton, uint* levels, UIntPtr n_levels, tree_radius_rule* rule, float* radii, UIntPtr capacity);
+
+        /// <summary>
+        /// The number of strands through every node; at every fork the children's numbers add up to the
+        /// parent's. Of `rule`, which may be NULL for the default, the fields of strands count, whatever its kind
+        /// is. `strands` has room for `capacity` numbers, at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_strands(tree_skeleton* skeleton, tree_radius_rule* rule, ulong* strands, UIntPtr capacity);
+
+        /// <summary>
+        /// Whether all fields of a rule are in order: `TREE_OK`, or the error that its use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_radius_rule_check(tree_radius_rule* rule);
+
+        /// <summary>
+        /// Makes `rule`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_radius_rule_init(tree_radius_rule* rule, UIntPtr size);
+
+        /// <summary>
+        /// What went wrong in this thread's last call that failed, in UTF-8 and with a NUL at the end: what was
+        /// wrong, where, and what would be right. Empty before any call failed. Never NULL; valid until the next
+        /// call that fails in this thread.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern byte* tree_error_text();
+
+        /// <summary>
+        /// The code of this thread's last call that failed; `TREE_OK` before any did.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_error_status();
+
+        /// <summary>
+        /// Forgets this thread's last error, and gives its memory back.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern void tree_error_clear();
+
+        /// <summary>
+        /// Name of a status, such as `TREE_ERROR_NULL`. Never NULL, and valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern byte* tree_status_name(int status);
+
+        /// <summary>
+        /// Makes `control`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_control_init(tree_control* control, UIntPtr size);
+
+        /// <summary>
+        /// Makes `limits`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_limits_init(tree_limits* limits, UIntPtr size);
+
+        /// <summary>
+        /// Makes `limits`, of `size` bytes, such that one call takes about `bytes` of memory at most; never more
+        /// than the default. `tree_memory_set_budget` does so for all calls together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_limits_for_memory(tree_limits* limits, UIntPtr size, ulong bytes);
+
+        /// <summary>
+        /// Makes a switch, not set. Free it with `tree_cancel_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cancel_new(tree_cancel** cancel);
+
+        /// <summary>
+        /// Sets the switch, from any thread: calls it was given to end with `TREE_ERROR_CANCELLED`, mostly within
+        /// milliseconds. It stays set.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cancel_set(tree_cancel* cancel);
+
+        /// <summary>
+        /// Ends a switch. Calls it was given to may still run.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cancel_free(tree_cancel* cancel);
+
+        /// <summary>
+        /// What a branch of a mesh does in the wind. Set `motion-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_branch_motion(tree_mesh* mesh, UIntPtr branch, tree_branch_motion* motion);
+
+        /// <summary>
+        /// How far along a branch of a mesh a point of three floats lies: 0 up to the collar, 1 at the tip and
+        /// beyond.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_branch_reach(tree_mesh* mesh, UIntPtr branch, float* point, float* reach);
+
+        /// <summary>
+        /// One branch for each axis of a skeleton, in the same order, turning about its fork. Those of a built
+        /// mesh turn about the places where their bark stands. Free them with `tree_wind_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_wind_branches(tree_skeleton* skeleton, uint continuation, tree_wind_branches** branches);
+
+        /// <summary>
+        /// Views the branches: where they begin, and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_wind_branches_view(tree_wind_branches* branches, tree_wind_branch** rows, UIntPtr* n);
+
+        /// <summary>
+        /// Ends branches.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_wind_branches_free(tree_wind_branches* branches);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_capsule_params_init(tree_capsule_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes capsules of a skeleton's thick wood: few, and with nearly all of it inside. However few are
+        /// allowed, the share asked for holds; what suffers is how tight they are, and the report says how tight.
+        /// `params`, `control` and `report` may be NULL. Free the capsules with `tree_capsules_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_capsules(tree_skeleton* skeleton, tree_capsule_params* @params, tree_control* control, tree_capsule_report* report, tree_capsules** capsules);
+
+        /// <summary>
+        /// Views the capsules: where they begin, NULL for none, and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_capsules_view(tree_capsules* capsules, tree_capsule** rows, UIntPtr* n);
+
+        /// <summary>
+        /// Whether a point of three floats lies inside a capsule or on its border.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_capsule_contains(tree_capsule* capsule, float* point, uint* inside);
+
+        /// <summary>
+        /// Volume of a capsule in cubic metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_capsule_volume(tree_capsule* capsule, double* volume);
+
+        /// <summary>
+        /// Ends capsules.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_capsules_free(tree_capsules* capsules);
+
+        /// <summary>
+        /// What a convention says. Set `traits-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convention_view(uint convention, tree_convention_traits* traits);
+
+        /// <summary>
+        /// Converts `n` places of three floats each, units included. `to` has room for as many and may be `from`
+        /// itself; otherwise the two must not overlap.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convert_positions(uint convention, uint way, float* from, UIntPtr n, float* to);
+
+        /// <summary>
+        /// Converts `n` unit vectors (normals, axes) of three floats each. `to` is as in
+        /// `tree_convert_positions`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convert_directions(uint convention, uint way, float* from, UIntPtr n, float* to);
+
+        /// <summary>
+        /// Converts `n` tangents of four floats each. Their w is turned so that `w * cross(normal, tangent)`,
+        /// with the arithmetic of their shaders, points the way green runs in their normal maps: up the picture,
+        /// but down in Unreal. `to` is as in `tree_convert_positions`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convert_tangents(uint convention, uint way, float* from, UIntPtr n, float* to);
+
+        /// <summary>
+        /// Converts `n` texture coordinates of two floats each, to and back alike. `to` is as in
+        /// `tree_convert_positions`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convert_uvs(uint convention, float* from, UIntPtr n, float* to);
+
+        /// <summary>
+        /// Turns `n` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
+        /// as in `tree_convert_positions`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convert_triangles(uint convention, uint* from, UIntPtr n, uint* to);
+
+        /// <summary>
+        /// Packs a surface of a mesh, in the axes of the engine the layout is for. `control` may be NULL; only a
+        /// cancellation before the work begins matters. Free the result with `tree_packed_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_pack(tree_mesh* mesh, UIntPtr surface, uint layout, tree_control* control, tree_packed** packed);
+
+        /// <summary>
+        /// Views streams and indices. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_packed_view(tree_packed* packed, tree_packed_columns* columns);
+
+        /// <summary>
+        /// Ends a packed surface, and with it all views of it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_packed_free(tree_packed* packed);
+
+        /// <summary>
+        /// Views the textures of a surface packed with `TREE_LAYOUT_PIVOT_PAINTER`. Set `pivots-&gt;struct_size`
+        /// first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_packed_pivots(tree_packed* packed, tree_pivots* pivots);
+
+        /// <summary>
+        /// Reads an element back, 0 to `n_elements - 1`, to check a shader against. Set `element-&gt;struct_size`
+        /// first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_packed_pivot_element(tree_packed* packed, uint number, tree_pivot_element* element);
+
+        /// <summary>
+        /// Reads a packed surface back as an engine would, to check a shader against: it differs from what was
+        /// packed by the quantisation only. `mesh`, which gives the table of branches, is needed for
+        /// `TREE_LAYOUT_VERTEX` and may be NULL else. Free the result with `tree_unpacked_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_packed_unpack(tree_packed* packed, tree_mesh* mesh, tree_unpacked** unpacked);
+
+        /// <summary>
+        /// Views what was read back. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_unpacked_view(tree_unpacked* unpacked, tree_unpacked_columns* columns);
+
+        /// <summary>
+        /// Ends what was read back.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_unpacked_free(tree_unpacked* unpacked);
+
+        /// <summary>
+        /// Views the vertices of a surface packed with `TREE_LAYOUT_VERTEX`; its indices are in
+        /// `tree_packed_view`. Set `vertices-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_packed_vertices_view(tree_packed* packed, tree_packed_vertices* vertices);
+
+        /// <summary>
+        /// Writes a row for each vertex of a surface; `capacity` must be the number of its vertices or more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_wind(tree_mesh* mesh, UIntPtr surface, tree_vertex_wind* rows, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes `wind`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_wind_init(tree_wind* wind, UIntPtr size);
+
+        /// <summary>
+        /// Moves a surface by the wind, `seconds` after it began: the reference for a vertex shader. Writes three
+        /// floats for each vertex, in metres; `capacity` is the room in floats, three times the number of
+        /// vertices or more. `wind` may be NULL. A vertex whose branch is unknown stays where it is.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_bend(tree_mesh* mesh, tree_wind* wind, float seconds, UIntPtr surface, float* positions, UIntPtr capacity);
+
+        /// <summary>
+        /// Share of its branch's turn that a point at this reach (0 to 1, else brought there) makes: 0 at the
+        /// collar, 1 at the tip, as a clamped beam under an even load.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_wind_sway(float reach, float* sway);
+
+        /// <summary>
+        /// Where in its flutter a leaf starts, 0 to 1, by its number in the surface.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_wind_leaf_phase(uint leaf, float* phase);
+
+        /// <summary>
+        /// Grows leaves on a tree: the new tree has the old skeleton and species, and the new leaves in place of
+        /// the old ones. For leaves on a bare skeleton, make a tree of it with `tree_tree_new`.
+        ///
+        /// `params` may be NULL for the default; `kind` must be a leaf kind of the tree's species. `density` may
+        /// be NULL for 1 everywhere, and is handed `user`. With `with_stalks` (a yes or no) petioles and rachises become thin
+        /// branches, for close-ups: old nodes keep number, position, radius and parent, stalks come after them,
+        /// and leaves name the stalk that bears them; without, leaflets name the shoot's node. The same seed
+        /// gives the same leaves. `report` may be NULL. Free the tree with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_grow_leaves(tree_tree* tree, tree_leaf_params* @params, IntPtr density, void* user, uint with_stalks, ulong seed, tree_control* control, tree_leaf_report* report, tree_tree** grown);
+
+        /// <summary>
+        /// Grows twigs on the youngest shoots of a tree: the new tree has the old skeleton with twigs, and the
+        /// old leaves and species. Old nodes keep number, position, radius and parent, so leaves stay where they
+        /// are; twigs come after them, each starting at the node nearest to its place. What bears twigs is not
+        /// made thicker: `tree_skeleton_by_rule` does that.
+        ///
+        /// `params` may be NULL for the default. `density` may be NULL for 1 everywhere, and is handed `user`.
+        /// The same seed gives the same twigs. `report` may be NULL. Free the tree with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_grow_twigs(tree_tree* tree, tree_twig_params* @params, IntPtr density, void* user, ulong seed, tree_control* control, tree_twig_report* report, tree_tree** grown);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_params_init(tree_leaf_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields are in order for a species with `n_kinds` kinds of leaves: `TREE_OK`, or the error
+        /// that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_params_check(tree_leaf_params* @params, UIntPtr n_kinds);
+
+        /// <summary>
+        /// Number of species whose leaves and twigs are known by name.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr tree_foliage_species_count();
+
+        /// <summary>
+        /// Name of the species with this number, from 0 up to, but not including, `tree_foliage_species_count`.
+        /// Valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_foliage_species_name(UIntPtr index, tree_str* name);
+
+        /// <summary>
+        /// Leaves and twigs of a species by its name, of `len` bytes. Set `struct_size` of `leaves` and `twigs`
+        /// first. `leaf_kind` is the name of the leaf kind that goes with them, valid for ever, for the
+        /// `leaf_kinds` of a `tree_species`; it is kind 0 of the leaves. Each of the three may be NULL.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_foliage_preset(byte* name, UIntPtr len, tree_leaf_params* leaves, tree_twig_params* twigs, tree_str* leaf_kind);
+
+        /// <summary>
+        /// Views the numbers: where they begin and how many there are, one for each node of the new skeleton.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_rows_view(tree_rows* rows, uint** first, UIntPtr* n);
+
+        /// <summary>
+        /// Ends the numbers.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_rows_free(tree_rows* rows);
+
+        /// <summary>
+        /// A new skeleton, the same but with nodes at most `spacing` metres apart (1e-5 to 1e6) on all segments
+        /// that lie within `bearing` metres (0 to 1e6) of a tip, so that twigs find a node near their place. Old
+        /// nodes keep their order but get other numbers; positions and radii between them are linear.
+        ///
+        /// `rows`, which may be NULL, gets for each node the old node at its segment's upper end; free it with
+        /// `tree_rows_free`, and the skeleton with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_refine(tree_skeleton* skeleton, float bearing, float spacing, tree_control* control, tree_rows** rows, tree_skeleton** refined);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twig_params_init(tree_twig_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twig_params_check(tree_twig_params* @params);
+
+        /// <summary>
+        /// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
+        /// coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
+        /// textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
+        /// with `tree_twigs_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_build(tree_tree* tree, tree_look* look, tree_mesh_params* mesh_params, tree_instancing_params* @params, ulong seed, tree_control* control, tree_instancing_report* report, tree_twigs** twigs);
+
+        /// <summary>
+        /// Number of unique twigs.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_count(tree_twigs* twigs, UIntPtr* n_twigs);
+
+        /// <summary>
+        /// What the twigs weigh and how near they come. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_report(tree_twigs* twigs, tree_instancing_report* report);
+
+        /// <summary>
+        /// The base mesh: wood and leaves that are not part of a twig, surfaces as `tree_mesh_build` makes them.
+        /// Not copied; the mesh keeps the twigs alive. Free it with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_base(tree_twigs* twigs, tree_mesh** @base);
+
+        /// <summary>
+        /// The mesh of twig `number`, its base at the origin; surfaces and materials as in the base mesh. Not
+        /// copied; the mesh keeps the twigs alive. Free it with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_mesh(tree_twigs* twigs, UIntPtr number, tree_mesh** mesh);
+
+        /// <summary>
+        /// Views all places where twig `number` stands. Set `instances-&gt;struct_size` first. Valid until the twigs
+        /// are freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_instances(tree_twigs* twigs, UIntPtr number, tree_twig_instances* instances);
+
+        /// <summary>
+        /// Makes twigs of parts of your own: a base mesh, and for each of `n_twigs` twigs its mesh, with as many
+        /// surfaces as the base, and where it stands. All is copied but the textures, and checked; scales must be
+        /// the same along all axes. The report has the sizes; `reach` and `deviation` are 0 in it. `control` may
+        /// be NULL; only its limits (instances count as `leaves`) and its pool matter. Free the twigs with
+        /// `tree_twigs_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_from_parts(tree_mesh* @base, tree_mesh** meshes, tree_twig_instances* instances, UIntPtr n_twigs, tree_control* control, tree_twigs** twigs);
+
+        /// <summary>
+        /// Makes one plain mesh of base and instances: surfaces as the base has them, with the instances'
+        /// triangles behind. Columns that not all parts have, and light-map coordinates, are left out. Every
+        /// instance gets branches of its own, carried by the branch it stands on. Free the mesh with
+        /// `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_flatten(tree_twigs* twigs, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// Ends twigs. Meshes that were asked of them live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_twigs_free(tree_twigs* twigs);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_instancing_params_init(tree_instancing_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Views the bytes: where they begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bytes_view(tree_bytes* bytes, byte** data, UIntPtr* len);
+
+        /// <summary>
+        /// Ends a file in memory.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bytes_free(tree_bytes* bytes);
+
+        /// <summary>
+        /// Makes `options`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_glb_options_init(tree_glb_options* options, UIntPtr size);
+
+        /// <summary>
+        /// Writes a mesh to a GLB file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends with
+        /// a NUL and `path_len` is `TREE_NUL_TERMINATED`. `options` and `control` may be NULL; of `control`
+        /// only threads and limits matter, and a cancellation before the work begins.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_write_glb(tree_mesh* mesh, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// A mesh as a GLB file in memory, as `tree_mesh_write_glb` writes it. Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_to_glb(tree_mesh* mesh, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// Writes meshes, instances and levels of detail to a GLB file, whole or not at all.
+        ///
+        /// Several levels, the finest first, become the nodes of one `MSFT_lod` with their coverages; programs
+        /// that do not know it draw the finest. Materials that are equal in several levels are written once.
+        /// `options` and `control` may be NULL, as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_write_glb(tree_gltf_level* levels, UIntPtr n_levels, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// As `tree_gltf_write_glb`, in memory. Free the bytes with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_to_glb(tree_gltf_level* levels, UIntPtr n_levels, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_gltf_write_glb`, but in several files: the `.gltf` file of this path, and beside it the
+        /// buffer (`STEM.bin`) and the textures (`STEM_NAME.png`), all or none. Blanks and other trouble in the
+        /// stem are replaced by `_` in the names of the files beside.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_write_files(tree_gltf_level* levels, UIntPtr n_levels, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// Builds a tree with one mesh for each kind of leaf instead of a copy for each leaf. Normals of
+        /// instanced leaves are those of the leaf itself: the parameters cannot turn them towards the outside of
+        /// the crown. `look`, `params` and `control` are as in `tree_mesh_build`. Free the bark with
+        /// `tree_mesh_free` and the leaves with `tree_gltf_leaves_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_build_instanced(tree_tree* tree, tree_look* look, tree_mesh_params* @params, tree_control* control, tree_mesh** bark, tree_gltf_leaves** leaves);
+
+        /// <summary>
+        /// Views the leaves, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
+        /// kinds there are. Their meshes belong to the leaves: do not free them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_leaves_view(tree_gltf_leaves* leaves, tree_gltf_instances** rows, UIntPtr* n);
+
+        /// <summary>
+        /// Ends leaves, and their meshes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_leaves_free(tree_gltf_leaves* leaves);
+
+        /// <summary>
+        /// The attributes `_WIND*` of all surfaces of a mesh, for a level of a glTF file: the streams of
+        /// `TREE_LAYOUT_GLTF_WIND` that are not glTF's own, four floats each, the missing ones 0, which every
+        /// reader takes. For Blender write occlusion as colour or not at all. `control` may be NULL. Free them
+        /// with `tree_gltf_attributes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_gltf_wind(tree_mesh* mesh, tree_control* control, tree_gltf_attributes** attributes);
+
+        /// <summary>
+        /// Views the attributes, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
+        /// there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_attributes_view(tree_gltf_attributes* attributes, tree_gltf_attribute** rows, UIntPtr* n);
+
+        /// <summary>
+        /// Ends attributes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gltf_attributes_free(tree_gltf_attributes* attributes);
+
+        /// <summary>
+        /// What a note says, for people; the text is there for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_note_text(uint note, tree_str* text);
+
+        /// <summary>
+        /// Writes a mesh to an OBJ file (the path is as in `tree_mesh_write_glb`) and beside it the MTL file (`STEM.mtl`) and the textures
+        /// (`STEM_NAME.png`), all or none. Blanks and other trouble in the stem are replaced by `_` in the names
+        /// of the files beside. Tangents and the other optional columns have no place in OBJ. `control` may be
+        /// NULL; only a cancellation before the work begins matters.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_write_obj(tree_mesh* mesh, byte* path, UIntPtr path_len, tree_control* control);
+
+        /// <summary>
+        /// The OBJ and MTL files that `tree_mesh_write_obj` would write to `stem.obj` and `stem.mtl`, in memory.
+        /// Free both with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_to_obj(tree_mesh* mesh, byte* stem, UIntPtr stem_len, tree_control* control, tree_bytes** obj, tree_bytes** mtl);
+
+        /// <summary>
+        /// Makes `options`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_ply_options_init(tree_ply_options* options, UIntPtr size);
+
+        /// <summary>
+        /// Writes a mesh to a PLY file (the path is as in `tree_mesh_write_glb`), whole or not at all: all surfaces as one, each vertex with the colour of
+        /// its material times the mean of its texture. `options` and `control` may be NULL; of `control` only a
+        /// cancellation before the work begins matters.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_write_ply(tree_mesh* mesh, byte* path, UIntPtr path_len, tree_ply_options* options, tree_control* control);
+
+        /// <summary>
+        /// As `tree_mesh_write_ply`, in memory. Free the bytes with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_to_ply(tree_mesh* mesh, tree_ply_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// Makes `options`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_import_options_init(tree_import_options* options, UIntPtr size);
+
+        /// <summary>
+        /// Reads a mesh from a file; the path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+        /// `TREE_NUL_TERMINATED`. It is checked before memory is taken for it, and never trusted; what was
+        /// left out or changed is in the report. `options`, `control` and `report` may be NULL. Free the mesh
+        /// with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_read(byte* path, UIntPtr path_len, tree_import_options* options, tree_control* control, tree_import_report* report, tree_mesh** mesh);
+
+        /// <summary>
+        /// Reads a mesh from a file in memory; other files are never read. `format` must be stated. `mtl` is
+        /// for OBJ only: the MTL file, or NULL for materials with names only; textures are not read. The bytes
+        /// are needed during the call only. `control` and `report` may be NULL. Free the mesh with
+        /// `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_from_bytes(uint format, byte* data, UIntPtr len, byte* mtl, UIntPtr mtl_len, tree_control* control, tree_import_report* report, tree_mesh** mesh);
+
+        /// <summary>
+        /// Makes a look of the built-in bark and leaf textures that the species names; NULL is an oak.
+        /// `TREE_ERROR_UNKNOWN_NAME` for a name that is not built in: dress such species with `tree_look_plain`
+        /// or textures of your own. Free the look with `tree_look_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_built_in(tree_species* species, tree_look** look);
+
+        /// <summary>
+        /// Makes a look of plain colours without textures, for a species; NULL is an oak. For previews, tests and
+        /// engines that bring their own materials. Leaf cards show as whole rectangles. Free the look with
+        /// `tree_look_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_plain(tree_species* species, tree_look** look);
+
+        /// <summary>
+        /// As `tree_look_built_in`, for the species of a tree; with `plain` as `tree_look_plain`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_of_tree(tree_tree* tree, uint plain, tree_look** look);
+
+        /// <summary>
+        /// Makes a look of your own: `bark` goes on all wood (NULL is the default material), and `leaves` has one
+        /// row for each of the species' leaf kinds, in that order. All is copied but the textures, which are
+        /// shared. `control` may be NULL; only its limits matter. Free the look with `tree_look_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_new(tree_material* bark, tree_leaf_look* leaves, UIntPtr n_leaves, tree_control* control, tree_look** look);
+
+        /// <summary>
+        /// Number of leaf kinds that a look dresses; it has one material more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_leaf_count(tree_look* look, UIntPtr* n_leaves);
+
+        /// <summary>
+        /// Views a material of a look, numbered as in the meshes it dresses: 0 is the bark's, 1 + k that of leaf
+        /// kind k. Set `material-&gt;struct_size` first. Valid until the look is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_material(tree_look* look, UIntPtr number, tree_material* material);
+
+        /// <summary>
+        /// A handle of the texture of a look's material, numbered as for `tree_look_material`; the pixels are
+        /// shared. NULL, and no error, where the material has none. Free it with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_texture(tree_look* look, UIntPtr number, tree_texture** texture);
+
+        /// <summary>
+        /// Views the look of leaf kind `kind`, but for its material and its mesh, which `tree_look_material` and
+        /// `tree_look_leaf_mesh` view. Set `leaf-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_leaf(tree_look* look, UIntPtr kind, tree_leaf_look* leaf);
+
+        /// <summary>
+        /// Checks that a look has one leaf look for each leaf kind of the species (NULL is an oak).
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_check(tree_look* look, tree_species* species);
+
+        /// <summary>
+        /// Ends a look. Meshes that were built with it keep their textures.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_free(tree_look* look);
+
+        /// <summary>
+        /// Makes `style`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bark_style_init(tree_bark_style* style, UIntPtr size);
+
+        /// <summary>
+        /// The style of a built-in bark, to be changed; what it points at is valid for ever. Set
+        /// `style-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bark_style_of(byte* name, UIntPtr name_len, tree_bark_style* style);
+
+        /// <summary>
+        /// Draws a bark of your own, which tiles without a seam; its name is `bark`. `style` may be NULL; `size` is
+        /// as for `tree_texture_bark`. Free the texture with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_bark_with(tree_bark_style* style, uint size, tree_control* control, tree_texture** texture);
+
+        /// <summary>
+        /// Makes `look`, of `size` bytes, the default: a square card.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_look_init(tree_leaf_look* look, UIntPtr size);
+
+        /// <summary>
+        /// Makes the mesh of one leaf of kind `kind`. `report` may be NULL. Free the model with
+        /// `tree_leaf_model_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_leaf_model(tree_look* look, UIntPtr kind, tree_control* control, tree_leaf_model_report* report, tree_leaf_model** model);
+
+        /// <summary>
+        /// Views the columns of a leaf's mesh. Set `mesh-&gt;struct_size` first. Valid until the model is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_model_view(tree_leaf_model* model, tree_leaf_mesh* mesh);
+
+        /// <summary>
+        /// Ends a leaf's mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_model_free(tree_leaf_model* model);
+
+        /// <summary>
+        /// Views the leaf of your own that kind `kind` of a look has; without vertices where its form is not
+        /// `TREE_LEAF_MESH`. Set `mesh-&gt;struct_size` first. Valid until the look is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_leaf_mesh(tree_look* look, UIntPtr kind, tree_leaf_mesh* mesh);
+
+        /// <summary>
+        /// Makes `shape`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_shape_init(tree_leaf_shape* shape, UIntPtr size);
+
+        /// <summary>
+        /// The shape of a built-in leaf, to be changed; what it points at is valid for ever. Set
+        /// `shape-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_shape_of(byte* name, UIntPtr name_len, tree_leaf_shape* shape);
+
+        /// <summary>
+        /// Turns the colours of a shape to those of autumn: `progress` 0 is summer and changes nothing, 1 is fully
+        /// turned.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_shape_autumn(tree_leaf_shape* shape, float progress);
+
+        /// <summary>
+        /// Draws a leaf of your own, upright with the base at the bottom centre; its name is `leaf`. `shape` and
+        /// `card` may be NULL; `size` and `card` are as for `tree_texture_leaf`. Free the texture with
+        /// `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_leaf_with(tree_leaf_shape* shape, uint size, tree_control* control, tree_leaf_card* card, tree_texture** texture);
+
+        /// <summary>
+        /// Makes `material`, of `size` bytes, the default: white, matt, without texture.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_material_init(tree_material* material, UIntPtr size);
+
+        /// <summary>
+        /// Views the names of the built-in barks: where they begin and how many there are. Valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bark_names(tree_str** names, UIntPtr* n_names);
+
+        /// <summary>
+        /// Views the names of the built-in leaves (single ones, clusters, needles and fronds): where they begin
+        /// and how many there are. Valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_names(tree_str** names, UIntPtr* n_names);
+
+        /// <summary>
+        /// Makes a texture of pixels, which are copied. `control` may be NULL; only its limits matter. Free the
+        /// texture with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_from_pixels(tree_texture_pixels* pixels, tree_control* control, tree_texture** texture);
+
+        /// <summary>
+        /// Makes a texture of a PNG or JPEG file in memory, recognised by its content. A photograph is turned
+        /// upright as its camera noted. `TREE_ERROR_LIMIT` when file or picture are larger than the limits
+        /// `input_bytes` and `pixels` allow, before it is decoded. Free the texture with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_decode(byte* name, UIntPtr name_len, byte* file, UIntPtr file_len, tree_control* control, tree_texture** texture);
+
+        /// <summary>
+        /// As `tree_texture_decode`, of a file on disk. The texture is named after the file.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_open(byte* file, UIntPtr file_len, tree_control* control, tree_texture** texture);
+
+        /// <summary>
+        /// Draws a built-in bark, which tiles without a seam; `tree_bark_names` has the names. `size` is width and
+        /// height in pixels, 16 to 4096, or 0 for 512. Free the texture with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_bark(byte* name, UIntPtr name_len, uint size, tree_control* control, tree_texture** texture);
+
+        /// <summary>
+        /// Draws a built-in leaf, upright with the base at the bottom centre; `tree_leaf_names` has the names.
+        /// Transparent pixels carry the colour of the leaf near them; meant for an alpha cutoff of 0.5. `size` is
+        /// width and height in pixels, 16 to 4096, or 0 for 256, and 512 for clusters, needles and fronds. `card`
+        /// says how to put it on a card; it may be NULL. Free the texture with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_leaf(byte* name, UIntPtr name_len, uint size, tree_control* control, tree_leaf_card* card, tree_texture** texture);
+
+        /// <summary>
+        /// Views a texture's name and pixels. Set `pixels-&gt;struct_size` first. Valid until the texture is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_view(tree_texture* texture, tree_texture_pixels* pixels);
+
+        /// <summary>
+        /// Makes a PNG file in memory of a texture. Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_to_png(tree_texture* texture, tree_bytes** png);
+
+        /// <summary>
+        /// Writes a texture as a PNG file, whole or not at all.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_save_png(tree_texture* texture, byte* file, UIntPtr file_len);
+
+        /// <summary>
+        /// Ends a texture's handle. Materials and meshes that have the picture keep it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_texture_free(tree_texture* texture);
+
+        /// <summary>
+        /// Bytes that the library has allocated and not freed, objects and work in progress together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern ulong tree_memory_used();
+
+        /// <summary>
+        /// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern ulong tree_memory_peak();
+
+        /// <summary>
+        /// Lets the peak begin anew at what is in use now.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern void tree_memory_reset_peak();
+
+        /// <summary>
+        /// Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
+        /// at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
+        /// or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
+        /// once may all be told so. Small calls, such as looking at a mesh, never fail.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern void tree_memory_set_budget(ulong bytes);
+
+        /// <summary>
+        /// The budget in bytes; 0 when there is none.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern ulong tree_memory_budget();
+
+        /// <summary>
+        /// Lets the library take its memory from the host's allocator. Only before anything else: once the
+        /// library has memory of its own it is `TREE_ERROR_ORDER`. When `alloc` gives NULL the process aborts, as
+        /// Rust does; set a budget below what the allocator has.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_memory_set_allocator(tree_allocator* allocator);
+
+        /// <summary>
+        /// Ends a mesh, and with it all views of it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_free(tree_mesh* mesh);
+
+        /// <summary>
+        /// Views the branches that a mesh's vertices move with, parents first: where they begin, NULL for none,
+        /// and how many there are. Valid until the mesh is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_branches(tree_mesh* mesh, tree_wind_branch** branches, UIntPtr* n_branches);
+
+        /// <summary>
+        /// Builds bark and leaves of a tree: surface 0 is the bark, surface 1 + k the leaves of kind k; those
+        /// without triangles are there too. Materials are in the same order.
+        ///
+        /// `look` may be NULL: the built-in textures that the tree's species names, as `tree_look_of_tree` gives
+        /// them; to build many meshes, make a look once. `params` may be NULL. `report` may be NULL. Free the mesh
+        /// with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_build(tree_tree* tree, tree_look* look, tree_mesh_params* @params, tree_control* control, tree_mesh_report* report, tree_mesh** mesh);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_subdivide_params_init(tree_subdivide_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes a mesh whose surface `number` is finer and rounder: Loop subdivision with creases kept. A closed
+        /// surface stays closed. Everything else is copied. Only bark, not leaves: `TREE_ERROR_INVALID`. `params`
+        /// may be NULL. Free the mesh with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_subdivide(tree_mesh* mesh, UIntPtr number, tree_subdivide_params* @params, tree_control* control, tree_mesh** subdivided);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_displace_params_init(tree_displace_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes a mesh whose surface `number` has relief: points moved in and out by noise, normals and tangents
+        /// tilted with them. A closed surface stays closed. The surface should be finer than `scale`: subdivide it
+        /// first. Everything else is copied. Only bark, not leaves: `TREE_ERROR_INVALID`. `params` may be NULL.
+        /// Free the mesh with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_displace(tree_mesh* mesh, UIntPtr number, tree_displace_params* @params, ulong seed, tree_control* control, tree_mesh** displaced);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_occlusion_params_init(tree_occlusion_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes a copy of a mesh whose surfaces have the column `occlusion`: 1 where all light arrives, 0 where
+        /// none does. The cells count against the limit `voxels`. `params` may be NULL. Free the mesh with
+        /// `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_bake_occlusion(tree_mesh* mesh, tree_occlusion_params* @params, tree_control* control, tree_mesh** baked);
+
+        /// <summary>
+        /// Makes a mesh whose surface `number` has one vertex for each point: for volumes, printers and other
+        /// programs that take copies at seams for holes. Triangles that have two corners at one point are left
+        /// out, and so are vertices without triangles. Normals are the means of the copies' normals, texture
+        /// coordinates those of the first copy, so textures are torn at seams; tangents are dropped. Everything
+        /// else is copied. Only bark, not leaves: `TREE_ERROR_INVALID`. `control` may be NULL; only its pool
+        /// matters. Free the mesh with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_weld(tree_mesh* mesh, UIntPtr number, tree_control* control, tree_mesh** welded);
+
+        /// <summary>
+        /// Makes a mesh of your own triangles: `n_surfaces` surfaces whose `material` is an index into the
+        /// `n_materials` materials. `branches` may be NULL when `n_branches` is 0; no surface may name a branch
+        /// then. All is copied but the textures, which are shared, and checked as by `tree_mesh_check`. `control`
+        /// may be NULL; only its limits and its pool matter. Free the mesh with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_from_surfaces(tree_surface* surfaces, UIntPtr n_surfaces, tree_material* materials, UIntPtr n_materials, tree_wind_branch* branches, UIntPtr n_branches, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// Views material `number` of a mesh, from 0 on; `material` of `tree_surface` says which one a surface
+        /// has. Set `material-&gt;struct_size` first. Valid until the mesh is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_material(tree_mesh* mesh, UIntPtr number, tree_material* material);
+
+        /// <summary>
+        /// A handle of the texture of material `number`; the pixels are shared, and outlive the mesh. NULL, and no
+        /// error, where the material has none. Free it with `tree_texture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_texture(tree_mesh* mesh, UIntPtr number, tree_texture** texture);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_params_init(tree_mesh_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field against its range: `TREE_ERROR_PARAMETER` or `TREE_ERROR_ENUM` names the first at
+        /// fault.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_params_check(tree_mesh_params* @params);
+
+        /// <summary>
+        /// The error that the parameters allow as a length in metres, within 0.01 mm and 1 m: for
+        /// `TREE_BOUND_PIXELS`, how large a pixel is at the tree. `params` may be NULL.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_params_error(tree_mesh_params* @params, float* metres);
+
+        /// <summary>
+        /// Counts points, edges, holes, pieces and the like of surface `number`. Set `topology-&gt;struct_size` first.
+        /// `control` may be NULL; only its pool matters.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_examine(tree_mesh* mesh, UIntPtr number, tree_control* control, tree_topology* topology);
+
+        /// <summary>
+        /// The points of surface `number`, numbered in the order of their first vertices: by its welds where it
+        /// has them, otherwise vertices at exactly the same place are one point.
+        ///
+        /// `of_vertex`, NULL or with room for one number for each vertex, gets the point that each vertex stands
+        /// at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
+        /// enough), gets the first vertex of each point. `n_points` gets their number; it may be NULL.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_points(tree_mesh* mesh, UIntPtr number, uint* of_vertex, uint* first, UIntPtr first_capacity, UIntPtr* n_points);
+
+        /// <summary>
+        /// Finds the triangles of surface `number` that cross or touch each other without sharing a point, and
+        /// those that share one point and meet again beyond it. Triangles that share an edge are not tested (they
+        /// cross only when folded flat on each other), nor are those with two corners at one point. Pairs count
+        /// against the limit `triangles`. Free the answer with `tree_crossings_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_crossings(tree_mesh* mesh, UIntPtr number, tree_control* control, tree_crossings** crossings);
+
+        /// <summary>
+        /// Views crossings. Set `pairs-&gt;struct_size` first. Valid until they are freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crossings_view(tree_crossings* crossings, tree_crossing_pairs* pairs);
+
+        /// <summary>
+        /// Ends crossings.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crossings_free(tree_crossings* crossings);
+
+        /// <summary>
+        /// Counts what a mesh has. Set `totals-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_count(tree_mesh* mesh, tree_mesh_totals* totals);
+
+        /// <summary>
+        /// Number of surfaces of a mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_surface_count(tree_mesh* mesh, UIntPtr* n_surfaces);
+
+        /// <summary>
+        /// Views surface `number` of a mesh, from 0 on: nothing is copied. Set `surface-&gt;struct_size` first. Valid
+        /// until the mesh is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_surface(tree_mesh* mesh, UIntPtr number, tree_surface* surface);
+
+        /// <summary>
+        /// The box and a ball around all vertices of surface `number`. Looks at each vertex: keep the answer.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_surface_bounds(tree_mesh* mesh, UIntPtr number, tree_bounds* bounds);
+
+        /// <summary>
+        /// The box and a ball around all vertices of a mesh. Looks at each vertex: keep the answer.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_bounds(tree_mesh* mesh, tree_bounds* bounds);
+
+        /// <summary>
+        /// Checks that a mesh can be drawn and written: columns of equal length, finite numbers, indices and
+        /// materials that exist, looks within their ranges, textures filled. Meshes of this library pass.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_check(tree_mesh* mesh);
+
+        /// <summary>
+        /// As `tree_mesh_check`, of the columns of surface `number` only.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_check_surface(tree_mesh* mesh, UIntPtr number);
+
+        /// <summary>
+        /// Checks that no colour of a material is brighter than 1, on which file formats rely; drawing does not.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_check_colors(tree_mesh* mesh);
+
+        /// <summary>
+        /// Checks that normals have unit length, within half a percent, on which file formats and engines rely;
+        /// drawing does not.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_check_normals(tree_mesh* mesh);
+
+        /// <summary>
+        /// Joins nodes that are nearer than a linking distance by edges of random cost. `params` and `control` may
+        /// be NULL. The same `seed` gives the same graph. Free it with `tree_graph_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_link(tree_graph_nodes* nodes, tree_link_params* @params, ulong seed, tree_control* control, tree_graph** graph);
+
+        /// <summary>
+        /// Makes a graph from elsewhere: `positions` is `n_nodes` times three floats, `edges` is `n_edges` times
+        /// the two nodes that it joins, `costs` a finite cost of 0 or more for each edge. `control` may be NULL;
+        /// only its limits matter. Free the graph with `tree_graph_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_from_edges(float* positions, UIntPtr n_nodes, uint* edges, float* costs, UIntPtr n_edges, tree_control* control, tree_graph** graph);
+
+        /// <summary>
+        /// Views a graph. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_view(tree_graph* graph, tree_graph_columns* columns);
+
+        /// <summary>
+        /// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for a float for each
+        /// node, gets what the path to it costs, infinity where there is none; `predecessors`, NULL or with room
+        /// for a number for each node, gets the node before it on that path, or `TREE_NO_NODE`. A root that does
+        /// not exist reaches nothing. `control` may be NULL.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_search(tree_graph* graph, uint root, tree_control* control, float* costs, uint* predecessors);
+
+        /// <summary>
+        /// Ends a graph.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_free(tree_graph* graph);
+
+        /// <summary>
+        /// Grows a tree of least-cost paths. The same parameters and `seed` give the same bits for any number of
+        /// threads. `params` may be NULL for an oak, `control` and `report` may be NULL. Free the tree with
+        /// `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` says why
+        /// nothing grows, for instance a root outside the volume; `TREE_ERROR_LIMIT` comes before the level that
+        /// would exceed a limit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_grow(tree_path_params* @params, ulong seed, tree_control* control, tree_path_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// As `tree_path_grow`, and hands out the level at which each node of the skeleton was grown: a byte for
+        /// each node, from 1 for the base volume, 0 for nodes of the root system. Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_grow_with_levels(tree_path_params* @params, ulong seed, tree_control* control, tree_path_report* report, tree_bytes** node_levels, tree_tree** tree);
+
+        /// <summary>
+        /// Makes `level`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_level_init(tree_path_level* level, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_strew_params_init(tree_strew_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Strews nodes evenly in a bounded volume, none closer than a separation that follows from their number.
+        /// `params` and `control` may be NULL. The same `seed` gives the same nodes. Free them with
+        /// `tree_graph_nodes_free`. `TREE_ERROR_NO_RESULT` when the volume has no end or no inside.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_strew(tree_volume* volume, tree_strew_params* @params, ulong seed, tree_control* control, tree_graph_nodes** nodes);
+
+        /// <summary>
+        /// Views strewn nodes. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_nodes_view(tree_graph_nodes* nodes, tree_graph_nodes_columns* columns);
+
+        /// <summary>
+        /// Ends strewn nodes. Graphs made of them live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_graph_nodes_free(tree_graph_nodes* nodes);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, an oak: a good tree to begin with.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_params_init(tree_path_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks that all parameters lie in their ranges, as `tree_path_grow` does first. `params` may be NULL for
+        /// an oak; `control` may be NULL, only its limits matter.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_check(tree_path_params* @params, tree_control* control);
+
+        /// <summary>
+        /// Radius in metres of the subgraphs of `params-&gt;levels[index]`: its own, or the one that follows from
+        /// `size` and `shrink`. `params` may be NULL for an oak.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_level_radius(tree_path_params* @params, UIntPtr index, float* radius);
+
+        /// <summary>
+        /// Number of presets: an oak, the twelve trees of Xu and Mould (2012), and two root systems.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr tree_path_preset_count();
+
+        /// <summary>
+        /// Name of a preset, such as `oak`, and what the tree looks like, in a few words. `index` is below
+        /// `tree_path_preset_count`; `title` may be NULL. Both texts are valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_preset_name(UIntPtr index, tree_str* name, tree_str* title);
+
+        /// <summary>
+        /// Seconds that the tree took the authors of the method, in 2012; 0 where it is none of theirs. `index` is
+        /// below `tree_path_preset_count`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_preset_paper_seconds(UIntPtr index, float* seconds);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the preset called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). What
+        /// it points at belongs to the library and lives for ever. `TREE_ERROR_UNKNOWN_NAME` lists the names there
+        /// are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_path_preset(byte* name, UIntPtr len, tree_path_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `options`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_profile_options_init(tree_profile_options* options, UIntPtr size);
+
+        /// <summary>
+        /// Reads a profile from an SVG drawing, `svg` of `len` bytes or `TREE_NUL_TERMINATED`. A closed shape is
+        /// the outline of a tree: at every height half of its width becomes the radius. An open curve is a
+        /// profile: its distance from the axis becomes the radius; the axis is an element whose id is `axis`, or
+        /// else the vertical through the curve's leftmost point. `options` and `control` may be NULL. Free the
+        /// profile with `tree_profile_free`. `TREE_ERROR_FORMAT` when the text is no SVG or draws nothing to use.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_profile_from_svg(byte* svg, UIntPtr len, tree_profile_options* options, tree_control* control, tree_profile** profile);
+
+        /// <summary>
+        /// Views a profile. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_profile_view(tree_profile* profile, tree_profile_columns* columns);
+
+        /// <summary>
+        /// The solid of revolution of a profile round a vertical axis through `base`, three floats. Free it with
+        /// `tree_volume_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_profile_volume(tree_profile* profile, float* @base, tree_volume** volume);
+
+        /// <summary>
+        /// Ends a profile.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_profile_free(tree_profile* profile);
+
+        /// <summary>
+        /// As `tree_profile_from_svg` and `tree_profile_volume` in one.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_from_svg(byte* svg, UIntPtr len, tree_profile_options* options, float* @base, tree_control* control, tree_volume** volume);
+
+        /// <summary>
+        /// Makes `paint`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_paint_init(tree_paint* paint, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_link_params_init(tree_link_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether the segment from `a` to `b`, three floats each, stays outside `obstacle` by at least
+        /// `clearance` metres, 0 or more: 1 or 0. Where both are the same it is asked of the one point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_obstacle_is_free(tree_volume* obstacle, float clearance, float* a, float* b, uint* is_free);
+
+        /// <summary>
+        /// Makes `options`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pool_options_init(tree_pool_options* options, UIntPtr size);
+
+        /// <summary>
+        /// Starts a pool, or asks the host for its threads. `options` may be NULL. Free it with
+        /// `tree_pool_free`. Fails with `TREE_ERROR_NO_RESULT` when a thread cannot be had.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pool_new(tree_pool_options* options, tree_pool** pool);
+
+        /// <summary>
+        /// Number of threads of a pool.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pool_threads(tree_pool* pool, uint* n_threads);
+
+        /// <summary>
+        /// Ends a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
+        /// pool lives on, while a call is at work on it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pool_free(tree_pool* pool);
+
+        /// <summary>
+        /// Views a mask. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mask_view(tree_mask* mask, tree_mask_columns* columns);
+
+        /// <summary>
+        /// Writes a byte for each pixel, rows from top to bottom: 1 where at least half of the pixel is covered,
+        /// else 0. `capacity` must be `width * height` or more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mask_bits(tree_mask* mask, byte* bits, UIntPtr capacity);
+
+        /// <summary>
+        /// The mask in black on white. Free the picture with `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mask_picture(tree_mask* mask, tree_picture** picture);
+
+        /// <summary>
+        /// Ends a mask.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mask_free(tree_mask* mask);
+
+        /// <summary>
+        /// Makes a picture of `4 * width * height` bytes of a program's own, which are copied. `control` may be
+        /// NULL; only its limits matter. Free the picture with `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_picture_from_pixels(uint width, uint height, byte* pixels, UIntPtr n_bytes, tree_control* control, tree_picture** picture);
+
+        /// <summary>
+        /// Views a picture's pixels. Set `pixels-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_picture_view(tree_picture* picture, tree_pixels* pixels);
+
+        /// <summary>
+        /// Writes a picture to a PNG file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends
+        /// with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_picture_write_png(tree_picture* picture, byte* path, UIntPtr path_len);
+
+        /// <summary>
+        /// A picture as a PNG file in memory. Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_picture_to_png(tree_picture* picture, tree_bytes** bytes);
+
+        /// <summary>
+        /// Ends a picture.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_picture_free(tree_picture* picture);
+
+        /// <summary>
+        /// Draws a picture of a mesh. `view`, `style` and `control` may be NULL. Back faces are drawn too, with
+        /// their normals turned over; an empty mesh gives the ground alone. Progress is told in the stages
+        /// `textures`, `light` and `picture`. The same mesh and parameters give the same bytes on every platform
+        /// and for any number of threads. Free the picture with `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_render(tree_mesh* mesh, tree_view* view, tree_style* style, tree_control* control, tree_picture** picture);
+
+        /// <summary>
+        /// The share of each pixel that a mesh covers, by samples. There is no ground. `view` and `control` may
+        /// be NULL. Free the mask with `tree_mask_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_render_mask(tree_mesh* mesh, tree_view* view, tree_control* control, tree_mask** mask);
+
+        /// <summary>
+        /// The mask of a mesh in black on white. `view` and `control` may be NULL. Free the picture with
+        /// `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_render_silhouette(tree_mesh* mesh, tree_view* view, tree_control* control, tree_picture** picture);
+
+        /// <summary>
+        /// Makes `style`, of `size` bytes, the default: a clear day on grass.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_style_init(tree_style* style, UIntPtr size);
+
+        /// <summary>
+        /// Makes `style`, of `size` bytes, light grey paper with ground.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_style_studio(tree_style* style, UIntPtr size);
+
+        /// <summary>
+        /// Makes `view`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_view_init(tree_view* view, UIntPtr size);
+
+        /// <summary>
+        /// The same view with the camera placed where it stands for this mesh. `view` may be NULL for the
+        /// default; `placed` may be the same struct. Set `placed-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_view_place(tree_view* view, tree_mesh* mesh, tree_view* placed);
+
+        /// <summary>
+        /// Makes a skeleton of columns, which are copied. Node 0 is the root, parents come before their children;
+        /// for rows in another order there is `tree_skeleton_from_unordered`. `control` may be NULL; only its
+        /// limits matter. Free the skeleton with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_from_columns(tree_skeleton_columns* columns, tree_control* control, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Makes a skeleton of columns in any order, with the one root anywhere. `rows`, NULL or with room for
+        /// `n_nodes` numbers, gets for each node of the skeleton its row in the columns. Otherwise as
+        /// `tree_skeleton_from_columns`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_from_unordered(tree_skeleton_columns* columns, tree_control* control, uint* rows, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Views a skeleton's columns. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_view(tree_skeleton* skeleton, tree_skeleton_columns* columns);
+
+        /// <summary>
+        /// The box around all nodes, without their radii: its lower corner, then its upper one, in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_bounds(tree_skeleton* skeleton, float* min_max);
+
+        /// <summary>
+        /// Ends a skeleton.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_free(tree_skeleton* skeleton);
+
+        /// <summary>
+        /// Splits a skeleton into axes. Free them with `tree_axes_free`; they do not need the skeleton any more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_axes(tree_skeleton* skeleton, uint rule, tree_axes** axes);
+
+        /// <summary>
+        /// Views the axes. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_axes_view(tree_axes* axes, tree_axis_columns* columns);
+
+        /// <summary>
+        /// Ends the axes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_axes_free(tree_axes* axes);
+
+        /// <summary>
+        /// A new skeleton with other radii: `radii` has `n` floats, one for each node, in metres, 0 or more. Free
+        /// it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_with_radii(tree_skeleton* skeleton, float* radii, UIntPtr n, tree_skeleton** changed);
+
+        /// <summary>
+        /// A new skeleton with its nodes elsewhere: `positions` has three floats for each of `n` nodes, in
+        /// metres. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_with_positions(tree_skeleton* skeleton, float* positions, UIntPtr n, tree_skeleton** changed);
+
+        /// <summary>
+        /// Length of the segment between each node and its parent, in metres; 0 for the root. `lengths` has room
+        /// for `capacity` floats, at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_segment_lengths(tree_skeleton* skeleton, float* lengths, UIntPtr capacity);
+
+        /// <summary>
+        /// Length of the path from the root to each node, in metres. `distances` has room for `capacity` floats,
+        /// at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_distances_to_root(tree_skeleton* skeleton, float* distances, UIntPtr capacity);
+
+        /// <summary>
+        /// Length of the longest path from each node up to a tip, in metres; 0 at tips. `distances` has room for
+        /// `capacity` floats, at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_distances_to_tip(tree_skeleton* skeleton, float* distances, UIntPtr capacity);
+
+        /// <summary>
+        /// Number of nodes from each node up, itself included. `sizes` has room for `capacity` numbers, at least
+        /// one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_subtree_sizes(tree_skeleton* skeleton, uint* sizes, UIntPtr capacity);
+
+        /// <summary>
+        /// Number of tips from each node up; 1 for a tip. `counts` has room for `capacity` numbers, at least one
+        /// for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_tip_counts(tree_skeleton* skeleton, uint* counts, UIntPtr capacity);
+
+        /// <summary>
+        /// The children of every node: those of node `i` are `nodes[starts[i]]` up to, but not including,
+        /// `nodes[starts[i + 1]]`, in rising order. `starts` has room for `starts_capacity` numbers, at least one
+        /// more than there are nodes; `nodes` for `nodes_capacity`, at least one less than there are nodes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_children(tree_skeleton* skeleton, uint* starts, UIntPtr starts_capacity, uint* nodes, UIntPtr nodes_capacity);
+
+        /// <summary>
+        /// Makes `options`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_options_init(tree_swc_options* options, UIntPtr size);
+
+        /// <summary>
+        /// Reads an SWC file: metres, +Y up. Rows keep their order where parents come first; otherwise nodes come
+        /// breadth-first. The path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+        /// `TREE_NUL_TERMINATED`. `options` may be NULL for the defaults, and
+        /// so may `control`, of which only the limits matter. What is wrong with a file is told with its line.
+        /// Free the file with `tree_swc_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_read_file(byte* path, UIntPtr path_len, tree_swc_options* options, tree_control* control, tree_swc** swc);
+
+        /// <summary>
+        /// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read_file`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_read(byte* data, UIntPtr len, tree_swc_options* options, tree_control* control, tree_swc** swc);
+
+        /// <summary>
+        /// The skeleton of an SWC file, not copied. Free it with `tree_skeleton_free`; it may outlive `swc`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_skeleton(tree_swc* swc, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Views what an SWC file held beside the skeleton. Set `contents-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_view(tree_swc* swc, tree_swc_contents* contents);
+
+        /// <summary>
+        /// Ends an SWC file that was read.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_free(tree_swc* swc);
+
+        /// <summary>
+        /// Writes a skeleton as an SWC file, which is whole or absent: written beside its name, then renamed. Ids
+        /// count from 1 in node order; types are 3, which continues the axis, and 4, which starts a lateral. With
+        /// a scale of 1, reading brings back every position and radius exactly, unless it moves the root.
+        /// `options` may be NULL for the defaults.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_write_file(tree_skeleton* skeleton, byte* path, UIntPtr path_len, tree_swc_options* options);
+
+        /// <summary>
+        /// Writes a skeleton as the text of an SWC file, as `tree_swc_write_file` does. Free it with
+        /// `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_swc_write(tree_skeleton* skeleton, tree_swc_options* options, tree_bytes** text);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize_params_init(tree_skeletonize_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `part`, of `size` bytes, the default: nothing.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_part_init(tree_mesh_part* part, UIntPtr size);
+
+        /// <summary>
+        /// The fourth stage: makes a leaf of each leaf component, on the nearest wood of a skeleton as
+        /// `tree_pieces_link` returns it. Positions and sizes are in the units of the mesh already. `control` may
+        /// be NULL. Free the leaves with `tree_found_leaves_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_leaves(tree_separation* separation, tree_skeleton* skeleton, tree_control* control, tree_found_leaves** leaves);
+
+        /// <summary>
+        /// Views the leaves, in the form that `tree_tree_new` takes. Set `foliage-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_found_leaves_foliage(tree_found_leaves* leaves, tree_foliage* foliage);
+
+        /// <summary>
+        /// Views the kinds of leaves. Set `kinds-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_found_leaves_view(tree_found_leaves* leaves, tree_leaf_kinds* kinds);
+
+        /// <summary>
+        /// Ends leaves found in a mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_found_leaves_free(tree_found_leaves* leaves);
+
+        /// <summary>
+        /// The second stage: follows every connected piece of wood from its base, in parallel. `params` and
+        /// `control` may be NULL. Free the pieces with `tree_pieces_free`. `TREE_ERROR_NO_RESULT` where there is
+        /// no wood.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_follow(tree_separation* separation, tree_skeletonize_params* @params, tree_control* control, tree_pieces** pieces);
+
+        /// <summary>
+        /// Makes pieces of `n_pieces` skeletons, which are copied, and of what they stand for: for pieces that were
+        /// changed, or come from elsewhere. `control` may be NULL; only its limits matter.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_new(tree_skeleton** skeletons, tree_piece* rows, UIntPtr n_pieces, tree_control* control, tree_pieces** pieces);
+
+        /// <summary>
+        /// Number of pieces.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_count(tree_pieces* pieces, UIntPtr* n_pieces);
+
+        /// <summary>
+        /// One piece, `index` below their number: its skeleton, copied, in units of the mesh's longest side, and
+        /// what it stands for (NULL if not wanted). Free the skeleton with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_piece(tree_pieces* pieces, UIntPtr index, tree_piece* row, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// The third stage: links pieces over gaps of at most `params.bridge` to one skeleton, seen from its lowest
+        /// thick end. `reached`, NULL or with room for a byte for each piece, says whether it is part of it. Free
+        /// the skeleton with `tree_skeleton_free`. `TREE_ERROR_NO_RESULT` without pieces.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_link(tree_pieces* pieces, tree_skeletonize_params* @params, tree_control* control, byte* reached, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Ends pieces.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pieces_free(tree_pieces* pieces);
+
+        /// <summary>
+        /// The first stage of `tree_skeletonize` by itself: welds the parts and says of each connected component
+        /// what it is. Arguments and errors are as there; `params.weld` counts. Free it with
+        /// `tree_separation_free`.
+        ///
+        /// The stages, one after the other: `tree_separation_new`, `tree_separation_follow`, `tree_pieces_link`,
+        /// `tree_separation_leaves`, `tree_separation_outward`. Up to the last all is in units of the mesh's
+        /// longest side, about its middle, whatever the mesh's own unit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_new(tree_mesh_part* parts, UIntPtr n_parts, tree_skeletonize_params* @params, tree_control* control, tree_separation** separation);
+
+        /// <summary>
+        /// As `tree_separation_new`, of a mesh: see `tree_skeletonize_mesh`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_of_mesh(tree_mesh* mesh, uint* hints, UIntPtr n_hints, tree_skeletonize_params* @params, tree_control* control, tree_separation** separation);
+
+        /// <summary>
+        /// Views a separation. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_view(tree_separation* separation, tree_separation_columns* columns);
+
+        /// <summary>
+        /// The same separation with other classes, one for each component: what a component was taken for need
+        /// not hold. The first one stays as it is. Free the other one too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_with_classes(tree_separation* separation, uint* classes, UIntPtr n_classes, tree_separation** other);
+
+        /// <summary>
+        /// The last stage: brings a skeleton back to the units of the mesh. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_outward(tree_separation* separation, tree_skeleton* skeleton, tree_skeleton** outward);
+
+        /// <summary>
+        /// Ends a separation.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_separation_free(tree_separation* separation);
+
+        /// <summary>
+        /// Makes a tree of a mesh, in the mesh's unit: closed surfaces, tubes stuck into each other, thousands of
+        /// separate prisms; cards or blobs for leaves. `parts` is `n_parts` structs, which are not kept. Its bark is
+        /// named after the part with most wood, leaf kinds after the parts their leaves come from. `params`,
+        /// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_NO_RESULT` where
+        /// nothing looks like wood; `TREE_ERROR_INVALID` for parts whose columns do not fit together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize(tree_mesh_part* parts, UIntPtr n_parts, tree_skeletonize_params* @params, tree_control* control, tree_skeletonize_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// As `tree_skeletonize`, of a mesh: each surface is a part, named after its material. `hints` is NULL, or
+        /// has one for each surface.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize_mesh(tree_mesh* mesh, uint* hints, UIntPtr n_hints, tree_skeletonize_params* @params, tree_control* control, tree_skeletonize_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// Makes a tree of a skeleton, which is copied, and columns of leaves (NULL for none), which are copied.
+        /// `species` may be NULL for an oak. `control` may be NULL; only its limits matter. Free the tree with
+        /// `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_new(tree_skeleton* skeleton, tree_foliage* foliage, tree_species* species, tree_control* control, tree_tree** tree);
+
+        /// <summary>
+        /// The tree's skeleton, not copied. Free it with `tree_skeleton_free`; it may outlive the tree's handle.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_skeleton(tree_tree* tree, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Views the tree's leaves. Set `foliage-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_foliage(tree_tree* tree, tree_foliage* foliage);
+
+        /// <summary>
+        /// Views the tree's species. Set `species-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_species(tree_tree* tree, tree_species* species);
+
+        /// <summary>
+        /// Ends a tree.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_free(tree_tree* tree);
+
+        /// <summary>
+        /// The library's own `TREE_ABI_VERSION`: hold it against the header's before anything else.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern uint tree_abi_version();
+
+        /// <summary>
+        /// The library's version, such as `0.1.0`. Valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern byte* tree_version();
+
+        /// <summary>
+        /// Number of objects alive, of all kinds: for tests that look for leaks. Presets and their parts, which
+        /// are never freed, do not count.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr tree_live_objects();
+
+        /// <summary>
+        /// Ends a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
+        /// belong to the library.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_free(tree_volume* volume);
+
+        /// <summary>
+        /// Makes what lies in any of `n_volumes` volumes, at least 1. As all that combine volumes: the volumes
+        /// may be freed afterwards; combinations nest at most 48 deep (a union of unions is no deeper than one)
+        /// and hold at most 1,048,576 solids.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_union(tree_volume** volumes, UIntPtr n_volumes, tree_volume** volume);
+
+        /// <summary>
+        /// Makes what lies in all of `n_volumes` volumes, at least 1. It may turn out empty, which is no error.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_intersection(tree_volume** volumes, UIntPtr n_volumes, tree_volume** volume);
+
+        /// <summary>
+        /// Makes what lies in `from` but not in `without`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_difference(tree_volume* from, tree_volume* without, tree_volume** volume);
+
+        /// <summary>
+        /// Makes `source` moved, turned, scaled or sheared. `columns` is twelve floats, column by column: where
+        /// the X, Y and Z axes go, three floats each, and then where the origin goes. They must be finite and not
+        /// flatten the volume.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_transformed(tree_volume* source, float* columns, tree_volume** volume);
+
+        /// <summary>
+        /// Says of `n_points` points, three floats each, whether they lie inside: 1 or 0 into `inside`, which has
+        /// room for as many. 0 for points that are not finite. `control` may be NULL; `nodes` of its limits caps
+        /// the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_contains(tree_volume* volume, float* points, UIntPtr n_points, tree_control* control, byte* inside);
+
+        /// <summary>
+        /// Writes the signed distance of `n_points` points, three floats each, from the surface into `distances`,
+        /// which has room for as many: metres, negative inside, NaN for points that are not finite. It is exact,
+        /// or never too long and of the right sign; see `tree_volume_distance_is_exact`. `control` as for
+        /// `tree_volume_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_distance(tree_volume* volume, float* points, UIntPtr n_points, tree_control* control, float* distances);
+
+        /// <summary>
+        /// Whether `tree_volume_distance` is exact everywhere, 1 or 0: 1 for plain solids, turned, moved and
+        /// uniformly scaled or not, 0 for combinations.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_distance_is_exact(tree_volume* volume, uint* is_exact);
+
+        /// <summary>
+        /// A box around the volume: its lower corner, then its upper one, in metres. The smallest for plain
+        /// solids, else not always. Infinite for half-spaces; lower above upper where it is empty.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_bounds(tree_volume* volume, float* min_max);
+
+        /// <summary>
+        /// Whether the bounds are finite, 1 or 0, so that the volume can be sampled and trees can grow in it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_is_bounded(tree_volume* volume, uint* is_bounded);
+
+        /// <summary>
+        /// Cubic metres inside, where there is a closed form: for all plain solids but half-spaces, and these
+        /// transformed. Otherwise NaN; then there is `tree_volume_estimate_measure`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_measure(tree_volume* volume, float* measure);
+
+        /// <summary>
+        /// Cubic metres inside by sampling about `n_samples` points: the same in every run; the error falls a
+        /// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. Looks
+        /// at no control: 20,000 samples take some milliseconds.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_estimate_measure(tree_volume* volume, uint n_samples, float* measure);
+
+        /// <summary>
+        /// Writes `n_points` random points, uniform in the volume, three floats each, into `points`. The same
+        /// `seed` gives the same points. For each at most `attempts` points of the bounds are drawn; 64 do for
+        /// any plain solid but very narrow ones. `TREE_ERROR_NO_RESULT`, and nothing is written, when none of them
+        /// lay inside, or the bounds are infinite or empty. `control` as for `tree_volume_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_sample(tree_volume* volume, UIntPtr n_points, uint attempts, ulong seed, tree_control* control, float* points);
+
+        /// <summary>
+        /// Makes a ball. `center` is three floats; `radius` is above 0. As all that make volumes: metres,
+        /// `TREE_ERROR_PARAMETER` or `TREE_ERROR_INVALID` names what is out of range or not finite, and the
+        /// volume is freed with `tree_volume_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_sphere(float* center, float radius, tree_volume** volume);
+
+        /// <summary>
+        /// Makes an axis-aligned ellipsoid. `center` and `radii` are three floats each; `radii` are half its
+        /// extents, above 0. Turn it with `tree_volume_transformed`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_ellipsoid(float* center, float* radii, tree_volume** volume);
+
+        /// <summary>
+        /// Makes a round cylinder between the middles of its ends, `base` and `top`, three floats each, which
+        /// differ; `radius` is above 0.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_cylinder(float* @base, float* top, float radius, tree_volume** volume);
+
+        /// <summary>
+        /// Makes a truncated cone between the middles of its ends, `base` and `top`, three floats each, which
+        /// differ. Radii are 0 or more, and one of them above 0.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_frustum(float* @base, float* top, float base_radius, float top_radius, tree_volume** volume);
+
+        /// <summary>
+        /// Makes the cone between a disc round `base` and a tip, `apex`, three floats each, which differ;
+        /// `base_radius` is above 0.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_cone(float* @base, float* apex, float base_radius, tree_volume** volume);
+
+        /// <summary>
+        /// Makes all points within `radius`, above 0, of the segment from `start` to `end`, three floats each; a
+        /// ball where both are the same.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_capsule(float* start, float* end, float radius, tree_volume** volume);
+
+        /// <summary>
+        /// Makes an axis-aligned box. `min` and `max` are three floats each; `min` lies below `max` on every
+        /// axis.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_box(float* min, float* max, tree_volume** volume);
+
+        /// <summary>
+        /// Makes all on the side of a plane through `point` that `normal` points away from; three floats each,
+        /// the normal of any length but 0. It has no end: to sample it, intersect it with a solid that has.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_half_space(float* point, float* normal, tree_volume** volume);
+
+        /// <summary>
+        /// Makes the points within `radius`, above 0, of `apex` and within `angle` of `axis`: radians above 0, at
+        /// pi the whole ball. `apex` and `axis` are three floats each, the axis of any length but 0.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_sector(float* apex, float* axis, float angle, float radius, tree_volume** volume);
+
+        /// <summary>
+        /// Makes what a profile sweeps when it turns about `axis`, which has any length but 0 and along which
+        /// heights are counted from `base`; three floats each. `profile` is `n_points` times two floats: distance
+        /// from the axis, 0 or more and not all 0, and height, not all the same. The line is closed to the axis by
+        /// a level line at both ends; heights may rise and fall. `control` may be NULL; only its limits matter
+        /// (`nodes` caps the points).
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_revolution(float* @base, float* axis, float* profile, UIntPtr n_points, tree_control* control, tree_volume** volume);
+
+        /// <summary>
+        /// Makes what a closed triangle mesh bounds. `positions` is `n_positions` times three floats; corners at
+        /// the same place count as one. `indices` is `n_triangles` times three. Along each edge as many triangles
+        /// run one way as the other; inside is where the winding number is not 0. `TREE_ERROR_PARAMETER` names an
+        /// open edge or an index that is too large. `control` may be NULL; only its limits matter (`triangles`
+        /// caps the triangles and the positions).
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_closed_mesh(float* positions, UIntPtr n_positions, uint* indices, UIntPtr n_triangles, tree_control* control, tree_volume** volume);
+
+        /// <summary>
+        /// Views what a volume is made of. Set `solid-&gt;struct_size` first; what it points at is valid until the
+        /// volume is freed. A cone is a frustum; combinations are as the library keeps them, a union of unions as
+        /// one union.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_view(tree_volume* volume, tree_solid* solid);
+
+        /// <summary>
+        /// A part of a combination, `index` below `tree_solid.n_parts`. Free it with `tree_volume_free`; it may
+        /// outlive the combination.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_volume_part(tree_volume* volume, UIntPtr index, tree_volume** part);
+    }
+}
