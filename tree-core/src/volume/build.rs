@@ -165,15 +165,37 @@ impl Volume {
     /// # Complexity
     /// O(parts).
     pub fn union_all(volumes: impl IntoIterator<Item = Self>) -> Result<Self> {
+        Self::merge_all(volumes, union_parts, Solid::Union)
+    }
+
+    /// What lies in all of the volumes; a single one is returned as it is.
+    ///
+    /// # Errors
+    /// [`CoreError::Empty`](crate::CoreError::Empty) for none, or beyond
+    /// [`MAX_DEPTH`](super::MAX_DEPTH) or [`MAX_SOLIDS`].
+    ///
+    /// # Complexity
+    /// O(parts).
+    pub fn intersection_all(volumes: impl IntoIterator<Item = Self>) -> Result<Self> {
+        Self::merge_all(volumes, intersection_parts, Solid::Intersection)
+    }
+
+    fn merge_all(
+        volumes: impl IntoIterator<Item = Self>,
+        parts_of: fn(&Solid) -> Option<&[Self]>,
+        make: fn(Vec<Self>) -> Solid,
+    ) -> Result<Self> {
         let mut parts = Vec::new();
-        let mut only = None;
+        let mut n_volumes = 0_usize;
+        let mut last = None;
         for volume in volumes {
-            extend(&mut parts, &volume, union_parts)?;
-            only = only.is_none().then_some(volume);
+            extend(&mut parts, &volume, parts_of)?;
+            n_volumes += 1;
+            last = Some(volume);
         }
-        match only {
-            Some(volume) => Ok(volume),
-            None => Self::new(Solid::Union(parts)),
+        match last {
+            Some(volume) if n_volumes == 1 => Ok(volume),
+            _ => Self::new(make(parts)),
         }
     }
 

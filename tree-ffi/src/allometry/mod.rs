@@ -1,1 +1,5 @@
 //! How thick branches are.
+
+mod rule;
+
+pub use rule::*;

@@ -5,7 +5,7 @@
 //! among the handles of one of [`SHARDS`] parts, some ten nanoseconds.
 
 use super::failure::{Failure, Result};
-use super::status::TREE_ERROR_HANDLE;
+use super::status::{TREE_ERROR_HANDLE, TREE_ERROR_ORDER};
 use std::collections::BTreeMap;
 use std::sync::{PoisonError, RwLock};
 
@@ -18,9 +18,17 @@ pub(crate) trait Handle: Send + Sync + 'static {
     const NAME: &'static str;
 }
 
+/// What the register knows of an object.
+#[derive(Clone, Copy)]
+struct Entry {
+    name: &'static str,
+    /// The library's own: callers may use it and not free it.
+    for_ever: bool,
+}
+
 /// Addresses are kept with all bits turned over: a leak checker that looks through memory for pointers
 /// shall not take the register for an owner.
-type Shard = RwLock<BTreeMap<usize, &'static str>>;
+type Shard = RwLock<BTreeMap<usize, Entry>>;
 
 static LIVE: [Shard; SHARDS] = [const { RwLock::new(BTreeMap::new()) }; SHARDS];
 
@@ -33,15 +41,15 @@ fn shard(key: usize) -> &'static Shard {
     &LIVE[(key >> 4) % SHARDS]
 }
 
-fn check<T: Handle>(pointer: *const T, argument: &str) -> Result<()> {
+fn check<T: Handle>(pointer: *const T, argument: &str) -> Result<Entry> {
     if pointer.is_null() {
         return Err(Failure::null(argument));
     }
     let key = key(pointer);
     let live = shard(key).read().unwrap_or_else(PoisonError::into_inner);
     match live.get(&key) {
-        Some(&name) if name == T::NAME => Ok(()),
-        Some(&name) => Err(wrong(argument, T::NAME, &format!("it is a {name}"))),
+        Some(&entry) if entry.name == T::NAME => Ok(entry),
+        Some(entry) => Err(wrong(argument, T::NAME, &format!("it is a {}", entry.name))),
         None => Err(wrong(argument, T::NAME, "it was freed, or never was a handle")),
     }
 }
@@ -79,7 +87,10 @@ pub(crate) unsafe fn free<T: Handle>(pointer: *mut T, argument: &str) -> Result<
     if pointer.is_null() {
         return Ok(());
     }
-    check(pointer.cast_const(), argument)?;
+    if check(pointer.cast_const(), argument)?.for_ever {
+        let text = format!("{argument} belongs to the library: it is not freed");
+        return Err(Failure::new(TREE_ERROR_ORDER, text));
+    }
     let key = key(pointer.cast_const());
     let gone = shard(key).write().unwrap_or_else(PoisonError::into_inner).remove(&key);
     if gone.is_none() {
@@ -90,21 +101,26 @@ pub(crate) unsafe fn free<T: Handle>(pointer: *mut T, argument: &str) -> Result<
     Ok(())
 }
 
-fn register<T: Handle>(object: T) -> *mut T {
+fn register<T: Handle>(object: T, for_ever: bool) -> *mut T {
     let pointer = Box::into_raw(Box::new(object));
     let key = key(pointer.cast_const());
-    shard(key).write().unwrap_or_else(PoisonError::into_inner).insert(key, T::NAME);
+    let entry = Entry { name: T::NAME, for_ever };
+    shard(key).write().unwrap_or_else(PoisonError::into_inner).insert(key, entry);
     pointer
 }
 
-/// A handle that is never freed, for constants.
+/// A handle that is never freed, for constants. It does not count among those alive.
 pub(crate) fn register_for_ever<T: Handle>(object: T) -> *const T {
-    register(object)
+    register(object, true)
 }
 
-/// Number of objects alive.
+/// Number of objects alive that callers have to free.
 pub(crate) fn n_live() -> usize {
-    LIVE.iter().map(|shard| shard.read().unwrap_or_else(PoisonError::into_inner).len()).sum()
+    let own = |shard: &Shard| {
+        let live = shard.read().unwrap_or_else(PoisonError::into_inner);
+        live.values().filter(|entry| !entry.for_ever).count()
+    };
+    LIVE.iter().map(own).sum()
 }
 
 /// Where a new handle goes; NULL is there until it is [put](Out::put).
@@ -127,6 +143,6 @@ impl<T: Handle> Out<T> {
     /// Hands the object out.
     pub(crate) fn put(self, object: T) {
         // SAFETY: checked by `out`.
-        unsafe { self.0.write(register(object)) };
+        unsafe { self.0.write(register(object, false)) };
     }
 }
