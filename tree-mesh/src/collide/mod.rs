@@ -19,11 +19,13 @@ mod merge;
 mod wood;
 
 use crate::error::{MeshError, Result};
+use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use tree_core::{Continuation, Control, Skeleton};
 
 /// A cylinder with round ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
 pub struct Capsule {
     /// Middle of one end, in metres.
     pub a: Vec3,

@@ -116,9 +116,33 @@ pub enum Note {
     Unknown,
 }
 
-impl fmt::Display for Note {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl Note {
+    /// Every note.
+    pub const ALL: [Self; 18] = [
+        Self::PointsOrLines,
+        Self::NoPositions,
+        Self::PartialFaces,
+        Self::NormalsComputed,
+        Self::NormalsRepaired,
+        Self::UvsMissing,
+        Self::VertexColors,
+        Self::Deformations,
+        Self::ListedTwice,
+        Self::BlendAsMask,
+        Self::OtherTextures,
+        Self::Clamped,
+        Self::ExternalRefused,
+        Self::ExternalMissing,
+        Self::TextureUnreadable,
+        Self::TextureUnsupported,
+        Self::MaterialUnknown,
+        Self::Unknown,
+    ];
+
+    /// What it says, for people.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
             Self::PointsOrLines => "points or lines left out",
             Self::NoPositions => "primitives without positions left out",
             Self::PartialFaces => "incomplete faces left out",
@@ -137,7 +161,13 @@ impl fmt::Display for Note {
             Self::TextureUnsupported => "textures of an unsupported sort",
             Self::MaterialUnknown => "materials that are not defined",
             Self::Unknown => "statements passed over",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.text())
     }
 }
 

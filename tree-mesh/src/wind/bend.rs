@@ -1,7 +1,7 @@
 //! The reference: vertices moved by the wind on the CPU, with nothing but what vertices carry.
 
 use super::{Branch, sway, vertices};
-use crate::error::Result;
+use crate::error::{MeshError, Result};
 use crate::mesh::Mesh;
 use glam::{Affine3A, Mat3, Quat, Vec3};
 use std::f32::consts::TAU;
@@ -28,6 +28,30 @@ impl Default for Wind {
 }
 
 impl Wind {
+    /// Checks every field against its range. [`bend`] does without: it gives numbers that are not finite
+    /// for a wind that is not.
+    ///
+    /// # Errors
+    /// [`MeshError::Parameter`], naming the first field at fault and its range.
+    pub fn validate(&self) -> Result<()> {
+        let [x, y, z] = self.direction.to_array();
+        for (field, found, min, max) in [
+            ("direction", x, -1e6, 1e6),
+            ("direction", y, -1e6, 1e6),
+            ("direction", z, -1e6, 1e6),
+            ("strength", self.strength, -10.0, 10.0),
+            ("gusts", self.gusts, 0.0, 1.0),
+            ("frequency", self.frequency, 0.0, 100.0),
+            ("flutter", self.flutter, -10.0, 10.0),
+        ] {
+            let found = f64::from(found);
+            if !(min..=max).contains(&found) {
+                return Err(MeshError::Parameter { field, found, min, max });
+            }
+        }
+        Ok(())
+    }
+
     /// Turn of a branch at its tip, in radians.
     fn angle(&self, branch: &Branch, seconds: f32) -> f32 {
         let swing = libm::sinf(TAU * (self.frequency * seconds + branch.phase));
@@ -73,40 +97,68 @@ fn turn(pivot: Vec3, about: Vec3, angle: f32) -> Affine3A {
 /// # Complexity
 /// O(branches + vertices), whatever the depth of the hierarchy.
 pub fn bend(mesh: &Mesh, wind: &Wind, seconds: f32) -> Result<Vec<Vec<Vec3>>> {
-    let turns: Vec<Turn> = mesh
-        .branches
-        .iter()
-        .map(|branch| Turn {
-            pivot: branch.pivot,
-            about: wind.about(branch),
-            angle: wind.angle(branch, seconds),
-        })
-        .collect();
-    // How each branch is carried by those below it; parents come first.
-    let mut carried: Vec<Affine3A> = Vec::with_capacity(turns.len());
-    for (number, branch) in mesh.branches.iter().enumerate() {
-        let parent = branch.parent as usize;
-        carried.push(match (mesh.branches.get(parent), carried.get(parent)) {
-            (Some(below), Some(&carry)) if parent < number => {
-                carry * turns[parent].at(below.reach(branch.pivot))
-            }
-            _ => Affine3A::IDENTITY,
-        });
+    let motion = Motion::new(mesh, wind, seconds);
+    (0..mesh.surfaces.len()).map(|number| motion.surface(mesh, number)).collect()
+}
+
+/// As [`bend`], of one surface only.
+///
+/// # Errors
+/// As [`vertices`].
+///
+/// # Complexity
+/// O(branches + vertices of the surface).
+pub fn bend_surface(mesh: &Mesh, wind: &Wind, seconds: f32, number: usize) -> Result<Vec<Vec3>> {
+    Motion::new(mesh, wind, seconds).surface(mesh, number)
+}
+
+/// What all branches do at one moment.
+struct Motion<'a> {
+    wind: &'a Wind,
+    seconds: f32,
+    turns: Vec<Turn>,
+    /// How each branch is carried by those below it.
+    carried: Vec<Affine3A>,
+}
+
+impl<'a> Motion<'a> {
+    fn new(mesh: &Mesh, wind: &'a Wind, seconds: f32) -> Self {
+        let turns: Vec<Turn> = mesh
+            .branches
+            .iter()
+            .map(|branch| Turn {
+                pivot: branch.pivot,
+                about: wind.about(branch),
+                angle: wind.angle(branch, seconds),
+            })
+            .collect();
+        // Parents come first.
+        let mut carried: Vec<Affine3A> = Vec::with_capacity(turns.len());
+        for (number, branch) in mesh.branches.iter().enumerate() {
+            let parent = branch.parent as usize;
+            carried.push(match (mesh.branches.get(parent), carried.get(parent)) {
+                (Some(below), Some(&carry)) if parent < number => {
+                    carry * turns[parent].at(below.reach(branch.pivot))
+                }
+                _ => Affine3A::IDENTITY,
+            });
+        }
+        Self { wind, seconds, turns, carried }
     }
-    (0..mesh.surfaces.len())
-        .map(|number| {
-            let surface = mesh.surface(number)?;
-            let moved = |(&position, at): (&Vec3, super::VertexWind)| {
-                let branch = at.branch as usize;
-                let (Some(turn), Some(&carry)) = (turns.get(branch), carried.get(branch)) else {
-                    return position;
-                };
-                let fluttered = flutter(position, &at, wind, seconds);
-                (carry * turn.at(at.reach)).transform_point3(fluttered)
+
+    fn surface(&self, mesh: &Mesh, number: usize) -> Result<Vec<Vec3>> {
+        let surface = mesh.surface(number)?;
+        let moved = |(&position, at): (&Vec3, super::VertexWind)| {
+            let branch = at.branch as usize;
+            let (Some(turn), Some(&carry)) = (self.turns.get(branch), self.carried.get(branch))
+            else {
+                return position;
             };
-            Ok(surface.positions.iter().zip(vertices(mesh, number)?).map(moved).collect())
-        })
-        .collect()
+            let fluttered = flutter(position, &at, self.wind, self.seconds);
+            (carry * turn.at(at.reach)).transform_point3(fluttered)
+        };
+        Ok(surface.positions.iter().zip(vertices(mesh, number)?).map(moved).collect())
+    }
 }
 
 /// A leaf's vertex, turned to and fro about the horizontal through its anchor.

@@ -17,7 +17,7 @@ mod bend;
 mod stand;
 mod weights;
 
-pub use bend::{Wind, bend};
+pub use bend::{Wind, bend, bend_surface};
 pub(crate) use stand::stand;
 pub use weights::{VertexWind, leaf_phase, sway, vertices};
 

@@ -162,3 +162,17 @@ fn meshes_without_branches_stay_where_they_are() {
     mesh.surfaces[0].branches = vec![5; mesh.surfaces[0].positions.len()];
     assert!(bend(&mesh, &Wind::default(), 0.0).is_err());
 }
+
+#[test]
+fn one_surface_bends_as_all_do_and_a_wind_that_is_none_is_refused() {
+    let mesh = sample::mesh(2);
+    let wind = Wind::default();
+    let all = bend(&mesh, &wind, 2.5).unwrap();
+    for (number, surface) in all.iter().enumerate() {
+        assert_eq!(&bend_surface(&mesh, &wind, 2.5, number).unwrap(), surface);
+    }
+    assert!(bend_surface(&mesh, &wind, 2.5, all.len()).is_err());
+    assert!(wind.validate().is_ok());
+    assert!(Wind { gusts: 1.5, ..wind }.validate().is_err());
+    assert!(Wind { direction: Vec3::NAN, ..wind }.validate().is_err());
+}

@@ -3,10 +3,12 @@
 use super::{Branch, phase};
 use crate::error::{MeshError, Result};
 use crate::mesh::{Mesh, Surface};
+use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
 /// A vertex in the wind. All but the anchor lie within 0 to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
 pub struct VertexWind {
     /// The branch it moves with, in [`Mesh::branches`]; 0 when the mesh has none.
     pub branch: u32,
