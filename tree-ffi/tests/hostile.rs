@@ -11,6 +11,9 @@ use std::fmt::Write;
 /// Functions that are told nothing wrong by NULL and zeros alone.
 const NULL_IS_FINE: &[&str] = &["tree_mesh_params_check"];
 
+/// Numbers that say how long a call without a control works: a large one is a wish, not a defect.
+const UNBOUNDED: &[(&str, &str)] = &[("tree_volume_estimate_measure", "n_samples")];
+
 /// C that makes a small object of each kind that has no other object behind it, or of those before it.
 const MAKERS: &[(&str, &str)] = &[
     ("tree_cancel", "tree_cancel_new(&made)"),
@@ -20,6 +23,8 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_volume", "tree_volume_sphere(origin, 1, &made)"),
     ("tree_look", "tree_look_plain(NULL, &made)"),
     ("tree_mesh", "tree_mesh_build(live_tree_tree(), live_tree_look(), NULL, NULL, NULL, &made)"),
+    ("tree_picture", "tree_picture_from_pixels(1, 1, pixel, 4, NULL, &made)"),
+    ("tree_mask", "tree_render_mask(live_tree_mesh(), tiny_view(), NULL, &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 
@@ -294,7 +299,7 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
     let name = &function.name;
     writeln!(c, "static int call_{name}(const unsigned *m) {{\n    (void)m; int bad = 0;").unwrap();
     // `tree_x_init(x, size)` believes its size.
-    let believed = name.ends_with("_init") || name == "tree_limits_for_memory";
+    let believed = function.arguments.get(1).is_some_and(|second| second.name == "size");
     for (i, argument) in function.arguments.iter().enumerate() {
         let kind = Kind::of(header, &argument.kind);
         let mut mood = format!("m[{i}]");
@@ -302,6 +307,10 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
         let after_text = i > 0 && function.arguments[i - 1].kind == "const char *";
         if after_text && argument.kind == "size_t" {
             mood = format!("(m[{i}] == 1 ? 3 : m[{i}])");
+        }
+        // Work without a control that the caller asks for in full.
+        if UNBOUNDED.contains(&(name.as_str(), argument.name.as_str())) {
+            mood = format!("m[{i}] % 3");
         }
         let value = if believed && argument.name == "size" {
             let sized = function.arguments[0].kind.trim_end_matches(" *");
@@ -322,15 +331,21 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
         return;
     }
     writeln!(c, "    tree_status status = {call};").unwrap();
-    for (i, argument) in function.arguments.iter().enumerate() {
-        let made = argument.kind.split(' ').next().unwrap_or("");
-        if matches!(Kind::of(header, &argument.kind), Kind::Place) && made != "const" {
-            writeln!(
-                c,
-                "    if (a{i}) handed_out(status, *a{i}, status || !*a{i} ? 0 : {made}_free(*a{i}));"
-            )
-            .unwrap();
-        }
+    let is_place = |one: &header::Named| {
+        matches!(Kind::of(header, &one.kind), Kind::Place) && !one.kind.starts_with("const ")
+    };
+    let places: Vec<_> = (0..function.arguments.len())
+        .filter(|&i| is_place(&function.arguments[i]))
+        .collect();
+    let all_given = places.iter().map(|i| format!("a{i}")).collect::<Vec<_>>().join(" && ");
+    for &i in &places {
+        let made = function.arguments[i].kind.split(' ').next().unwrap_or("");
+        writeln!(
+            c,
+            "    if ({all_given}) \
+             handed_out(status, *a{i}, status || !*a{i} ? 0 : {made}_free(*a{i}));"
+        )
+        .unwrap();
     }
     if let Some(kind) = name.strip_suffix("_free") {
         writeln!(c, "    if (status == TREE_OK && a0 == alive_{kind}) alive_{kind} = NULL;").unwrap();
