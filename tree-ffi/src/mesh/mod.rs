@@ -3,24 +3,40 @@
 mod branches;
 mod build;
 mod continuation;
+mod finish;
+mod import;
+mod materials;
 mod params;
+mod topology;
 mod view;
 
 pub use branches::*;
 pub use build::*;
 pub use continuation::*;
+pub use finish::*;
+pub use import::*;
+pub use materials::*;
 pub use params::*;
+pub use topology::*;
 pub use view::*;
 
 use crate::border::{Handle, call, free, tree_status};
 use ::tree_mesh::Mesh;
+use ::tree_mesh::instance::InstancedTree;
 use std::sync::Arc;
 
 /// Surfaces with their materials, and the branches that move in the wind.
 pub struct tree_mesh {
-    mesh: Arc<Mesh>,
+    held: Held,
     /// Leaf kinds drawn as cards for want of an outline, for the report of the mesh's making.
     leaf_fallbacks: Vec<u32>,
+}
+
+/// A mesh of its own, or part of an instanced tree, which it keeps alive.
+enum Held {
+    Own(Arc<Mesh>),
+    Base(Arc<InstancedTree>),
+    Twig(Arc<InstancedTree>, usize),
 }
 
 impl Handle for tree_mesh {
@@ -28,22 +44,41 @@ impl Handle for tree_mesh {
 }
 
 impl tree_mesh {
-    #[allow(dead_code, reason = "until it has users")]
+    fn holding(held: Held) -> Self {
+        Self { held, leaf_fallbacks: Vec::new() }
+    }
+
     pub(crate) fn new(mesh: Mesh) -> Self {
         Self::shared(Arc::new(mesh))
     }
 
     /// One more handle of a mesh.
     pub(crate) fn shared(mesh: Arc<Mesh>) -> Self {
-        Self { mesh, leaf_fallbacks: Vec::new() }
+        Self::holding(Held::Own(mesh))
     }
 
-    pub(crate) fn built(mesh: Mesh, leaf_fallbacks: Vec<u32>) -> Self {
-        Self { mesh: Arc::new(mesh), leaf_fallbacks }
+    /// The base of an instanced tree.
+    pub(crate) fn base_of(tree: Arc<InstancedTree>) -> Self {
+        Self::holding(Held::Base(tree))
+    }
+
+    /// A twig, which exists, of an instanced tree.
+    pub(crate) fn twig_of(tree: Arc<InstancedTree>, number: usize) -> Self {
+        Self::holding(Held::Twig(tree, number))
+    }
+
+    fn built(mesh: Mesh, leaf_fallbacks: Vec<u32>) -> Self {
+        Self { leaf_fallbacks, ..Self::new(mesh) }
     }
 
     pub(crate) fn rust(&self) -> &Mesh {
-        &self.mesh
+        match &self.held {
+            Held::Own(mesh) => mesh,
+            Held::Base(tree) => &tree.base,
+            Held::Twig(tree, number) => {
+                tree.twigs.get(*number).map_or(&tree.base, |twig| &twig.mesh)
+            }
+        }
     }
 
     fn leaf_fallbacks(&self) -> *const u32 {

@@ -71,7 +71,8 @@ pub struct BarkStyle {
     pub relief: f32,
 }
 
-/// Spots of another colour on bark.
+/// Spots of another colour on bark. Laid out as C does.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patches {
     /// sRGB colour.

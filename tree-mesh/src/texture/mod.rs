@@ -99,7 +99,7 @@ pub fn bark_style(name: &str) -> Result<BarkStyle> {
 
 /// Names of the built-in barks.
 #[must_use]
-pub fn bark_names() -> &'static [&'static str] {
+pub const fn bark_names() -> &'static [&'static str] {
     const NAMES: [&str; bark_presets::TABLE.len()] = names(bark_presets::TABLE);
     &NAMES
 }
@@ -151,7 +151,7 @@ pub fn leaf_shape(name: &str) -> Result<LeafShape> {
 
 /// Names of the built-in leaves: single ones, clusters, needles and fronds.
 #[must_use]
-pub fn leaf_names() -> &'static [&'static str] {
+pub const fn leaf_names() -> &'static [&'static str] {
     const NAMES: [&str; leaf_presets::TABLE.len()] = names(leaf_presets::TABLE);
     &NAMES
 }
