@@ -1,7 +1,9 @@
 //! glTF files, written.
 
 use super::{GltfLevels, tree_bytes, tree_gltf_level};
-use crate::border::{self, Failure, Result, Versioned, call, get, init, out, read_or_default, tree_status, tree_str};
+use crate::border::{
+    self, Failure, Result, Versioned, call, get, init, out, read_or_default, tree_status, tree_str,
+};
 use crate::control::{run, tree_control};
 use crate::mesh::tree_mesh;
 use ::tree_mesh::io::gltf::{self, GlbOptions, OcclusionAs};

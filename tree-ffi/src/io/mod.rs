@@ -2,7 +2,9 @@
 
 mod bytes;
 mod gltf;
+mod gltf_instanced;
 mod gltf_rows;
+mod gltf_wind;
 mod note;
 mod obj;
 mod ply;
@@ -11,7 +13,9 @@ mod report;
 
 pub use bytes::*;
 pub use gltf::*;
+pub use gltf_instanced::*;
 pub use gltf_rows::*;
+pub use gltf_wind::*;
 pub use note::*;
 pub use obj::*;
 pub use ply::*;

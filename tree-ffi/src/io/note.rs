@@ -51,8 +51,10 @@ const _: () = assert!(Note::ALL.len() == TREE_N_NOTES);
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_POINTS_OR_LINES as usize], Note::PointsOrLines));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_NO_POSITIONS as usize], Note::NoPositions));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_PARTIAL_FACES as usize], Note::PartialFaces));
-const _: () = assert!(matches!(Note::ALL[TREE_NOTE_NORMALS_COMPUTED as usize], Note::NormalsComputed));
-const _: () = assert!(matches!(Note::ALL[TREE_NOTE_NORMALS_REPAIRED as usize], Note::NormalsRepaired));
+const _: () =
+    assert!(matches!(Note::ALL[TREE_NOTE_NORMALS_COMPUTED as usize], Note::NormalsComputed));
+const _: () =
+    assert!(matches!(Note::ALL[TREE_NOTE_NORMALS_REPAIRED as usize], Note::NormalsRepaired));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_UVS_MISSING as usize], Note::UvsMissing));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_VERTEX_COLORS as usize], Note::VertexColors));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_DEFORMATIONS as usize], Note::Deformations));
@@ -60,11 +62,16 @@ const _: () = assert!(matches!(Note::ALL[TREE_NOTE_LISTED_TWICE as usize], Note:
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_BLEND_AS_MASK as usize], Note::BlendAsMask));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_OTHER_TEXTURES as usize], Note::OtherTextures));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_CLAMPED as usize], Note::Clamped));
-const _: () = assert!(matches!(Note::ALL[TREE_NOTE_EXTERNAL_REFUSED as usize], Note::ExternalRefused));
-const _: () = assert!(matches!(Note::ALL[TREE_NOTE_EXTERNAL_MISSING as usize], Note::ExternalMissing));
-const _: () = assert!(matches!(Note::ALL[TREE_NOTE_TEXTURE_UNREADABLE as usize], Note::TextureUnreadable));
-const _: () = assert!(matches!(Note::ALL[TREE_NOTE_TEXTURE_UNSUPPORTED as usize], Note::TextureUnsupported));
-const _: () = assert!(matches!(Note::ALL[TREE_NOTE_MATERIAL_UNKNOWN as usize], Note::MaterialUnknown));
+const _: () =
+    assert!(matches!(Note::ALL[TREE_NOTE_EXTERNAL_REFUSED as usize], Note::ExternalRefused));
+const _: () =
+    assert!(matches!(Note::ALL[TREE_NOTE_EXTERNAL_MISSING as usize], Note::ExternalMissing));
+const _: () =
+    assert!(matches!(Note::ALL[TREE_NOTE_TEXTURE_UNREADABLE as usize], Note::TextureUnreadable));
+const _: () =
+    assert!(matches!(Note::ALL[TREE_NOTE_TEXTURE_UNSUPPORTED as usize], Note::TextureUnsupported));
+const _: () =
+    assert!(matches!(Note::ALL[TREE_NOTE_MATERIAL_UNKNOWN as usize], Note::MaterialUnknown));
 const _: () = assert!(matches!(Note::ALL[TREE_NOTE_UNKNOWN as usize], Note::Unknown));
 
 /// What a note says, for people; the text is there for ever.

@@ -1,7 +1,10 @@
 //! Meshes, read.
 
 use super::tree_import_report;
-use crate::border::{self, Failure, Result, TREE_ERROR_PARAMETER, Versioned, bytes, call, init, out, read_or_default, tree_status, view};
+use crate::border::{
+    self, Failure, Result, TREE_ERROR_PARAMETER, Versioned, bytes, call, init, out,
+    read_or_default, tree_status, view,
+};
 use crate::control::{limits, run, tree_control};
 use crate::mesh::tree_mesh;
 use ::tree_mesh::io::{self, ImportOptions, Imported};

@@ -1,8 +1,6 @@
 //! Pictures.
 
-use crate::border::{
-    self, Handle, Versioned, call, free, get, out, slice, tree_status, write,
-};
+use crate::border::{self, Handle, Versioned, call, free, get, out, slice, tree_status, write};
 use crate::control::{limits, tree_control};
 use crate::io::tree_bytes;
 use std::ffi::c_char;

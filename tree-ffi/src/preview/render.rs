@@ -23,9 +23,8 @@ pub unsafe extern "C" fn tree_render(
         let mesh = unsafe { get(mesh, "mesh") }?.rust();
         let view = unsafe { tree_view::read(view) }?;
         let style = unsafe { tree_style::read(style) }?;
-        let made = unsafe {
-            run(control, |control| Ok(preview::render(mesh, &view, &style, control)?))
-        }?;
+        let made =
+            unsafe { run(control, |control| Ok(preview::render(mesh, &view, &style, control)?)) }?;
         place.put(tree_picture::new(made));
         Ok(())
     })

@@ -92,7 +92,9 @@ impl tree_style {
             backdrop: match self.backdrop {
                 TREE_BACKDROP_SKY => Backdrop::Sky,
                 TREE_BACKDROP_STUDIO => Backdrop::Studio,
-                other => return Err(Failure::not_one_of("style.backdrop", other, "TREE_BACKDROP_")),
+                other => {
+                    return Err(Failure::not_one_of("style.backdrop", other, "TREE_BACKDROP_"));
+                }
             },
             ground: (self.has_ground != 0).then_some(self.ground),
             ground_color: self.ground_color,

@@ -1,0 +1,114 @@
+//! Trees as bark and instanced leaves.
+
+use super::tree_gltf_instances;
+use crate::border::{
+    Handle, Result, Versioned, call, free, get, get_opt, out, out_value, tree_status, tree_str,
+};
+use crate::control::{run, tree_control};
+use crate::look::tree_look;
+use crate::mesh::{column, mesh_params, tree_mesh, tree_mesh_params};
+use crate::tree::tree_tree;
+use ::tree_mesh::Look;
+use ::tree_mesh::io::gltf::{self, Instances};
+use std::borrow::Cow;
+use std::ptr::null_mut;
+
+/// Leaves of a tree, one small mesh for each kind and where its copies stand.
+pub struct tree_gltf_leaves {
+    /// What `rows` points into; the meshes are in handles of their own.
+    _held: Vec<Instances>,
+    rows: Vec<tree_gltf_instances>,
+}
+
+// SAFETY: points into what the same object holds and nothing changes.
+unsafe impl Send for tree_gltf_leaves {}
+// SAFETY: as above.
+unsafe impl Sync for tree_gltf_leaves {}
+
+impl Handle for tree_gltf_leaves {
+    const NAME: &'static str = "tree_gltf_leaves";
+}
+
+impl tree_gltf_leaves {
+    fn new(leaves: Vec<Instances>) -> Result<Self> {
+        let mut all = Self { _held: leaves, rows: Vec::new() };
+        for kind in &mut all._held {
+            let mut mesh = null_mut();
+            unsafe { out(&mut mesh, "mesh") }?.put(tree_mesh::new(std::mem::take(&mut kind.mesh)));
+            all.rows.push(tree_gltf_instances {
+                name: tree_str::of(&kind.name),
+                mesh,
+                n: kind.translations.len(),
+                translations: kind.translations.as_ptr().cast(),
+                rotations: kind.rotations.as_ptr().cast(),
+                scales: kind.scales.as_ptr().cast(),
+                ..tree_gltf_instances::default_value()
+            });
+        }
+        Ok(all)
+    }
+}
+
+impl Drop for tree_gltf_leaves {
+    fn drop(&mut self) {
+        for row in &self.rows {
+            // A caller who freed it against the rules gets no second error.
+            let _ = unsafe { free(row.mesh.cast_mut(), "mesh") };
+        }
+    }
+}
+
+/// Builds a tree with one mesh for each kind of leaf instead of a copy for each leaf. Normals of
+/// instanced leaves are those of the leaf itself: the parameters cannot turn them towards the outside of
+/// the crown. `look`, `params` and `control` are as in `tree_mesh_build`. Free the bark with
+/// `tree_mesh_free` and the leaves with `tree_gltf_leaves_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_mesh_build_instanced(
+    tree: *const tree_tree,
+    look: *const tree_look,
+    params: *const tree_mesh_params,
+    control: *const tree_control,
+    bark: *mut *mut tree_mesh,
+    leaves: *mut *mut tree_gltf_leaves,
+) -> tree_status {
+    call(|| {
+        let bark_place = unsafe { out(bark, "bark") }?;
+        let leaves_place = unsafe { out(leaves, "leaves") }?;
+        let tree = unsafe { get(tree, "tree") }?.rust();
+        let params = unsafe { mesh_params(params) }?;
+        let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);
+        let made = unsafe {
+            run(control, |control| {
+                let look = match look {
+                    Some(look) => Cow::Borrowed(look),
+                    None => Cow::Owned(Look::built_in(tree.species())?),
+                };
+                Ok(gltf::instanced(tree, &look, &params, control)?)
+            })
+        }?;
+        leaves_place.put(tree_gltf_leaves::new(made.leaves)?);
+        bark_place.put(tree_mesh::new(made.mesh));
+        Ok(())
+    })
+}
+
+/// Views the leaves, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
+/// kinds there are. Their meshes belong to the leaves: do not free them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_gltf_leaves_view(
+    leaves: *const tree_gltf_leaves,
+    rows: *mut *const tree_gltf_instances,
+    n: *mut usize,
+) -> tree_status {
+    call(|| {
+        let leaves = &unsafe { get(leaves, "leaves") }?.rows;
+        unsafe { out_value(rows, column(leaves), "rows") }?;
+        unsafe { out_value(n, leaves.len(), "n") }
+    })
+}
+
+/// Ends leaves, and their meshes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_gltf_leaves_free(leaves: *mut tree_gltf_leaves) -> tree_status {
+    call(|| unsafe { free(leaves, "leaves") })
+}
