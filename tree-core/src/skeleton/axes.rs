@@ -72,6 +72,19 @@ impl Axes {
         &self.axis_of
     }
 
+    /// Where the nodes of each axis begin in [`nodes`](Self::nodes), and at last where they all end: one
+    /// more than there are axes.
+    #[must_use]
+    pub fn starts(&self) -> &[u32] {
+        &self.starts
+    }
+
+    /// The nodes of all axes, axis after axis, each from base to tip; [`starts`](Self::starts) parts them.
+    #[must_use]
+    pub fn nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+
     /// The Gravelius order of each axis.
     #[must_use]
     pub fn orders(&self) -> &[u32] {

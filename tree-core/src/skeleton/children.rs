@@ -10,6 +10,19 @@ pub struct Children {
 }
 
 impl Children {
+    /// Where the children of each node begin in [`nodes`](Self::nodes), and at last where they all end:
+    /// one more than there are nodes.
+    #[must_use]
+    pub fn starts(&self) -> &[u32] {
+        &self.starts
+    }
+
+    /// The children of all nodes, node after node; [`starts`](Self::starts) parts them.
+    #[must_use]
+    pub fn nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+
     /// Children of `node` in rising order; empty for a tip and for a node that does not exist.
     #[must_use]
     pub fn of(&self, node: u32) -> &[u32] {

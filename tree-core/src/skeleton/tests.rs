@@ -152,6 +152,11 @@ proptest! {
     fn every_node_is_one_child_and_on_one_axis(skeleton in any_skeleton(200)) {
         skeleton.check().unwrap();
         let children = skeleton.children();
+        prop_assert_eq!(children.starts().len(), skeleton.len() + 1);
+        for (node, ends) in children.starts().windows(2).enumerate() {
+            let row = &children.nodes()[ends[0] as usize..ends[1] as usize];
+            prop_assert_eq!(children.of(node as u32), row);
+        }
         let mut listed: Vec<u32> =
             (0..skeleton.len() as u32).flat_map(|node| children.of(node).to_vec()).collect();
         listed.sort_unstable();
@@ -159,8 +164,11 @@ proptest! {
 
         for rule in [Continuation::Thickest, Continuation::Longest, Continuation::Straightest] {
             let axes = skeleton.axes(rule);
+            prop_assert_eq!(axes.starts().len(), axes.len() + 1);
             let mut on_axes = 0;
             for axis in axes.iter() {
+                let ends = &axes.starts()[axis.index as usize..][..2];
+                prop_assert_eq!(axis.nodes, &axes.nodes()[ends[0] as usize..ends[1] as usize]);
                 on_axes += axis.nodes.len();
                 for pair in axis.nodes.windows(2) {
                     prop_assert_eq!(skeleton.parent(pair[1]), Some(pair[0]));

@@ -1,7 +1,9 @@
 //! Parameters of leaf placement.
 
 use super::arrangement::{Arrangement, tree_phyllotaxis};
-use crate::border::{Failure, Result, TREE_ERROR_PARAMETER, Versioned, call, init, tree_status};
+use crate::border::{
+    Failure, Result, TREE_ERROR_PARAMETER, Versioned, call, init, read, tree_status,
+};
 use glam::Vec3;
 use tree_model::foliage::{LeafForm, LeafParams, Palmate, Pinnate};
 
@@ -248,4 +250,14 @@ pub unsafe extern "C" fn tree_leaf_params_init(
     size: usize,
 ) -> tree_status {
     call(|| unsafe { init(params, size) })
+}
+
+/// Whether all fields are in order for a species with `n_kinds` kinds of leaves: `TREE_OK`, or the error
+/// that their use would give.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_leaf_params_check(
+    params: *const tree_leaf_params,
+    n_kinds: usize,
+) -> tree_status {
+    call(|| Ok(unsafe { read(params, "params") }?.rust()?.validate(n_kinds)?))
 }

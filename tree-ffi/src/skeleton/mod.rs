@@ -1,5 +1,16 @@
 //! Skeletons: the branches of a tree, node by node.
 
+mod axes;
+mod column;
+mod measure;
+mod swc;
+
+pub use axes::*;
+pub(crate) use column::column;
+pub use column::*;
+pub use measure::*;
+pub use swc::*;
+
 use crate::border::{
     Handle, Result, Versioned, call, fill, free, get, out, slice, tree_status, vec3s, write,
 };
@@ -14,9 +25,9 @@ pub const TREE_NO_PARENT: u32 = 0xFFFF_FFFF;
 /// Branches as a rooted tree of nodes with radii.
 pub struct tree_skeleton(Held);
 
-/// A skeleton of its own, or that of a tree which it keeps alive.
+/// A skeleton of its own (which the file it came from may share), or that of a tree which it keeps alive.
 enum Held {
-    Own(Skeleton),
+    Own(Arc<Skeleton>),
     Of(Arc<Tree>),
 }
 
@@ -26,6 +37,10 @@ impl Handle for tree_skeleton {
 
 impl tree_skeleton {
     pub(crate) fn own(skeleton: Skeleton) -> Self {
+        Self::shared(Arc::new(skeleton))
+    }
+
+    pub(crate) fn shared(skeleton: Arc<Skeleton>) -> Self {
         Self(Held::Own(skeleton))
     }
 

@@ -1,6 +1,10 @@
 #include "check.h"
+#include <math.h>
+#include <time.h>
 
-void test_skeleton(void) {
+static int near(double a, double b) { return fabs(a - b) < 1e-5; }
+
+static void test_columns(void) {
     tree_skeleton *fork = a_fork();
     tree_skeleton_columns view = {.struct_size = sizeof view};
     OK(tree_skeleton_view(fork, &view));
@@ -36,4 +40,269 @@ void test_skeleton(void) {
     OK(tree_skeleton_free(fork));
     FAILS(TREE_ERROR_HANDLE, "freed", tree_skeleton_free(fork));
     OK(tree_skeleton_free(NULL));
+}
+
+static void test_replaced_columns(void) {
+    tree_skeleton *fork = a_fork(), *changed = NULL;
+    tree_skeleton_columns view = {.struct_size = sizeof view};
+    float radii[] = {0.4f, 0.3f, 0.2f, 0.1f};
+    OK(tree_skeleton_with_radii(fork, radii, 4, &changed));
+    OK(tree_skeleton_view(changed, &view));
+    CHECK(view.radii[2] == 0.2f && view.parents[2] == 1);
+    OK(tree_skeleton_free(changed));
+    OK(tree_skeleton_view(fork, &view));
+    CHECK(view.radii[2] == 0.01f);
+
+    FAILS(TREE_ERROR_INVALID, "radii", tree_skeleton_with_radii(fork, radii, 3, &changed));
+    CHECK(changed == NULL);
+    FAILS(TREE_ERROR_NULL, "radii", tree_skeleton_with_radii(fork, NULL, 4, &changed));
+    radii[3] = -1.0f;
+    CHECK(tree_skeleton_with_radii(fork, radii, 4, &changed) != TREE_OK && changed == NULL);
+
+    float positions[12] = {0, 0, 0, 0, 2, 0, 1, 3, 0, -1, 3, 0};
+    OK(tree_skeleton_with_positions(fork, positions, 4, &changed));
+    OK(tree_skeleton_view(changed, &view));
+    CHECK(view.positions[4] == 2.0f && view.radii[1] == 0.08f);
+    OK(tree_skeleton_free(changed));
+    positions[5] = NAN;
+    FAILS(TREE_ERROR_INVALID, "positions",
+          tree_skeleton_with_positions(fork, positions, 4, &changed));
+    OK(tree_skeleton_free(fork));
+}
+
+static void test_axes(void) {
+    tree_skeleton *fork = a_fork();
+    tree_axes *axes = NULL;
+    OK(tree_skeleton_axes(fork, TREE_CONTINUATION_LONGEST, &axes));
+    OK(tree_skeleton_free(fork));
+    tree_axis_columns view = {.struct_size = sizeof view};
+    OK(tree_axes_view(axes, &view));
+    CHECK(view.n_axes == 2 && view.n_nodes == 4);
+    CHECK(view.orders[0] == 0 && view.orders[1] == 1);
+    CHECK(view.starts[0] == 0 && view.starts[1] == 3 && view.starts[2] == 4);
+    CHECK(view.nodes[2] == 2 && view.nodes[3] == 3);
+    CHECK(view.axis_of[1] == 0 && view.axis_of[3] == 1);
+    OK(tree_axes_free(axes));
+    FAILS(TREE_ERROR_HANDLE, "freed", tree_axes_view(axes, &view));
+
+    fork = a_fork();
+    OK(tree_skeleton_axes(fork, TREE_CONTINUATION_STRAIGHTEST, &axes));
+    OK(tree_axes_view(axes, &view));
+    CHECK(view.axis_of[2] == 0);
+    OK(tree_axes_free(axes));
+    FAILS(TREE_ERROR_ENUM, "TREE_CONTINUATION_", tree_skeleton_axes(fork, 3, &axes));
+    CHECK(axes == NULL);
+    OK(tree_skeleton_free(fork));
+}
+
+static void test_measures(void) {
+    tree_skeleton *fork = a_fork();
+    float lengths[4], low[4], high[4];
+    uint32_t sizes[4], tips[4];
+    OK(tree_skeleton_segment_lengths(fork, lengths, 4));
+    OK(tree_skeleton_distances_to_root(fork, low, 4));
+    OK(tree_skeleton_distances_to_tip(fork, high, 4));
+    OK(tree_skeleton_subtree_sizes(fork, sizes, 4));
+    OK(tree_skeleton_tip_counts(fork, tips, 4));
+    double longest = sqrt(0.5 * 0.5 + 1.5 * 1.5);
+    CHECK(lengths[0] == 0 && lengths[1] == 1 && near(lengths[2], longest));
+    CHECK(low[0] == 0 && near(low[2], 1 + longest));
+    CHECK(near(high[0], 1 + longest) && high[2] == 0 && high[3] == 0);
+    CHECK(sizes[0] == 4 && sizes[1] == 3 && sizes[3] == 1);
+    CHECK(tips[0] == 2 && tips[2] == 1);
+
+    uint32_t starts[5], nodes[3];
+    OK(tree_skeleton_children(fork, starts, 5, nodes, 3));
+    CHECK(starts[0] == 0 && starts[1] == 1 && starts[2] == 3 && starts[4] == 3);
+    CHECK(nodes[0] == 1 && nodes[1] == 2 && nodes[2] == 3);
+
+    FAILS(TREE_ERROR_BUFFER, "lengths", tree_skeleton_segment_lengths(fork, lengths, 3));
+    FAILS(TREE_ERROR_NULL, "counts", tree_skeleton_tip_counts(fork, NULL, 4));
+    FAILS(TREE_ERROR_BUFFER, "starts", tree_skeleton_children(fork, starts, 4, nodes, 3));
+    FAILS(TREE_ERROR_BUFFER, "nodes", tree_skeleton_children(fork, starts, 5, nodes, 2));
+    OK(tree_skeleton_free(fork));
+
+    /* A lone node has no children, and needs no room for them. */
+    float position[3] = {0, 0, 0}, radius = 0.1f;
+    uint32_t parent = TREE_NO_PARENT;
+    tree_skeleton_columns columns = {sizeof columns, 1, position, &radius, &parent};
+    OK(tree_skeleton_from_columns(&columns, NULL, &fork));
+    OK(tree_skeleton_children(fork, starts, 2, NULL, 0));
+    CHECK(starts[0] == 0 && starts[1] == 0);
+    OK(tree_skeleton_free(fork));
+}
+
+static void test_radii(void) {
+    tree_skeleton *fork = a_fork(), *changed = NULL;
+    tree_radius_rule rule;
+    float radii[4];
+    OK(tree_radius_rule_init(&rule, sizeof rule));
+    CHECK(rule.kind == TREE_RADII_PIPE && rule.exponent == (float)TREE_PIPE_MURRAY);
+    CHECK(rule.trunk_radius == 0 && rule.zeta == 0.3f && rule.strand_diameter == 0.004f);
+    OK(tree_radius_rule_check(&rule));
+
+    OK(tree_skeleton_radii(fork, NULL, radii, 4));
+    CHECK(radii[2] == 0.002f && radii[0] > radii[1] && radii[1] > radii[2]);
+    rule.trunk_radius = 0.2f;
+    OK(tree_skeleton_by_rule(fork, &rule, &changed));
+    tree_skeleton_columns view = {.struct_size = sizeof view};
+    OK(tree_skeleton_view(changed, &view));
+    CHECK(view.radii[0] == 0.2f && view.positions[4] == 1.0f);
+    OK(tree_skeleton_free(changed));
+
+    rule.kind = TREE_RADII_TIP_DISTANCE;
+    OK(tree_skeleton_radii(fork, &rule, radii, 4));
+    CHECK(radii[2] == 0.001f && near(radii[1], 0.05 * pow(sqrt(2.5), 0.3)));
+    uint32_t levels[4] = {1, 1, 1, 1};
+    float halved[4];
+    OK(tree_skeleton_radii_at_levels(fork, levels, 4, &rule, halved, 4));
+    CHECK(near(halved[1], radii[1] / 2));
+    FAILS(TREE_ERROR_INVALID, "levels",
+          tree_skeleton_radii_at_levels(fork, levels, 3, NULL, halved, 4));
+
+    rule.kind = TREE_RADII_STRANDS;
+    uint64_t strands[4];
+    OK(tree_skeleton_strands(fork, NULL, strands, 4));
+    CHECK(strands[0] == 2 && strands[1] == 2 && strands[2] == 1 && strands[3] == 1);
+    rule.strand_count = TREE_STRANDS_BY_ANGLE;
+    rule.strand_base = 100;
+    OK(tree_skeleton_strands(fork, &rule, strands, 4));
+    CHECK(strands[1] == 100 && strands[2] + strands[3] == 100 && strands[2] > strands[3]);
+    OK(tree_skeleton_radii(fork, &rule, radii, 4));
+    CHECK(near(radii[0], 0.02));
+
+    rule.strand_base = 1;
+    FAILS(TREE_ERROR_PARAMETER, "count.base", tree_skeleton_strands(fork, &rule, strands, 4));
+    rule.strand_count = 2;
+    FAILS(TREE_ERROR_ENUM, "TREE_STRANDS_", tree_skeleton_radii(fork, &rule, radii, 4));
+    rule.kind = 3;
+    FAILS(TREE_ERROR_ENUM, "TREE_RADII_", tree_skeleton_by_rule(fork, &rule, &changed));
+    CHECK(changed == NULL);
+    rule.kind = TREE_RADII_PIPE;
+    rule.taper = 2;
+    FAILS(TREE_ERROR_PARAMETER, "taper", tree_radius_rule_check(&rule));
+    rule.taper = NAN;
+    CHECK(tree_radius_rule_check(&rule) != TREE_OK && strstr(tree_error_text(), "taper"));
+    FAILS(TREE_ERROR_BUFFER, "radii", tree_skeleton_radii(fork, NULL, radii, 3));
+    OK(tree_skeleton_free(fork));
+}
+
+static void test_angles(void) {
+    float angles[2];
+    OK(tree_murray_angles(1.26f, 1, 1, &angles));
+    CHECK(near(angles[0], angles[1]) && fabs(angles[0] - 0.654) < 1e-2);
+    OK(tree_pipe_angles((float)TREE_PIPE_MANDELBROT, 0.1f, 1, &angles));
+    CHECK(angles[0] > angles[1] && angles[1] > 0);
+    OK(tree_pipe_angles((float)TREE_PIPE_DA_VINCI, 1, 1, &angles));
+    CHECK(near(angles[0], 0));
+    OK(tree_strand_angles(3, 1, 1, &angles));
+    CHECK(near(angles[0], 0.25) && near(angles[1], 0.75));
+    FAILS(TREE_ERROR_PARAMETER, "r0", tree_murray_angles(5, 1, 1, &angles));
+    FAILS(TREE_ERROR_PARAMETER, "exponent", tree_pipe_angles(1, 1, 1, &angles));
+    FAILS(TREE_ERROR_PARAMETER, "s1", tree_strand_angles(0, 0, 1, &angles));
+    FAILS(TREE_ERROR_NULL, "angles", tree_strand_angles(1, 1, 1, NULL));
+}
+
+static void test_swc_text(void) {
+    static const char text[] = "# a survey\n7 3 5 6 0 0 -1\n9 3 5 6 2 0.5 7 8\n11 4 5 7 3 0 9\n";
+    tree_swc_options options;
+    OK(tree_swc_options_init(&options, sizeof options));
+    CHECK(options.scale == 1 && options.up == TREE_SWC_UP_Z && options.base_at_origin == 1);
+    options.unknown_radius = TREE_SWC_RADIUS_INTERPOLATE;
+    tree_swc *swc = NULL;
+    OK(tree_swc_read((const uint8_t *)text, TREE_NUL_TERMINATED, &options, NULL, &swc));
+    tree_swc_contents contents = {.struct_size = sizeof contents};
+    OK(tree_swc_view(swc, &contents));
+    CHECK(contents.n_nodes == 3 && contents.types[2] == 4 && contents.ids[1] == 9);
+    CHECK(contents.n_unknown_radii == 2 && contents.n_filled_radii == 2);
+    CHECK(contents.n_rows_with_more_fields == 1 && contents.reordered == 0);
+    CHECK(contents.moved_by[0] == -5 && contents.moved_by[2] == 6);
+    CHECK(contents.comments.len >= 8 && strstr(contents.comments.data, "a survey"));
+
+    tree_skeleton *skeleton = NULL;
+    OK(tree_swc_skeleton(swc, &skeleton));
+    OK(tree_swc_free(swc));
+    tree_skeleton_columns view = {.struct_size = sizeof view};
+    OK(tree_skeleton_view(skeleton, &view));
+    CHECK(view.positions[4] == 2 && view.radii[2] == 0.5f);
+    OK(tree_skeleton_free(skeleton));
+
+    FAILS(TREE_ERROR_FORMAT, "2", tree_swc_read((const uint8_t *)"1 3 0 0 0 1 -1\n2 3", 18, NULL, NULL, &swc));
+    CHECK(swc == NULL);
+    tree_limits limits;
+    OK(tree_limits_init(&limits, sizeof limits));
+    limits.nodes = 2;
+    tree_control control;
+    OK(tree_control_init(&control, sizeof control));
+    control.limits = &limits;
+    FAILS(TREE_ERROR_LIMIT, "nodes",
+          tree_swc_read((const uint8_t *)text, sizeof text - 1, NULL, &control, &swc));
+    options.up = 2;
+    FAILS(TREE_ERROR_ENUM, "TREE_SWC_UP_",
+          tree_swc_read((const uint8_t *)text, sizeof text - 1, &options, NULL, &swc));
+    options.up = TREE_SWC_UP_Y;
+    options.unknown_radius = 2;
+    FAILS(TREE_ERROR_ENUM, "TREE_SWC_RADIUS_",
+          tree_swc_read((const uint8_t *)text, sizeof text - 1, &options, NULL, &swc));
+    options.unknown_radius = TREE_SWC_RADIUS_KEEP;
+    options.reserved = 1;
+    FAILS(TREE_ERROR_PARAMETER, "reserved",
+          tree_swc_read((const uint8_t *)text, sizeof text - 1, &options, NULL, &swc));
+    FAILS(TREE_ERROR_NULL, "data", tree_swc_read(NULL, 3, NULL, NULL, &swc));
+}
+
+static void test_swc_files(void) {
+    tree_skeleton *fork = a_fork(), *again = NULL;
+    tree_skeleton_columns one = {.struct_size = sizeof one}, two = one;
+    OK(tree_skeleton_view(fork, &one));
+
+    tree_bytes *bytes = NULL;
+    OK(tree_swc_write(fork, NULL, &bytes));
+    const uint8_t *data = NULL;
+    size_t len = 0;
+    OK(tree_bytes_view(bytes, &data, &len));
+    tree_swc *swc = NULL;
+    OK(tree_swc_read(data, len, NULL, NULL, &swc));
+    OK(tree_swc_skeleton(swc, &again));
+    OK(tree_skeleton_view(again, &two));
+    CHECK(two.n_nodes == 4 && !memcmp(one.positions, two.positions, 12 * sizeof(float)));
+    OK(tree_skeleton_free(again));
+    OK(tree_swc_free(swc));
+    OK(tree_bytes_free(bytes));
+
+    const char *folder = getenv("TMPDIR");
+    char path[512];
+    snprintf(path, sizeof path, "%s/tree-%p-%ld.swc", folder ? folder : "/tmp", (void *)fork,
+             (long)time(NULL));
+    tree_swc_options options;
+    OK(tree_swc_options_init(&options, sizeof options));
+    options.up = TREE_SWC_UP_Y;
+    OK(tree_swc_write_file(fork, path, TREE_NUL_TERMINATED, &options));
+    OK(tree_swc_read_file(path, strlen(path), &options, NULL, &swc));
+    OK(tree_swc_skeleton(swc, &again));
+    OK(tree_skeleton_view(again, &two));
+    CHECK(!memcmp(one.radii, two.radii, 4 * sizeof(float)));
+    OK(tree_skeleton_free(again));
+    OK(tree_swc_free(swc));
+    CHECK(remove(path) == 0);
+
+    FAILS(TREE_ERROR_IO, path, tree_swc_read_file(path, strlen(path), NULL, NULL, &swc));
+    FAILS(TREE_ERROR_IO, "nowhere",
+          tree_swc_write_file(fork, "/nowhere/at/all.swc", TREE_NUL_TERMINATED, NULL));
+    options.scale = 0;
+    FAILS(TREE_ERROR_PARAMETER, "scale", tree_swc_write_file(fork, path, strlen(path), &options));
+    options.scale = NAN;
+    CHECK(tree_swc_write(fork, &options, &bytes) != TREE_OK && bytes == NULL);
+    OK(tree_skeleton_free(fork));
+}
+
+void test_skeleton(void) {
+    test_columns();
+    test_replaced_columns();
+    test_axes();
+    test_measures();
+    test_radii();
+    test_angles();
+    test_swc_text();
+    test_swc_files();
 }

@@ -94,6 +94,24 @@ pub fn grow_leaves_in(
     Ok(grow(skeleton, params, Some(density), false, seed, control)?.0)
 }
 
+/// Grows leaves as [`grow_leaves`] does, or with a density as [`grow_leaves_in`] does, and reports either
+/// way.
+///
+/// # Errors
+/// As [`grow_leaves`].
+///
+/// # Complexity
+/// As [`grow_leaves_in`].
+pub fn grow_leaves_and_report(
+    skeleton: &Skeleton,
+    params: &LeafParams,
+    density: Option<&DensityField<'_>>,
+    seed: Seed,
+    control: &Control,
+) -> Result<Leaves> {
+    Ok(grow(skeleton, params, density, false, seed, control)?.0)
+}
+
 /// Grows leaves together with their petioles and rachises as thin branches, for close-ups: a mesher
 /// draws them without knowing what a compound leaf is.
 ///

@@ -35,7 +35,8 @@ pub(crate) use arrangement::GOLDEN_ANGLE;
 pub use arrangement::Phyllotaxis;
 pub use form::{LeafForm, Palmate, Pinnate};
 pub use grow::{
-    LeafReport, Leaves, StalkedLeaves, grow_leaves, grow_leaves_in, grow_leaves_with_stalks,
+    LeafReport, Leaves, StalkedLeaves, grow_leaves, grow_leaves_and_report, grow_leaves_in,
+    grow_leaves_with_stalks,
 };
 pub use params::LeafParams;
 pub use sites::{DENSITY_CAP, DensityField};

@@ -39,6 +39,19 @@ fn a_density_of_one_is_as_good_as_none() {
 }
 
 #[test]
+fn a_report_changes_no_leaf() {
+    let (shoot, control) = (shoot(10.0), Control::default());
+    let params = calm(Phyllotaxis::Decussate);
+    let plain = grow_leaves(&shoot, &params, Seed(4), &control).unwrap();
+    let told = grow_leaves_and_report(&shoot, &params, None, Seed(4), &control).unwrap();
+    assert_eq!(told.foliage, plain);
+    assert_eq!(told.report.n_blades, plain.len() as u64);
+    let half = |_: Vec3| 0.5;
+    let told = grow_leaves_and_report(&shoot, &params, Some(&half), Seed(4), &control).unwrap();
+    assert_eq!(told, grow_at(&params, 0.5));
+}
+
+#[test]
 fn whorls_stay_whole() {
     let params = many(Phyllotaxis::Whorled { count: 3 });
     let leaves = grow_at(&params, 0.4);
