@@ -22,6 +22,7 @@ const CHUNK: usize = 4096;
 const ARCS_PER_NODE: f32 = 4.0 / 3.0 * std::f32::consts::PI * FILL;
 
 /// One direction of an edge.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Arc {
     /// The node it leads to.
@@ -101,11 +102,24 @@ pub struct Terrain<'a> {
     pub obstacle: Option<&'a Obstacle>,
 }
 
+impl Terrain<'_> {
+    /// Checks all ranges.
+    ///
+    /// # Errors
+    /// [`ModelError::Parameter`] naming the field.
+    pub fn validate(&self) -> Result<()> {
+        for (i, paint) in self.paint.iter().enumerate() {
+            check(format!("paint[{i}].factor"), paint.factor, 0, 1000)?;
+        }
+        self.obstacle.map_or(Ok(()), Obstacle::validate)
+    }
+}
+
 impl Graph {
     /// Links `nodes`.
     ///
     /// # Errors
-    /// [`ModelError::Cost`] when the user's field answers with no cost, [`ModelError::Limit`] when the
+    /// [`ModelError::Parameter`] for `linking` or `terrain` out of range, [`ModelError::Cost`] when the user's field answers with no cost, [`ModelError::Limit`] when the
     /// arcs would exceed [`Limits::graph_arcs`](tree_core::Limits), [`ModelError::Cancelled`].
     ///
     /// # Complexity
@@ -117,6 +131,8 @@ impl Graph {
         seed: Seed,
         control: &Control,
     ) -> Result<Self> {
+        linking.validate()?;
+        terrain.validate()?;
         let n_nodes = nodes.positions.len();
         let reach = linking.reach * nodes.separation;
         let arcs = n_nodes as f64
@@ -214,6 +230,18 @@ impl Graph {
             (Some(&start), Some(&end)) => &self.arcs[start as usize..end as usize],
             _ => &[],
         }
+    }
+
+    /// Where each node's arcs begin in [`all_arcs`](Self::all_arcs), and at the end their number.
+    #[must_use]
+    pub fn starts(&self) -> &[u32] {
+        &self.starts
+    }
+
+    /// The arcs of all nodes, node by node.
+    #[must_use]
+    pub fn all_arcs(&self) -> &[Arc] {
+        &self.arcs
     }
 
     /// Bytes held.

@@ -118,7 +118,7 @@ impl PathParams {
         control: &Control,
     ) -> Result<(Skeleton, Vec<u8>, Vec<LevelReport>)> {
         let obstacle = self.obstacle.as_ref();
-        let terrain = Terrain { paint: &self.paint, cost: self.cost.as_ref(), obstacle };
+        let terrain = self.terrain();
         let mut draft = Draft::default();
         let n_levels = self.levels.len() as f32 + 1.0;
         let mut reports = Vec::with_capacity(self.levels.len() + 1);

@@ -12,7 +12,7 @@
 //! node, which gives K within about a tenth and always ends. A volume thinner than the separation
 //! takes more, up to 2.8 K, because its nodes have fewer neighbours.
 
-use crate::error::{ModelError, Result};
+use crate::error::{ModelError, Result, check_finite};
 use crate::path::grid::Grid;
 use crate::path::obstacle::Obstacle;
 use glam::Vec3;
@@ -75,6 +75,7 @@ pub struct Nodes {
 /// of the `forced` positions.
 ///
 /// # Errors
+/// [`ModelError::NotFinite`] and [`ModelError::Parameter`] for `forced` and `obstacle`,
 /// [`ModelError::EmptyVolume`] when the volume has no end or no dart hits it,
 /// [`ModelError::Limit`] when `wanted` exceeds [`Limits::graph_nodes`](tree_core::Limits).
 ///
@@ -89,6 +90,10 @@ pub fn strew(
     control: &Control,
 ) -> Result<Nodes> {
     control.limits.check(Resource::GraphNodes, u64::from(wanted))?;
+    for (i, &point) in forced.iter().enumerate() {
+        check_finite(format!("forced[{i}]"), point)?;
+    }
+    obstacle.map_or(Ok(()), Obstacle::validate)?;
     let empty = |problem| ModelError::EmptyVolume { field: "volume".into(), problem };
     let bounds = volume.bounds();
     if bounds.is_empty() {

@@ -1,5 +1,6 @@
 //! Obstacles: volumes that no path may enter.
 
+use crate::error::{Result, check};
 use glam::Vec3;
 use tree_core::Volume;
 
@@ -18,6 +19,14 @@ pub struct Obstacle {
 }
 
 impl Obstacle {
+    /// Checks the clearance.
+    ///
+    /// # Errors
+    /// [`ModelError::Parameter`](crate::ModelError::Parameter) naming the field.
+    pub fn validate(&self) -> Result<()> {
+        check("obstacle.clearance", self.clearance, 0, 1e6)
+    }
+
     /// Whether a point is in the way.
     #[must_use]
     pub fn holds(&self, point: Vec3) -> bool {

@@ -1,6 +1,6 @@
 //! What a path-planned tree is made of: plain structs, all with defaults that make a good oak.
 
-use super::graph::{CostField, Linking, Paint};
+use super::graph::{CostField, Linking, Paint, Terrain};
 use super::obstacle::Obstacle;
 use crate::error::{ModelError, Result, check, check_finite};
 use crate::foliage::LeafParams;
@@ -230,12 +230,7 @@ impl PathParams {
             check("lifespan.stop", stop, 0, 1)?;
         }
         self.linking.validate()?;
-        for (i, paint) in self.paint.iter().enumerate() {
-            check(format!("paint[{i}].factor"), paint.factor, 0, 1000)?;
-        }
-        if let Some(obstacle) = &self.obstacle {
-            check("obstacle.clearance", obstacle.clearance, 0, 1e6)?;
-        }
+        self.terrain().validate()?;
         check("smoothing", self.smoothing, 0, 50)?;
         self.radii.validate().map_err(|error| within("radii", error.into()))?;
         if let Some(leaves) = &self.leaves {
@@ -246,6 +241,15 @@ impl PathParams {
         match &self.roots {
             Some(roots) => self.root_params(roots).validate().map_err(|e| within("roots", e)),
             None => Ok(()),
+        }
+    }
+
+    /// What makes edges cost more or less.
+    pub(super) fn terrain(&self) -> Terrain<'_> {
+        Terrain {
+            paint: &self.paint,
+            cost: self.cost.as_ref(),
+            obstacle: self.obstacle.as_ref(),
         }
     }
 

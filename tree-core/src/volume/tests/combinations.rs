@@ -71,6 +71,8 @@ fn one_volume_united_is_that_volume() {
     let ball = Volume::sphere(Vec3::ZERO, 1.0).unwrap();
     assert_eq!(Volume::union_all([ball.clone()]).unwrap(), ball);
     assert!(matches!(Volume::union_all([]), Err(CoreError::Empty { what: "union" })));
+    assert_eq!(Volume::intersection_all([ball.clone()]).unwrap(), ball);
+    assert!(matches!(Volume::intersection_all([]), Err(CoreError::Empty { .. })));
     let many = (0..100_u8).map(|i| Volume::sphere(f32::from(i) * Vec3::X, 0.4).unwrap());
     let row = Volume::union_all(many).unwrap();
     assert!(row.contains(50.3 * Vec3::X) && !row.contains(50.5 * Vec3::X));
@@ -114,4 +116,15 @@ fn doubling_beyond_the_cap_is_an_error() {
 fn volumes_cross_threads() {
     fn shareable<T: Send + Sync + Clone + fmt::Debug>(_: &T) {}
     shareable(&Volume::sphere(Vec3::ZERO, 1.0).unwrap());
+}
+
+#[test]
+fn an_odd_number_of_volumes_keeps_all_of_them() {
+    let ball = |x: f32| Volume::sphere(Vec3::new(x, 0.0, 0.0), 1.0).unwrap();
+    let three = [ball(0.0), ball(1.0), ball(5.0)];
+    let union = Volume::union_all(three.clone()).unwrap();
+    assert!(union.contains(Vec3::ZERO) && union.contains(Vec3::new(5.0, 0.0, 0.0)));
+    let lens = Volume::intersection_all([ball(0.0), ball(1.0), ball(0.5)]).unwrap();
+    assert!(lens.contains(Vec3::new(0.5, 0.0, 0.0)) && !lens.contains(Vec3::new(1.2, 0.0, 0.0)));
+    assert!(!Volume::intersection_all(three).unwrap().contains(Vec3::new(0.5, 0.0, 0.0)));
 }
