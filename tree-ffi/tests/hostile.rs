@@ -25,6 +25,15 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_mesh", "tree_mesh_build(live_tree_tree(), live_tree_look(), NULL, NULL, NULL, &made)"),
     ("tree_picture", "tree_picture_from_pixels(1, 1, pixel, 4, NULL, &made)"),
     ("tree_mask", "tree_render_mask(live_tree_mesh(), tiny_view(), NULL, &made)"),
+    ("tree_axes", "tree_skeleton_axes(live_tree_skeleton(), 0, &made)"),
+    ("tree_capsules", "tree_skeleton_capsules(live_tree_skeleton(), NULL, NULL, NULL, &made)"),
+    ("tree_crossings", "tree_mesh_crossings(live_tree_mesh(), 0, NULL, &made)"),
+    ("tree_gltf_attributes", "tree_mesh_gltf_wind(live_tree_mesh(), NULL, &made)"),
+    ("tree_graph", "tree_graph_from_edges(fork_positions, 4, fork_edges, fork_radii, 3, NULL, &made)"),
+    ("tree_packed", "tree_mesh_pack(live_tree_mesh(), 0, 0, NULL, &made)"),
+    ("tree_swc", "tree_swc_read(swc, sizeof swc - 1, NULL, NULL, &made)"),
+    ("tree_texture", "tree_look_texture(live_tree_look(), 0, &made)"),
+    ("tree_wind_branches", "tree_skeleton_wind_branches(live_tree_skeleton(), 0, &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 
@@ -263,7 +272,8 @@ fn spoilt(header: &Header, field: &header::Named, bad: u32) -> String {
     if field.declaration.contains("(*") {
         return format!("s->{name} = NULL;");
     }
-    if field.declaration.contains('[') {
+    let embedded = header.structs.contains_key(&field.kind) && field.kind != "tree_str";
+    if field.declaration.contains('[') || embedded {
         let bytes = ["0xff", "0x00", "0x7f"][bad as usize];
         return format!("memset(&s->{name}, {bytes}, sizeof s->{name});");
     }
@@ -347,7 +357,8 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
         )
         .unwrap();
     }
-    if let Some(kind) = name.strip_suffix("_free") {
+    let frees = name.strip_suffix("_free").filter(|kind| header.handles.iter().any(|one| one == kind));
+    if let Some(kind) = frees {
         writeln!(c, "    if (status == TREE_OK && a0 == alive_{kind}) alive_{kind} = NULL;").unwrap();
     }
     c.push_str("    return bad && status == TREE_OK ? PASSED_FOR_WELL : status;\n}\n");

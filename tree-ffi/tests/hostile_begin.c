@@ -159,6 +159,8 @@ static const tree_pool_options one_thread = {sizeof one_thread, 1, 0, NULL, NULL
 
 static const float origin[3];
 static const uint8_t pixel[4];
+static const uint32_t fork_edges[] = {0, 1, 1, 2, 1, 3};
+static const uint8_t swc[] = "1 1 0 0 0 1 -1\n2 1 0 1 0 1 1\n";
 static const uint32_t leaf_nodes[] = {2, 3};
 static const float leaf_positions[] = {0.5f, 2.5f, 0, -0.5f, 2, 0};
 static const float leaf_rotations[] = {0, 0, 0, 1, 0.6f, 0, 0.8f, 0};
