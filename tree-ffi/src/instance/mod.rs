@@ -1,19 +1,26 @@
 //! A few unique twigs, set down many times.
 
+mod params;
+
+pub use params::*;
+
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, free, get, get_opt, init, out,
-    out_value, read_or_default, tree_status, view, write,
+    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, free, get, get_opt, out,
+    out_value, read_or_default, read_rows, slice, tree_status, vec3s, view, write,
 };
-use crate::control::{run, tree_control};
+use crate::control::{limits, run, tree_control};
 use crate::look::tree_look;
 use crate::mesh::{column, mesh_params, tree_mesh, tree_mesh_params};
 use crate::tree::tree_tree;
-use ::tree_mesh::Look;
-use ::tree_mesh::instance::{InstancedTree, Twig, TwigParams, TwigReport, twigs};
+use ::tree_mesh::instance::{InstancedTree, Twig, twigs};
+use ::tree_mesh::{Look, Mesh};
 use glam::Quat;
 use std::borrow::Cow;
 use std::sync::Arc;
-use tree_model::tree_core::Seed;
+use tree_model::tree_core::{Limits, Resource};
+
+/// Most twigs of a caller's.
+const TWIGS_MAX: usize = 1 << 16;
 
 const _: () = assert!(size_of::<Quat>() == 16 && align_of::<Quat>() == 4);
 
@@ -31,113 +38,6 @@ impl tree_twigs {
     }
 }
 
-/// How a tree is divided into twigs. Begin with `tree_twig_params_init`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct tree_twig_params {
-    /// `sizeof(tree_twig_params)`.
-    pub struct_size: usize,
-    /// Most unique twigs, 1 to 1000. Default 30.
-    pub twigs_max: u32,
-    /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
-    /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
-    /// of `tree_twig_report`.
-    pub ratio: f32,
-    /// Length of twigs in metres along the longest path in them, 0.001 to 1000. Default 0: it is chosen.
-    pub reach: f32,
-    /// Not used; 0.
-    pub reserved: u32,
-}
-
-// SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_twig_params {
-    const NAME: &'static str = "tree_twig_params";
-    const FIRST: usize = size_of::<Self>();
-    fn default_value() -> Self {
-        let TwigParams { twigs_max, ratio, reach, seed: _ } = TwigParams::default();
-        let struct_size = size_of::<Self>();
-        Self { struct_size, twigs_max, ratio, reach: reach.unwrap_or(0.0), reserved: 0 }
-    }
-}
-
-impl tree_twig_params {
-    fn rust(&self, seed: u64) -> TwigParams {
-        TwigParams {
-            twigs_max: self.twigs_max,
-            ratio: self.ratio,
-            // NaN is not 0, and refused with the other ranges.
-            reach: (self.reach != 0.0).then_some(self.reach),
-            seed: Seed(seed),
-        }
-    }
-}
-
-/// Makes `params`, of `size` bytes, the default.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_twig_params_init(
-    params: *mut tree_twig_params,
-    size: usize,
-) -> tree_status {
-    call(|| unsafe { init(params, size) })
-}
-
-/// What an instanced tree weighs and how near it comes.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct tree_twig_report {
-    /// `sizeof(tree_twig_report)`.
-    pub struct_size: usize,
-    /// Unique twigs.
-    pub n_twigs: u64,
-    /// Instances of all twigs.
-    pub n_instances: u64,
-    /// Bytes of the columns of base and twigs, and of the instances.
-    pub bytes: u64,
-    /// Bytes of the columns of the flattened tree.
-    pub bytes_flat: u64,
-    /// Leaves of the tree.
-    pub n_leaves: u64,
-    /// Leaves of the instanced tree.
-    pub n_leaves_instanced: u64,
-    /// `bytes_flat / bytes`.
-    pub ratio: f32,
-    /// Length that twigs were limited to, in metres.
-    pub reach: f32,
-    /// How far middle and spread of a subtree's leaves are off those of the twig that stands for it, in
-    /// metres: root mean square over all leaves.
-    pub deviation: f32,
-    /// Not used; 0.
-    pub reserved: u32,
-}
-
-// SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_twig_report {
-    const NAME: &'static str = "tree_twig_report";
-    const FIRST: usize = size_of::<Self>();
-    fn default_value() -> Self {
-        Self::of(&TwigReport::default())
-    }
-}
-
-impl tree_twig_report {
-    fn of(report: &TwigReport) -> Self {
-        let (n_leaves, n_leaves_instanced) = report.n_leaves;
-        Self {
-            struct_size: size_of::<Self>(),
-            n_twigs: report.n_twigs as u64,
-            n_instances: report.n_instances as u64,
-            bytes: report.bytes,
-            bytes_flat: report.bytes_flat,
-            n_leaves,
-            n_leaves_instanced,
-            ratio: report.ratio,
-            reach: report.reach,
-            deviation: report.deviation,
-            reserved: 0,
-        }
-    }
-}
-
 /// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
 /// coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
 /// textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
@@ -147,10 +47,10 @@ pub unsafe extern "C" fn tree_twigs_build(
     tree: *const tree_tree,
     look: *const tree_look,
     mesh_params: *const tree_mesh_params,
-    params: *const tree_twig_params,
+    params: *const tree_instancing_params,
     seed: u64,
     control: *const tree_control,
-    report: *mut tree_twig_report,
+    report: *mut tree_instancing_report,
     twigs: *mut *mut tree_twigs,
 ) -> tree_status {
     call(|| {
@@ -168,7 +68,7 @@ pub unsafe extern "C" fn tree_twigs_build(
                 Ok(self::twigs(tree, &look, &mesh_params, &params, control)?)
             })
         }?;
-        unsafe { view(report, "report", &tree_twig_report::of(&made.report)) }?;
+        unsafe { view(report, "report", &tree_instancing_report::of(&made.report)) }?;
         place.put(tree_twigs(Arc::new(made)));
         Ok(())
     })
@@ -190,11 +90,11 @@ pub unsafe extern "C" fn tree_twigs_count(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_twigs_report(
     twigs: *const tree_twigs,
-    report: *mut tree_twig_report,
+    report: *mut tree_instancing_report,
 ) -> tree_status {
     call(|| {
         let report_of = unsafe { get(twigs, "twigs") }?.rust().report;
-        unsafe { write(report, "report", &tree_twig_report::of(&report_of)) }
+        unsafe { write(report, "report", &tree_instancing_report::of(&report_of)) }
     })
 }
 
@@ -237,7 +137,8 @@ pub unsafe extern "C" fn tree_twigs_mesh(
     })
 }
 
-/// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: a view.
+/// All places where a twig stands, in columns as glTF's `EXT_mesh_gpu_instancing` has them: as input, or as a
+/// view.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct tree_twig_instances {
@@ -275,6 +176,25 @@ impl tree_twig_instances {
             branches: column(&twig.branches),
         }
     }
+
+    /// A copy without mesh of row `i`.
+    unsafe fn rust(&self, limits: &Limits, i: usize) -> Result<Twig> {
+        let part = |name: &str| format!("instances[{i}].{name}");
+        let (n, rows) = (self.n_instances, Resource::Leaves);
+        let translations =
+            unsafe { vec3s(self.translations, n, limits, rows, &part("translations")) }?;
+        let rotations: &[[f32; 4]] =
+            unsafe { slice(self.rotations.cast(), n, limits, rows, &part("rotations")) }?;
+        let scales = unsafe { vec3s(self.scales, n, limits, rows, &part("scales")) }?;
+        let branches = unsafe { slice(self.branches, n, limits, rows, &part("branches")) }?;
+        Ok(Twig {
+            mesh: Mesh::default(),
+            translations: translations.to_vec(),
+            rotations: rotations.iter().copied().map(Quat::from_array).collect(),
+            scales: scales.to_vec(),
+            branches: branches.to_vec(),
+        })
+    }
 }
 
 /// Views all places where twig `number` stands. Set `instances->struct_size` first. Valid until the twigs
@@ -288,6 +208,44 @@ pub unsafe extern "C" fn tree_twigs_instances(
     call(|| {
         let twig = twig_of(unsafe { get(twigs, "twigs") }?, number)?;
         unsafe { write(instances, "instances", &tree_twig_instances::of(twig)) }
+    })
+}
+
+/// Makes twigs of parts of your own: a base mesh, and for each of `n_twigs` twigs its mesh, with as many
+/// surfaces as the base, and where it stands. All is copied but the textures, and checked; scales must be
+/// the same along all axes. The report has the sizes; `reach` and `deviation` are 0 in it. `control` may
+/// be NULL; only its limits (instances count as `leaves`) and its pool matter. Free the twigs with
+/// `tree_twigs_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_twigs_from_parts(
+    base: *const tree_mesh,
+    meshes: *const *const tree_mesh,
+    instances: *const tree_twig_instances,
+    n_twigs: usize,
+    control: *const tree_control,
+    twigs: *mut *mut tree_twigs,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(twigs, "twigs") }?;
+        let limits = unsafe { limits(control) }?;
+        let base = unsafe { get(base, "base") }?.rust();
+        let rows = unsafe { read_rows(instances, n_twigs, TWIGS_MAX, "instances") }?;
+        if n_twigs > 0 && meshes.is_null() {
+            return Err(Failure::null("meshes"));
+        }
+        let parts = rows
+            .iter()
+            .enumerate()
+            .map(|(i, row)| {
+                // SAFETY: within the caller's array.
+                let mesh = unsafe { meshes.add(i).read_unaligned() };
+                let mesh = unsafe { get(mesh, &format!("meshes[{i}]")) }?.rust();
+                Ok(Twig { mesh: mesh.clone(), ..unsafe { row.rust(&limits, i) }? })
+            })
+            .collect::<Result<Vec<_>>>()?;
+        let made = unsafe { run(control, |_| Ok(InstancedTree::of_parts(base.clone(), parts)?)) }?;
+        place.put(tree_twigs(Arc::new(made)));
+        Ok(())
     })
 }
 

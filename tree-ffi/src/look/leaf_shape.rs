@@ -103,6 +103,7 @@ unsafe impl Versioned for tree_leaf_shape {
 }
 
 /// What a constant borrows: all shapes of this crate are constants.
+#[expect(clippy::ptr_arg, reason = "what is borrowed lives longer than the Cow")]
 fn constant<T: Clone>(column: &Cow<'static, [T]>) -> &'static [T] {
     match column {
         Cow::Borrowed(rows) => rows,

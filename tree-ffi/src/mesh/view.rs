@@ -248,6 +248,15 @@ pub unsafe extern "C" fn tree_mesh_check(mesh: *const tree_mesh) -> tree_status 
     call(|| Ok(unsafe { get(mesh, "mesh") }?.rust().check()?))
 }
 
+/// As `tree_mesh_check`, of the columns of surface `number` only.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_mesh_check_surface(
+    mesh: *const tree_mesh,
+    number: usize,
+) -> tree_status {
+    call(|| Ok(unsafe { get(mesh, "mesh") }?.rust().check_surface(number)?))
+}
+
 /// Checks that no colour of a material is brighter than 1, on which file formats rely; drawing does not.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_mesh_check_colors(mesh: *const tree_mesh) -> tree_status {

@@ -50,13 +50,13 @@ void test_instance(void) {
     OK(tree_mesh_params_init(&mesh_params, sizeof mesh_params));
     mesh_params.sides_max = 4;
     mesh_params.error = 0.05f;
-    tree_twig_params params;
-    OK(tree_twig_params_init(&params, sizeof params));
+    tree_instancing_params params;
+    OK(tree_instancing_params_init(&params, sizeof params));
     CHECK(params.twigs_max == 30 && params.ratio == 11.0f && params.reach == 0.0f);
     params.twigs_max = 4;
     params.ratio = 2;
     params.reach = 1.9f;
-    tree_twig_report report = {.struct_size = sizeof report}, again = report;
+    tree_instancing_report report = {.struct_size = sizeof report}, again = report;
     tree_twigs *twigs = NULL;
     OK(tree_twigs_build(bush, look, &mesh_params, &params, 7, NULL, &report, &twigs));
     CHECK(report.n_twigs >= 1 && report.n_twigs <= 4 && report.n_instances >= 8);
@@ -101,6 +101,34 @@ void test_instance(void) {
 
     FAILS(TREE_ERROR_INVALID, "twigs", tree_twigs_mesh(twigs, n_twigs, &twig));
     OK(tree_twigs_mesh(twigs, 0, &twig));
+
+    /* The base with three more copies of a twig. */
+    float at[] = {0, 1, 0, 0, 2, 0, 0, 3, 0}, turns[] = {0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 1};
+    float scales[] = {1, 1, 1, 2, 2, 2, 0.5f, 0.5f, 0.5f};
+    uint32_t bearers[] = {0, 0, 0};
+    tree_twig_instances own = {sizeof own, 3, at, turns, scales, bearers};
+    const tree_mesh *meshes[] = {twig};
+    tree_twigs *made = NULL;
+    OK(tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
+    OK(tree_twigs_report(made, &again));
+    CHECK(again.n_twigs == 1 && again.n_instances == 3 && again.reach == 0);
+    OK(tree_twigs_flatten(made, NULL, &flat));
+    OK(tree_mesh_count(flat, &flat_totals));
+    OK(tree_mesh_count(twig, &twig_totals));
+    CHECK(flat_totals.n_triangles == base_totals.n_triangles + 3 * twig_totals.n_triangles);
+    OK(tree_mesh_free(flat));
+    OK(tree_twigs_free(made));
+    scales[4] = 1;
+    FAILS(TREE_ERROR_INVALID, "scale 1", tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
+    scales[4] = 2;
+    bearers[2] = 1000;
+    FAILS(TREE_ERROR_INVALID, "branch 1000",
+          tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
+    own.n_instances = (size_t)1 << 60;
+    FAILS(TREE_ERROR_LIMIT, "leaves", tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
+    meshes[0] = NULL;
+    FAILS(TREE_ERROR_NULL, "meshes[0]", tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
+    FAILS(TREE_ERROR_NULL, "meshes", tree_twigs_from_parts(base, NULL, &own, 1, NULL, &made));
     OK(tree_twigs_free(twigs));
     /* Both outlive the twigs. */
     OK(tree_mesh_check(base));

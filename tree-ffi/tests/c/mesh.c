@@ -65,6 +65,8 @@ static void building(void) {
     OK(tree_mesh_surface_count(mesh, &n_surfaces));
     CHECK(n_surfaces == 2);
     OK(tree_mesh_check(mesh));
+    OK(tree_mesh_check_surface(mesh, 1));
+    FAILS(TREE_ERROR_INVALID, "surface 2", tree_mesh_check_surface(mesh, 2));
     OK(tree_mesh_check_colors(mesh));
     OK(tree_mesh_check_normals(mesh));
     OK(tree_mesh_free(mesh));

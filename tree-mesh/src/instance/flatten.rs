@@ -42,18 +42,22 @@ impl InstancedTree {
     ///
     /// # Errors
     /// [`MeshError::Limit`] and [`MeshError::TooManyVertices`] before memory is asked for,
-    /// [`MeshError::Cancelled`], or as [`Mesh::check`] where a part was changed and is not valid.
+    /// [`MeshError::Cancelled`], or as [`InstancedTree::check`] where a part was changed and is not valid.
     ///
     /// # Complexity
     /// Linear in the vertices of the result.
     pub fn flatten(&self, control: &Control) -> Result<Mesh> {
+        self.check()?;
         self.check_size(control)?;
         let mut mesh = self.base.clone();
         for twig in &self.twigs {
             for place in twig.places() {
                 control.check()?;
                 let first_branch = mesh.branches.len() as u32;
-                let carrier = mesh.branches.get(place.branch as usize).map_or(0, |b| b.level + 1);
+                let carrier = mesh
+                    .branches
+                    .get(place.branch as usize)
+                    .map_or(0, |b| b.level.saturating_add(1));
                 mesh.branches.extend(twig.mesh.branches.iter().enumerate().map(|(i, branch)| {
                     let parent = match i {
                         0 => place.branch,
@@ -76,7 +80,6 @@ impl InstancedTree {
     fn check_size(&self, control: &Control) -> Result<()> {
         let mut triangles = self.base.n_triangles() as u64;
         for twig in &self.twigs {
-            twig.mesh.check()?;
             triangles = triangles.saturating_add(
                 (twig.mesh.n_triangles() as u64).saturating_mul(twig.translations.len() as u64),
             );

@@ -14,6 +14,7 @@ mod cluster;
 mod cut;
 mod describe;
 mod flatten;
+mod of_parts;
 mod parts;
 
 use crate::error::{MeshError, Result};
@@ -203,13 +204,6 @@ fn report(
     forms: &[describe::Form],
     groups: &cluster::Groups,
 ) -> TwigReport {
-    let n_instances: usize = made.twigs.iter().map(|twig| twig.translations.len()).sum();
-    let unique: u64 = made.twigs.iter().map(|twig| bytes(&twig.mesh)).sum();
-    let repeated = |of: fn(&Mesh) -> u64| -> u64 {
-        made.twigs.iter().map(|twig| of(&twig.mesh) * twig.translations.len() as u64).sum()
-    };
-    let bytes_all = bytes(&made.base) + unique + n_instances as u64 * INSTANCE_BYTES;
-    let bytes_flat = bytes(&made.base) + repeated(bytes);
     let (mut sum, mut weight) = (0.0_f64, 0.0_f64);
     for (form, &group) in forms.iter().zip(&groups.of) {
         let Some(twig) = groups.medoids.get(group as usize).and_then(|&m| forms.get(m as usize))
@@ -220,14 +214,31 @@ fn report(
         sum += leaves * off * off;
         weight += leaves;
     }
+    let sizes = sizes(made);
+    TwigReport {
+        n_leaves: (tree.foliage().len() as u64, sizes.n_leaves.1),
+        deviation: if weight > 0.0 { libm::sqrt(sum / weight) as f32 } else { 0.0 },
+        ..sizes
+    }
+}
+
+/// What can be said without the tree that it stands for.
+fn sizes(made: &InstancedTree) -> TwigReport {
+    let n_instances: usize = made.twigs.iter().map(|twig| twig.translations.len()).sum();
+    let unique: u64 = made.twigs.iter().map(|twig| bytes(&twig.mesh)).sum();
+    let repeated = |of: fn(&Mesh) -> u64| -> u64 {
+        made.twigs.iter().map(|twig| of(&twig.mesh) * twig.translations.len() as u64).sum()
+    };
+    let bytes_all = bytes(&made.base) + unique + n_instances as u64 * INSTANCE_BYTES;
+    let bytes_flat = bytes(&made.base) + repeated(bytes);
+    let n_leaves = n_leaves(&made.base) + repeated(n_leaves);
     TwigReport {
         n_twigs: made.twigs.len(),
         n_instances,
         bytes: bytes_all,
         bytes_flat,
         ratio: (bytes_flat as f64 / bytes_all.max(1) as f64) as f32,
-        n_leaves: (tree.foliage().len() as u64, n_leaves(&made.base) + repeated(n_leaves)),
-        deviation: if weight > 0.0 { libm::sqrt(sum / weight) as f32 } else { 0.0 },
+        n_leaves: (n_leaves, n_leaves),
         ..Default::default()
     }
 }
