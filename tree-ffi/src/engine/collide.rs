@@ -1,8 +1,8 @@
 //! Collision capsules.
 
 use crate::border::{
-    Handle, Result, Versioned, call, free, get, init, out, out_value, read_or_default, tree_status,
-    view,
+    Failure, Handle, Result, Versioned, call, floats, free, get, init, out, out_value,
+    read_or_default, tree_status, view,
 };
 use crate::control::{run, tree_control};
 use crate::mesh::{column, continuation, continuation_number, tree_continuation};
@@ -171,6 +171,45 @@ pub unsafe extern "C" fn tree_capsules_view(
         unsafe { out_value(rows, column(capsules).cast(), "rows") }?;
         unsafe { out_value(n, capsules.len(), "n") }
     })
+}
+
+fn rust(capsule: &tree_capsule) -> Capsule {
+    Capsule { a: capsule.a.into(), b: capsule.b.into(), radius: capsule.radius }
+}
+
+/// Whether a point of three floats lies inside a capsule or on its border.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_capsule_contains(
+    capsule: *const tree_capsule,
+    point: *const f32,
+    inside: *mut u32,
+) -> tree_status {
+    call(|| {
+        let capsule = rust(&unsafe { value(capsule, "capsule") }?);
+        let point = unsafe { floats::<3>(point, "point") }?;
+        unsafe { out_value(inside, capsule.contains(point.into()).into(), "inside") }
+    })
+}
+
+/// Volume of a capsule in cubic metres.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_capsule_volume(
+    capsule: *const tree_capsule,
+    volume: *mut f64,
+) -> tree_status {
+    call(|| {
+        let capsule = rust(&unsafe { value(capsule, "capsule") }?);
+        unsafe { out_value(volume, capsule.volume(), "volume") }
+    })
+}
+
+/// A caller's row.
+unsafe fn value(capsule: *const tree_capsule, argument: &str) -> Result<tree_capsule> {
+    if capsule.is_null() {
+        return Err(Failure::null(argument));
+    }
+    // SAFETY: not NULL, and there by contract; numbers only.
+    Ok(unsafe { capsule.read_unaligned() })
 }
 
 /// Ends capsules.

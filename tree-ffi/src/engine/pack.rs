@@ -7,7 +7,7 @@ use crate::control::{run, tree_control};
 use crate::mesh::tree_mesh;
 use ::tree_mesh::Mesh;
 use ::tree_mesh::pack::{
-    Packed, gltf_wind, godot, pivot_painter, speedtree8, speedtree9, tree_creator, vertex,
+    gltf_wind, godot, pivot_painter, speedtree8, speedtree9, tree_creator, vertex,
 };
 
 /// How a surface is packed: one of the `TREE_LAYOUT_` constants. Whatever column a surface lacks is
@@ -52,10 +52,10 @@ pub const TREE_LAYOUT_GODOT: u32 = 4;
 pub const TREE_LAYOUT_GODOT_HALF: u32 = 5;
 /// glTF attributes `_WIND*`: all of it. `tree_mesh_gltf_wind` gives them for files.
 ///
-/// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; COLOR_0 4 unorm8: occlusion three times, 1;
-/// TEXCOORD_0 2 f32; TEXCOORD_1 2 f32; _WIND_PIVOT 3 f32; _WIND_AXIS 3 f32; _WIND 4 f32: reach, phase,
-/// stiffness, length in metres; _WIND_LEAF 4 f32: flutter, leaf phase, level, 1 for leaves; _WIND_ANCHOR
-/// 3 f32; _WIND_BRANCH 4 u16: branch low, high, parent low, high.
+/// POSITION 3 f32, metres; NORMAL 3 f32; TANGENT 4 f32; `COLOR_0` 4 unorm8: occlusion three times, 1;
+/// `TEXCOORD_0` 2 f32; `TEXCOORD_1` 2 f32; `_WIND_PIVOT` 3 f32; `_WIND_AXIS` 3 f32; `_WIND` 4 f32:
+/// reach, phase, stiffness, length in metres; `_WIND_LEAF` 4 f32: flutter, leaf phase, level, 1 for
+/// leaves; `_WIND_ANCHOR` 3 f32; `_WIND_BRANCH` 4 u16: branch low, high, parent low, high.
 pub const TREE_LAYOUT_GLTF_WIND: u32 = 6;
 /// Own renderers: 32 bytes a vertex, quantised, in our axes; `tree_packed_vertices` views them. There are
 /// no streams.

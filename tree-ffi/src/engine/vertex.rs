@@ -13,10 +13,13 @@ use std::mem::offset_of;
 pub struct tree_packed_vertex {
     /// Position: min + (max - min) * position / 65535 of the view's `bounds`. Error: extent / 131,070.
     pub position: [u16; 3],
-    /// Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign.
-    /// 0 is the normal's any-orthonormal vector as Duff and others build it. Error: 3e-4 radians.
+    /// Angle about the normal in steps of a turn / 32768, and in the highest bit 1 for a negative sign:
+    /// cos * x + sin * cross(n, x), where n is the normal as it is read back and x is (b, s + n.y * n.y *
+    /// a, -n.y) with s the sign of n.z (1 or -1), a = -1 / (s + n.z) and b = n.x * n.y * a. Error: 3e-4
+    /// radians.
     pub tangent: u16,
-    /// Octahedral normal, x and y / 32767. Error: 1e-4 radians.
+    /// Octahedral normal: x and y / 32767, z = 1 - |x| - |y|; where z is negative, x is (1 - |y|) and y
+    /// (1 - |x|), each with its old sign; then brought to unit length. Error: 1e-4 radians.
     pub normal: [i16; 2],
     /// Texture coordinates over the view's `uv_range`, as positions. Error: range / 131,070.
     pub uv: [u16; 2],

@@ -101,7 +101,8 @@ unsafe fn read_options(options: *const tree_glb_options) -> Result<GlbOptions> {
     unsafe { read_or_default(options, "options")?.rust() }
 }
 
-/// Writes a mesh to a GLB file, whole or not at all. `options` and `control` may be NULL; of `control`
+/// Writes a mesh to a GLB file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends with
+/// a NUL and `path_len` is `TREE_NUL_TERMINATED`. `options` and `control` may be NULL; of `control`
 /// only threads and limits matter, and a cancellation before the work begins.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_mesh_write_glb(

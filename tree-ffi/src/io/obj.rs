@@ -7,7 +7,7 @@ use crate::mesh::tree_mesh;
 use ::tree_mesh::io::obj;
 use std::ffi::c_char;
 
-/// Writes a mesh to an OBJ file and beside it the MTL file (`STEM.mtl`) and the textures
+/// Writes a mesh to an OBJ file (the path is as in `tree_mesh_write_glb`) and beside it the MTL file (`STEM.mtl`) and the textures
 /// (`STEM_NAME.png`), all or none. Blanks and other trouble in the stem are replaced by `_` in the names
 /// of the files beside. Tangents and the other optional columns have no place in OBJ. `control` may be
 /// NULL; only a cancellation before the work begins matters.

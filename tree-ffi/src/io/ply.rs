@@ -42,7 +42,7 @@ pub unsafe extern "C" fn tree_ply_options_init(
     call(|| unsafe { init(options, size) })
 }
 
-/// Writes a mesh to a PLY file, whole or not at all: all surfaces as one, each vertex with the colour of
+/// Writes a mesh to a PLY file (the path is as in `tree_mesh_write_glb`), whole or not at all: all surfaces as one, each vertex with the colour of
 /// its material times the mean of its texture. `options` and `control` may be NULL; of `control` only a
 /// cancellation before the work begins matters.
 #[unsafe(no_mangle)]

@@ -67,7 +67,8 @@ pub unsafe extern "C" fn tree_import_options_init(
     call(|| unsafe { init(options, size) })
 }
 
-/// Reads a mesh from a file. It is checked before memory is taken for it, and never trusted; what was
+/// Reads a mesh from a file; the path, in UTF-8, has `path_len` bytes, or ends with a NUL and `path_len` is
+/// `TREE_NUL_TERMINATED`. It is checked before memory is taken for it, and never trusted; what was
 /// left out or changed is in the report. `options`, `control` and `report` may be NULL. Free the mesh
 /// with `tree_mesh_free`.
 #[unsafe(no_mangle)]

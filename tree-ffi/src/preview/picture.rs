@@ -93,7 +93,8 @@ pub unsafe extern "C" fn tree_picture_view(
     })
 }
 
-/// Writes a picture to a PNG file, whole or not at all.
+/// Writes a picture to a PNG file, whole or not at all. The path, in UTF-8, has `path_len` bytes, or ends
+/// with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_picture_write_png(
     picture: *const tree_picture,

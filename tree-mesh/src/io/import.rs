@@ -276,3 +276,16 @@ impl Budget {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Note;
+
+    #[test]
+    fn all_notes_are_listed_once_and_in_order() {
+        assert!(Note::ALL.windows(2).all(|two| two[0] < two[1] && two[0].text() != two[1].text()));
+        assert_eq!(Note::ALL[0], Note::PointsOrLines);
+        assert_eq!(Note::ALL[17], Note::Unknown);
+        assert_eq!(Note::Clamped.to_string(), Note::Clamped.text());
+    }
+}
