@@ -1,11 +1,10 @@
 //! Levels 2 and on.
 
-use crate::border::{
-    Failure, Result, Versioned, call, get, init, register_for_ever, tree_status,
-};
+use crate::border::{Failure, Result, Versioned, call, get, init, register_for_ever, tree_status};
 use crate::volume::tree_volume;
 use glam::Vec3;
 use tree_model::path::{Level, LevelAxis, Placing, SubShape};
+use tree_model::tree_core::Volume;
 
 /// Where random endpoints may lie: one of the `TREE_PATH_PLACING_` constants.
 pub type tree_path_placing = u32;
@@ -100,9 +99,7 @@ impl tree_path_level {
             LevelAxis::Fixed(direction) => (TREE_PATH_AXIS_FIXED, direction),
             LevelAxis::Random => (TREE_PATH_AXIS_RANDOM, Vec3::ZERO),
         };
-        let keep = |volume: &tree_model::tree_core::Volume| {
-            register_for_ever(tree_volume::new(volume.clone()))
-        };
+        let keep = |volume: &Volume| register_for_ever(tree_volume::new(volume.clone()));
         Self {
             struct_size: size_of::<Self>(),
             custom: custom.map_or(std::ptr::null(), keep),

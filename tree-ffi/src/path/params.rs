@@ -71,7 +71,7 @@ pub struct tree_path_params {
     /// and memory with the third power; under 1.6 graphs fall apart.
     pub linking_reach: f32,
     /// An edge costs its length times a random weight from this to 1; 0.01 to 1. Low values make crooked
-    /// branches that run together, 1 makes straight ones. Oak: 0.25.
+    /// branches that run together, 1 makes straight ones. Oak: 0.2.
     pub linking_low: f32,
     /// Weights are `low + (1 - low) * u^bias` with u uniform in 0 to 1; 0.1 to 10. Above 1 cheap edges
     /// are many, below 1 few. Oak: 1.

@@ -9,7 +9,7 @@ use crate::border::{
     text, tree_status, tree_str, write,
 };
 use crate::foliage::tree_leaf_params;
-use crate::tree::{SpeciesNames, tree_species};
+use crate::tree::tree_species;
 use crate::volume::tree_volume;
 use std::ptr::null;
 use std::sync::OnceLock;
@@ -134,9 +134,14 @@ fn keep_all<T>(values: impl Iterator<Item = T>) -> *const T {
 }
 
 fn keep_species(species: &Species) -> *const tree_species {
-    let species: &'static Species = Box::leak(Box::new(species.clone()));
-    let names: &'static SpeciesNames = Box::leak(Box::new(SpeciesNames::of(species)));
-    keep_one(names.view(species))
+    let keep = |name: &String| tree_str::of(Box::leak(name.clone().into_boxed_str()));
+    keep_one(tree_species {
+        name: keep(&species.name),
+        bark: keep(&species.bark),
+        leaf_kinds: keep_all(species.leaf_kinds.iter().map(keep)),
+        n_leaf_kinds: species.leaf_kinds.len(),
+        ..tree_species::default_value()
+    })
 }
 
 /// Number of presets: an oak, the twelve trees of Xu and Mould (2012), and two root systems.

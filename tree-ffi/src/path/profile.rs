@@ -66,7 +66,12 @@ unsafe impl Versioned for tree_profile_columns {
     const NAME: &'static str = "tree_profile_columns";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self { struct_size: size_of::<Self>(), n_points: 0, points: std::ptr::null(), from_outline: 0 }
+        Self {
+            struct_size: size_of::<Self>(),
+            n_points: 0,
+            points: std::ptr::null(),
+            from_outline: 0,
+        }
     }
 }
 

@@ -44,8 +44,7 @@ pub unsafe extern "C" fn tree_paint_init(paint: *mut tree_paint, size: usize) ->
 /// A cost factor for a point in space, three floats in metres: finite and 0 or more, or the call fails
 /// with `TREE_ERROR_PARAMETER`. Called from any thread, by several at once; must not unwind. For the same
 /// tree each time it must give the same answer to the same point.
-pub type tree_cost_fn =
-    Option<unsafe extern "C" fn(user: *mut c_void, point: *const f32) -> f32>;
+pub type tree_cost_fn = Option<unsafe extern "C" fn(user: *mut c_void, point: *const f32) -> f32>;
 
 /// The caller's function as a field.
 pub(super) fn cost_field(cost: tree_cost_fn, user: *mut c_void) -> Option<CostField> {
@@ -59,11 +58,7 @@ pub(super) fn cost_field(cost: tree_cost_fn, user: *mut c_void) -> Option<CostFi
 }
 
 /// The paints of an array; `name` is what it is called by.
-pub(super) unsafe fn paints(
-    first: *const tree_paint,
-    n: usize,
-    name: &str,
-) -> Result<Vec<Paint>> {
+pub(super) unsafe fn paints(first: *const tree_paint, n: usize, name: &str) -> Result<Vec<Paint>> {
     unsafe { read_rows(first, n, PAINTS_MAX, name) }?
         .iter()
         .enumerate()

@@ -43,9 +43,7 @@ pub unsafe extern "C" fn tree_volume_intersection(
     n_volumes: usize,
     volume: *mut *mut tree_volume,
 ) -> tree_status {
-    unsafe {
-        hand_out(volume, || Ok(Volume::intersection_all(read_all(volumes, n_volumes)?)?))
-    }
+    unsafe { hand_out(volume, || Ok(Volume::intersection_all(read_all(volumes, n_volumes)?)?)) }
 }
 
 /// Makes what lies in `from` but not in `without`.

@@ -26,9 +26,7 @@ pub unsafe extern "C" fn tree_volume_ellipsoid(
     volume: *mut *mut tree_volume,
 ) -> tree_status {
     unsafe {
-        hand_out(volume, || {
-            Ok(Volume::ellipsoid(vec3(center, "center")?, vec3(radii, "radii")?)?)
-        })
+        hand_out(volume, || Ok(Volume::ellipsoid(vec3(center, "center")?, vec3(radii, "radii")?)?))
     }
 }
 
@@ -114,9 +112,7 @@ pub unsafe extern "C" fn tree_volume_half_space(
     volume: *mut *mut tree_volume,
 ) -> tree_status {
     unsafe {
-        hand_out(volume, || {
-            Ok(Volume::half_space(vec3(point, "point")?, vec3(normal, "normal")?)?)
-        })
+        hand_out(volume, || Ok(Volume::half_space(vec3(point, "point")?, vec3(normal, "normal")?)?))
     }
 }
 

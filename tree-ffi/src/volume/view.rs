@@ -1,9 +1,7 @@
 //! What a volume is made of.
 
 use super::tree_volume;
-use crate::border::{
-    Failure, TREE_ERROR_PARAMETER, Versioned, call, get, out, tree_status, write,
-};
+use crate::border::{Failure, TREE_ERROR_PARAMETER, Versioned, call, get, out, tree_status, write};
 use tree_model::tree_core::Volume;
 use tree_model::tree_core::volume::Solid;
 

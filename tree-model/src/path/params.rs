@@ -246,11 +246,7 @@ impl PathParams {
 
     /// What makes edges cost more or less.
     pub(super) fn terrain(&self) -> Terrain<'_> {
-        Terrain {
-            paint: &self.paint,
-            cost: self.cost.as_ref(),
-            obstacle: self.obstacle.as_ref(),
-        }
+        Terrain { paint: &self.paint, cost: self.cost.as_ref(), obstacle: self.obstacle.as_ref() }
     }
 
     /// The root system's parameters, without what is ignored.

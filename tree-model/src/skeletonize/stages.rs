@@ -40,6 +40,7 @@ use super::weld::Soup;
 use super::{assemble, ends, leaves, link, separate, shape, slices, surface, trace, weld};
 use crate::error::{ModelError, Result, check};
 use rayon::prelude::*;
+use std::sync::Arc;
 use tree_core::{Control, Foliage, Resource, Skeleton};
 
 /// Levels that cross an edge on average.
@@ -50,14 +51,15 @@ const GROUND: f32 = 0.02;
 /// Largest coordinate, in sizes of the mesh, of skeletons that come in.
 const FAR: f32 = 1e6;
 
-/// The triangles of a mesh, welded and sorted into connected components (steps 1 and 2).
-#[derive(Debug)]
+/// The triangles of a mesh, welded and sorted into connected components (steps 1 and 2). Cheap to clone
+/// but for the classes.
+#[derive(Clone, Debug)]
 pub struct Separation<'a> {
     /// What each component is taken for. What is changed here holds from then on.
     pub classes: Vec<Class>,
     parts: &'a [Part<'a>],
-    pub(super) soup: Soup,
-    separated: Separated,
+    pub(super) soup: Arc<Soup>,
+    separated: Arc<Separated>,
 }
 
 /// One connected piece of wood, followed from its base (steps 3 and 4).
@@ -110,7 +112,7 @@ impl<'a> Separation<'a> {
         let soup = weld::weld(parts, params.weld, control)?;
         control.check()?;
         let (separated, classes) = separate::separate(&soup, parts);
-        Ok(Self { classes, parts, soup, separated })
+        Ok(Self { classes, parts, soup: Arc::new(soup), separated: Arc::new(separated) })
     }
 
     /// Number of components; each lies within one part.
@@ -170,7 +172,7 @@ impl<'a> Separation<'a> {
         control: &Control,
     ) -> Result<Vec<Piece>> {
         params.validate()?;
-        let soup = &self.soup;
+        let soup = &*self.soup;
         let groups = surface::connect(soup, wood);
         let height = |&triangle: &u32| {
             soup.corners(triangle).iter().fold(f32::INFINITY, |low, corner| low.min(corner.y))
