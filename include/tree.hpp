@@ -174,6 +174,7 @@ class Bytes;
 class Cancel;
 class Capsules;
 class Crossings;
+class FoundLeaves;
 class GltfAttributes;
 class GltfLeaves;
 class Graph;
@@ -184,9 +185,11 @@ class Mask;
 class Mesh;
 class Packed;
 class Picture;
+class Pieces;
 class Pool;
 class Profile;
 class Rows;
+class Separation;
 class Skeleton;
 class Swc;
 class Texture;
@@ -217,8 +220,10 @@ struct GraphColumns;
 struct GraphNodesColumns;
 struct ImportOptions;
 struct ImportReport;
-struct InstanceParams;
+struct InstancingParams;
+struct InstancingReport;
 struct LeafCard;
+struct LeafKinds;
 struct LeafLook;
 struct LeafMesh;
 struct LeafModelReport;
@@ -230,6 +235,7 @@ struct LinkParams;
 struct MaskColumns;
 struct Material;
 struct MeshParams;
+struct MeshPart;
 struct MeshReport;
 struct MeshTotals;
 struct OcclusionParams;
@@ -241,6 +247,7 @@ struct PathLevel;
 using PathLevelReport = tree_path_level_report;
 struct PathParams;
 struct PathReport;
+using Piece = tree_piece;
 struct PivotElement;
 struct Pivots;
 struct Pixels;
@@ -249,7 +256,10 @@ struct PoolOptions;
 struct ProfileColumns;
 struct ProfileOptions;
 struct RadiusRule;
+struct SeparationColumns;
 struct SkeletonColumns;
+struct SkeletonizeParams;
+struct SkeletonizeReport;
 struct Solid;
 struct Species;
 using Stream = tree_stream;
@@ -346,12 +356,20 @@ struct ImportReport : tree_import_report {
     ImportReport() : tree_import_report{} { struct_size = sizeof *this; }
 };
 
-struct InstanceParams : tree_instance_params {
-    InstanceParams() : tree_instance_params{} { tree_instance_params_init(this, sizeof(tree_instance_params)); }
+struct InstancingParams : tree_instancing_params {
+    InstancingParams() : tree_instancing_params{} { tree_instancing_params_init(this, sizeof(tree_instancing_params)); }
+};
+
+struct InstancingReport : tree_instancing_report {
+    InstancingReport() : tree_instancing_report{} { struct_size = sizeof *this; }
 };
 
 struct LeafCard : tree_leaf_card {
     LeafCard() : tree_leaf_card{} { struct_size = sizeof *this; }
+};
+
+struct LeafKinds : tree_leaf_kinds {
+    LeafKinds() : tree_leaf_kinds{} { struct_size = sizeof *this; }
 };
 
 struct LeafLook : tree_leaf_look {
@@ -401,6 +419,10 @@ struct MeshParams : tree_mesh_params {
     MeshParams() : tree_mesh_params{} { tree_mesh_params_init(this, sizeof(tree_mesh_params)); }
     void check() const;
     float error() const;
+};
+
+struct MeshPart : tree_mesh_part {
+    MeshPart() : tree_mesh_part{} { tree_mesh_part_init(this, sizeof(tree_mesh_part)); }
 };
 
 struct MeshReport : tree_mesh_report {
@@ -472,8 +494,20 @@ struct RadiusRule : tree_radius_rule {
     void check() const;
 };
 
+struct SeparationColumns : tree_separation_columns {
+    SeparationColumns() : tree_separation_columns{} { struct_size = sizeof *this; }
+};
+
 struct SkeletonColumns : tree_skeleton_columns {
     SkeletonColumns() : tree_skeleton_columns{} { struct_size = sizeof *this; }
+};
+
+struct SkeletonizeParams : tree_skeletonize_params {
+    SkeletonizeParams() : tree_skeletonize_params{} { tree_skeletonize_params_init(this, sizeof(tree_skeletonize_params)); }
+};
+
+struct SkeletonizeReport : tree_skeletonize_report {
+    SkeletonizeReport() : tree_skeletonize_report{} { struct_size = sizeof *this; }
 };
 
 struct Solid : tree_solid {
@@ -574,6 +608,13 @@ public:
     CrossingPairs view() const;
 };
 
+class FoundLeaves : public detail::Object<tree_found_leaves, tree_found_leaves_free> {
+public:
+    using Object::Object;
+    Foliage foliage() const;
+    LeafKinds view() const;
+};
+
 class GltfAttributes : public detail::Object<tree_gltf_attributes, tree_gltf_attributes_free> {
 public:
     using Object::Object;
@@ -667,11 +708,13 @@ public:
     Bounds surface_bounds(size_t number) const;
     Bounds bounds() const;
     void check() const;
+    void check_surface(size_t number) const;
     void check_colors() const;
     void check_normals() const;
     Picture render(Ref<tree_view> view = nullptr, Ref<tree_style> style = nullptr, Ref<tree_control> control = nullptr) const;
     Mask render_mask(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
     Picture render_silhouette(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
+    Tree skeletonize_mesh(const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr) const;
 };
 
 class Packed : public detail::Object<tree_packed, tree_packed_free> {
@@ -693,6 +736,15 @@ public:
     Bytes to_png() const;
 };
 
+class Pieces : public detail::Object<tree_pieces, tree_pieces_free> {
+public:
+    using Object::Object;
+    static std::tuple<Skeleton, Pieces> make(Span<const tree_piece> rows, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    std::tuple<tree_piece, Skeleton> piece(size_t index) const;
+    std::tuple<uint8_t, Skeleton> link(Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+};
+
 class Pool : public detail::Object<tree_pool, tree_pool_free> {
 public:
     using Object::Object;
@@ -712,6 +764,18 @@ class Rows : public detail::Object<tree_rows, tree_rows_free> {
 public:
     using Object::Object;
     Span<const uint32_t> view() const;
+};
+
+class Separation : public detail::Object<tree_separation, tree_separation_free> {
+public:
+    using Object::Object;
+    FoundLeaves leaves(const struct tree_skeleton *skeleton, Ref<tree_control> control = nullptr) const;
+    Pieces follow(Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static Separation make(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Separation of_mesh(const struct tree_mesh *mesh, const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr);
+    SeparationColumns view() const;
+    Separation with_classes(const tree_class *classes, size_t n_classes) const;
+    Skeleton outward(const struct tree_skeleton *skeleton) const;
 };
 
 class Skeleton : public detail::Object<tree_skeleton, tree_skeleton_free> {
@@ -779,12 +843,13 @@ public:
 class Twigs : public detail::Object<tree_twigs, tree_twigs_free> {
 public:
     using Object::Object;
-    static Twigs build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> mesh_params, Ref<tree_instance_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_twig_report *report = nullptr);
+    static Twigs build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_instancing_report *report = nullptr);
     size_t count() const;
-    TwigReport report() const;
+    InstancingReport report() const;
     Mesh base() const;
     Mesh mesh(size_t number) const;
     TwigInstances instances(size_t number) const;
+    static std::tuple<Mesh, Twigs> from_parts(const struct tree_mesh *base, Span<const tree_twig_instances> instances, Ref<tree_control> control = nullptr);
     Mesh flatten(Ref<tree_control> control = nullptr) const;
 };
 
@@ -837,6 +902,8 @@ std::array<float, 2> murray_angles(float r0, float r1, float r2);
 std::array<float, 2> pipe_angles(float exponent, float r1, float r2);
 std::array<float, 2> strand_angles(uint64_t s1, uint64_t s2, float sum);
 std::string_view status_name(tree_status status);
+void capsule_contains(const struct tree_capsule *capsule, const float *point, uint32_t *inside);
+double capsule_volume(const struct tree_capsule *capsule);
 ConventionTraits convention_view(tree_convention convention);
 void convert_positions(tree_convention convention, tree_convert way, const float *from, size_t n, float *to);
 void convert_directions(tree_convention convention, tree_convert way, const float *from, size_t n, float *to);
@@ -870,6 +937,7 @@ size_t path_preset_count();
 std::tuple<std::string_view, std::string_view> path_preset_name(size_t index);
 float path_preset_paper_seconds(size_t index);
 PathParams path_preset(std::string_view name);
+Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr);
 uint32_t abi_version();
 std::string_view version();
 size_t live_objects();
@@ -951,6 +1019,14 @@ inline Span<const tree_capsule> Capsules::view() const {
     const tree_capsule *rows = nullptr; size_t n = 0;
     tree::check(tree_capsules_view(get(), &rows, &n));
     return Span<const tree_capsule>(rows, n);
+}
+inline void capsule_contains(const struct tree_capsule *capsule, const float *point, uint32_t *inside) {
+    tree::check(tree_capsule_contains(capsule, point, inside));
+}
+inline double capsule_volume(const struct tree_capsule *capsule) {
+    double volume = 0;
+    tree::check(tree_capsule_volume(capsule, &volume));
+    return volume;
 }
 inline ConventionTraits convention_view(tree_convention convention) {
     ConventionTraits traits;
@@ -1062,7 +1138,7 @@ inline std::tuple<Rows, Skeleton> Skeleton::refine(float bearing, float spacing,
 inline void TwigParams::check() const {
     tree::check(tree_twig_params_check(this));
 }
-inline Twigs Twigs::build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> mesh_params, Ref<tree_instance_params> params, uint64_t seed, Ref<tree_control> control, tree_twig_report *report) {
+inline Twigs Twigs::build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control, tree_instancing_report *report) {
     tree_twigs *twigs = nullptr;
     tree::check(tree_twigs_build(tree, look, mesh_params, params, seed, control, report, &twigs));
     return Twigs(twigs);
@@ -1072,8 +1148,8 @@ inline size_t Twigs::count() const {
     tree::check(tree_twigs_count(get(), &n_twigs));
     return n_twigs;
 }
-inline TwigReport Twigs::report() const {
-    TwigReport report;
+inline InstancingReport Twigs::report() const {
+    InstancingReport report;
     tree::check(tree_twigs_report(get(), &report));
     return report;
 }
@@ -1091,6 +1167,11 @@ inline TwigInstances Twigs::instances(size_t number) const {
     TwigInstances instances;
     tree::check(tree_twigs_instances(get(), number, &instances));
     return instances;
+}
+inline std::tuple<Mesh, Twigs> Twigs::from_parts(const struct tree_mesh *base, Span<const tree_twig_instances> instances, Ref<tree_control> control) {
+    tree_mesh *meshes = nullptr; tree_twigs *twigs = nullptr;
+    tree::check(tree_twigs_from_parts(base, &meshes, instances.data(), instances.size(), control, &twigs));
+    return {Mesh(meshes), Twigs(twigs)};
 }
 inline Mesh Twigs::flatten(Ref<tree_control> control) const {
     tree_mesh *mesh = nullptr;
@@ -1420,6 +1501,9 @@ inline Bounds Mesh::bounds() const {
 inline void Mesh::check() const {
     tree::check(tree_mesh_check(get()));
 }
+inline void Mesh::check_surface(size_t number) const {
+    tree::check(tree_mesh_check_surface(get(), number));
+}
 inline void Mesh::check_colors() const {
     tree::check(tree_mesh_check_colors(get()));
 }
@@ -1666,6 +1750,81 @@ inline Bytes Skeleton::swc_write(Ref<tree_swc_options> options) const {
     tree_bytes *text = nullptr;
     tree::check(tree_swc_write(get(), options, &text));
     return Bytes(text);
+}
+inline FoundLeaves Separation::leaves(const struct tree_skeleton *skeleton, Ref<tree_control> control) const {
+    tree_found_leaves *leaves = nullptr;
+    tree::check(tree_separation_leaves(get(), skeleton, control, &leaves));
+    return FoundLeaves(leaves);
+}
+inline Foliage FoundLeaves::foliage() const {
+    Foliage foliage;
+    tree::check(tree_found_leaves_foliage(get(), &foliage));
+    return foliage;
+}
+inline LeafKinds FoundLeaves::view() const {
+    LeafKinds kinds;
+    tree::check(tree_found_leaves_view(get(), &kinds));
+    return kinds;
+}
+inline Pieces Separation::follow(Ref<tree_skeletonize_params> params, Ref<tree_control> control) const {
+    tree_pieces *pieces = nullptr;
+    tree::check(tree_separation_follow(get(), params, control, &pieces));
+    return Pieces(pieces);
+}
+inline std::tuple<Skeleton, Pieces> Pieces::make(Span<const tree_piece> rows, Ref<tree_control> control) {
+    tree_skeleton *skeletons = nullptr; tree_pieces *pieces = nullptr;
+    tree::check(tree_pieces_new(&skeletons, rows.data(), rows.size(), control, &pieces));
+    return {Skeleton(skeletons), Pieces(pieces)};
+}
+inline size_t Pieces::count() const {
+    size_t n_pieces = 0;
+    tree::check(tree_pieces_count(get(), &n_pieces));
+    return n_pieces;
+}
+inline std::tuple<tree_piece, Skeleton> Pieces::piece(size_t index) const {
+    tree_piece row{}; tree_skeleton *skeleton = nullptr;
+    tree::check(tree_pieces_piece(get(), index, &row, &skeleton));
+    return {row, Skeleton(skeleton)};
+}
+inline std::tuple<uint8_t, Skeleton> Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control) const {
+    uint8_t reached = 0; tree_skeleton *skeleton = nullptr;
+    tree::check(tree_pieces_link(get(), params, control, &reached, &skeleton));
+    return {reached, Skeleton(skeleton)};
+}
+inline Separation Separation::make(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params, Ref<tree_control> control) {
+    tree_separation *separation = nullptr;
+    tree::check(tree_separation_new(parts.data(), parts.size(), params, control, &separation));
+    return Separation(separation);
+}
+inline Separation Separation::of_mesh(const struct tree_mesh *mesh, const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params, Ref<tree_control> control) {
+    tree_separation *separation = nullptr;
+    tree::check(tree_separation_of_mesh(mesh, hints, n_hints, params, control, &separation));
+    return Separation(separation);
+}
+inline SeparationColumns Separation::view() const {
+    SeparationColumns columns;
+    tree::check(tree_separation_view(get(), &columns));
+    return columns;
+}
+inline Separation Separation::with_classes(const tree_class *classes, size_t n_classes) const {
+    tree_separation *other = nullptr;
+    tree::check(tree_separation_with_classes(get(), classes, n_classes, &other));
+    return Separation(other);
+}
+inline Skeleton Separation::outward(const struct tree_skeleton *skeleton) const {
+    tree_skeleton *outward = nullptr;
+    tree::check(tree_separation_outward(get(), skeleton, &outward));
+    return Skeleton(outward);
+}
+inline Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params, Ref<tree_control> control, tree_skeletonize_report *report) {
+    tree_tree *tree = nullptr;
+    tree::check(tree_skeletonize(parts.data(), parts.size(), params, control, report, &tree));
+    return Tree(tree);
+}
+inline Tree Mesh::skeletonize_mesh(const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params, Ref<tree_control> control, tree_skeletonize_report *report) const {
+    tree_tree *tree = nullptr;
+    tree::check(tree_skeletonize_mesh(get(), hints, n_hints, params, control, report, &tree));
+    return Tree(tree);
 }
 inline Tree Tree::make(const struct tree_skeleton *skeleton, Ref<tree_foliage> foliage, Ref<tree_species> species, Ref<tree_control> control) {
     tree_tree *tree = nullptr;

@@ -9,7 +9,15 @@ use common::header::{self, Function, Header};
 use std::fmt::Write;
 
 /// Functions that are told nothing wrong by NULL and zeros alone.
-const NULL_IS_FINE: &[&str] = &["tree_mesh_params_check"];
+const NULL_IS_FINE: &[&str] = &[
+    "tree_mesh_params_check",
+    "tree_path_check",
+    "tree_convert_positions",
+    "tree_convert_directions",
+    "tree_convert_tangents",
+    "tree_convert_uvs",
+    "tree_convert_triangles",
+];
 
 /// Numbers that say how long a call without a control works: a large one is a wish, not a defect.
 const UNBOUNDED: &[(&str, &str)] = &[("tree_volume_estimate_measure", "n_samples")];
@@ -25,12 +33,25 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_mesh", "tree_mesh_build(live_tree_tree(), live_tree_look(), NULL, NULL, NULL, &made)"),
     ("tree_picture", "tree_picture_from_pixels(1, 1, pixel, 4, NULL, &made)"),
     ("tree_mask", "tree_render_mask(live_tree_mesh(), tiny_view(), NULL, &made)"),
+    ("tree_graph_nodes", "tree_graph_strew(live_tree_volume(), few_nodes(), 1, NULL, &made)"),
+    ("tree_leaf_model", "tree_look_leaf_model(live_tree_look(), 0, NULL, NULL, &made)"),
+    ("tree_profile", "tree_profile_from_svg(svg, sizeof svg - 1, NULL, NULL, &made)"),
+    ("tree_rows", "tree_skeleton_refine(live_tree_skeleton(), 1, 1, NULL, &made, other_skeleton())"),
+    (
+        "tree_gltf_leaves",
+        "tree_mesh_build_instanced(live_tree_tree(), live_tree_look(), NULL, NULL, other_mesh(), &made)",
+    ),
+    (
+        "tree_twigs",
+        "tree_twigs_build(live_tree_tree(), live_tree_look(), NULL, NULL, 1, NULL, NULL, &made)",
+    ),
     ("tree_axes", "tree_skeleton_axes(live_tree_skeleton(), 0, &made)"),
     ("tree_capsules", "tree_skeleton_capsules(live_tree_skeleton(), NULL, NULL, NULL, &made)"),
     ("tree_crossings", "tree_mesh_crossings(live_tree_mesh(), 0, NULL, &made)"),
     ("tree_gltf_attributes", "tree_mesh_gltf_wind(live_tree_mesh(), NULL, &made)"),
     ("tree_graph", "tree_graph_from_edges(fork_positions, 4, fork_edges, fork_radii, 3, NULL, &made)"),
     ("tree_packed", "tree_mesh_pack(live_tree_mesh(), 0, 0, NULL, &made)"),
+    ("tree_unpacked", "tree_packed_unpack(live_tree_packed(), live_tree_mesh(), &made)"),
     ("tree_swc", "tree_swc_read(swc, sizeof swc - 1, NULL, NULL, &made)"),
     ("tree_texture", "tree_look_texture(live_tree_look(), 0, &made)"),
     ("tree_wind_branches", "tree_skeleton_wind_branches(live_tree_skeleton(), 0, &made)"),
@@ -330,7 +351,9 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
         };
         let declared = argument.called(&format!("a{i}"));
         writeln!(c, "    {declared} = {value};").unwrap();
-        if let Some((from, to)) = kind.never_good().filter(|_| !believed) {
+        // An array of none is not looked at.
+        let counted = function.arguments.get(i + 1).is_some_and(|next| next.name.starts_with("n_"));
+        if let Some((from, to)) = kind.never_good().filter(|_| !believed && !counted) {
             writeln!(c, "    bad |= m[{i}] >= {from} && m[{i}] <= {to};").unwrap();
         }
     }
@@ -347,13 +370,13 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
     let places: Vec<_> = (0..function.arguments.len())
         .filter(|&i| is_place(&function.arguments[i]))
         .collect();
-    let all_given = places.iter().map(|i| format!("a{i}")).collect::<Vec<_>>().join(" && ");
+    let all_given = places.iter().map(|i| format!("a{i} != NULL")).collect::<Vec<_>>().join(" && ");
     for &i in &places {
         let made = function.arguments[i].kind.split(' ').next().unwrap_or("");
         writeln!(
             c,
-            "    if ({all_given}) \
-             handed_out(status, *a{i}, status || !*a{i} ? 0 : {made}_free(*a{i}));"
+            "    if (a{i}) handed_out(status, {all_given}, *a{i}, \
+             status || !*a{i} ? 0 : {made}_free(*a{i}));"
         )
         .unwrap();
     }

@@ -91,6 +91,8 @@ int main(int n, char **arguments) {
     for (unsigned i = 0; i < sizeof attacks / sizeof *attacks; i++)
         run(&attacks[i], few ? 5 : 100);
     free_all();
+    must(tree_skeleton_free(second_skeleton));
+    must(tree_mesh_free(second_mesh));
     must(tree_cancel_free(a_switch));
     must(tree_pool_free(one_thread_pool));
     now = "the end";

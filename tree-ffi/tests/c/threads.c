@@ -5,9 +5,19 @@
 /* A tree small enough for a test, and large enough that threads share the work. */
 static tree_status a_small_oak(uint64_t seed, const tree_control *control, tree_tree **tree) {
     static tree_path_params params;
+    static tree_path_level level;
     static pthread_mutex_t once = PTHREAD_MUTEX_INITIALIZER;
     pthread_mutex_lock(&once);
-    if (!params.struct_size) OK(tree_path_preset("shrub", TREE_NUL_TERMINATED, &params, sizeof params));
+    if (!params.struct_size) {
+        OK(tree_path_preset("oak", TREE_NUL_TERMINATED, &params, sizeof params));
+        CHECK(params.n_levels > 0);
+        level = params.levels[0];
+        level.graph_nodes = 40;
+        params.levels = &level;
+        params.n_levels = 1;
+        params.graph_nodes = 300;
+        params.endpoints_random = 20;
+    }
     pthread_mutex_unlock(&once);
     return tree_path_grow(&params, seed, control, NULL, tree);
 }
@@ -25,10 +35,8 @@ static uint64_t hash_of(uint64_t seed, const tree_control *control) {
     tree_look *look = NULL;
     tree_mesh *mesh = NULL;
     if (a_small_oak(seed, control, &tree)) return 0;
-    OK(tree_look_plain(NULL, &look));
-    tree_look *own = NULL;
-    OK(tree_look_of_tree(tree, 1, &own));
-    OK(tree_mesh_build(tree, own, NULL, control, NULL, &mesh));
+    OK(tree_look_of_tree(tree, 1, &look));
+    OK(tree_mesh_build(tree, look, NULL, control, NULL, &mesh));
     size_t n = 0;
     OK(tree_mesh_surface_count(mesh, &n));
     for (size_t i = 0; i < n; i++) {
@@ -38,7 +46,6 @@ static uint64_t hash_of(uint64_t seed, const tree_control *control) {
         hash = fnv1a(hash, view.indices, view.n_indices * sizeof(uint32_t));
     }
     OK(tree_mesh_free(mesh));
-    OK(tree_look_free(own));
     OK(tree_look_free(look));
     OK(tree_tree_free(tree));
     return hash;

@@ -22,7 +22,9 @@ static void *give(void *user, size_t size, size_t align) {
     char *block = whole + sizeof(header) + skip;
     header mine = {size, align, whole};
     memcpy(block - sizeof mine, &mine, sizeof mine);
-    n_blocks++, n_calls++, n_bytes += size;
+    n_blocks++;
+    n_calls++;
+    n_bytes += size;
     return block;
 }
 
@@ -31,7 +33,8 @@ static void take(void *user, void *block, size_t size, size_t align) {
     header mine;
     memcpy(&mine, (char *)block - sizeof mine, sizeof mine);
     CHECK(mine.size == size && mine.align == align);
-    n_blocks--, n_bytes -= size;
+    n_blocks--;
+    n_bytes -= size;
     free(mine.whole);
 }
 
