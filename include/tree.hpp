@@ -70,9 +70,16 @@ public:
     // Anything with data() and size().
     template <class C, class = decltype(static_cast<T *>(std::declval<const C &>().data()))>
     constexpr Span(const C &container) noexcept : data_(container.data()), size_(container.size()) {}
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Winit-list-lifetime"
+#endif
     // For arguments: the list lives as long as the call.
     constexpr Span(std::initializer_list<std::remove_const_t<T>> list) noexcept
         : data_(list.begin()), size_(list.size()) {}
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
     constexpr T *data() const noexcept { return data_; }
     constexpr std::size_t size() const noexcept { return size_; }

@@ -86,6 +86,26 @@ fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
 }
 
+/// With exceptions, and without.
+fn cpp_tests(more: &[&'static str]) -> Vec<PathBuf> {
+    let source = here().join("tests/cpp/wrapper.cpp");
+    [("wrapper", &[][..]), ("wrapper_no_exceptions", &["-fno-exceptions"][..])]
+        .iter()
+        .map(|(name, own)| {
+            let flags = [CPP17, *own, more].concat();
+            let name = if more.is_empty() { (*name).to_owned() } else { format!("{name}_more") };
+            compile::compile("c++", &flags, std::slice::from_ref(&source), &name)
+        })
+        .collect()
+}
+
+#[test]
+fn the_cpp_wrapper_works_with_and_without_exceptions() {
+    for program in cpp_tests(&[]) {
+        compile::run(&mut compile::command(&program));
+    }
+}
+
 #[test]
 fn an_installed_library_is_found_by_make_cmake_and_pkg_config() {
     let examples = root().join("examples/c");
@@ -180,6 +200,9 @@ fn sanitizers_find_nothing() {
     }
     let c = [C11, SANITIZE].concat();
     compile::run(&mut compile::command(&compile::compile("cc", &c, &c_tests(), "c_test_asan")));
+    for program in cpp_tests(SANITIZE) {
+        compile::run(&mut compile::command(&program));
+    }
     for (compiler, flags, source, name) in oaks() {
         let flags = [flags, SANITIZE].concat();
         let program = compile::compile(compiler, &flags, &[source], &format!("{name}_asan"));

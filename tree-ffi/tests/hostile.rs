@@ -52,6 +52,12 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_graph", "tree_graph_from_edges(fork_positions, 4, fork_edges, fork_radii, 3, NULL, &made)"),
     ("tree_packed", "tree_mesh_pack(live_tree_mesh(), 0, 0, NULL, &made)"),
     ("tree_unpacked", "tree_packed_unpack(live_tree_packed(), live_tree_mesh(), &made)"),
+    ("tree_pieces", "tree_pieces_new(NULL, NULL, 0, NULL, &made)"),
+    ("tree_separation", "tree_separation_of_mesh(live_tree_mesh(), NULL, 0, NULL, NULL, &made)"),
+    (
+        "tree_found_leaves",
+        "tree_separation_leaves(live_tree_separation(), live_tree_skeleton(), NULL, &made)",
+    ),
     ("tree_swc", "tree_swc_read(swc, sizeof swc - 1, NULL, NULL, &made)"),
     ("tree_texture", "tree_look_texture(live_tree_look(), 0, &made)"),
     ("tree_wind_branches", "tree_skeleton_wind_branches(live_tree_skeleton(), 0, &made)"),
