@@ -12,7 +12,7 @@ use tree_model::tree_core::{Control, Resource, Seed, Volume};
 /// Points that one thread answers for between looks at the control.
 const CHUNK: usize = 4096;
 
-/// Asks `volume` about every point, in parallel.
+/// Asks `volume` about every point; about many in parallel.
 unsafe fn ask<R: Copy + Default + Send>(
     volume: *const tree_volume,
     points: *const f32,
@@ -26,14 +26,20 @@ unsafe fn ask<R: Copy + Default + Send>(
     let answer = &answer;
     let body = |control: &Control| {
         let mut answers = vec![R::default(); points.len()];
-        let chunks = answers.par_chunks_mut(CHUNK).zip(points.par_chunks(CHUNK));
-        chunks.try_for_each(|(answers, points)| {
+        let answer_chunk = |(answers, points): (&mut [R], &[Vec3])| {
             control.check()?;
             for (place, &point) in answers.iter_mut().zip(points) {
                 *place = answer(volume, point);
             }
             Ok::<_, Failure>(())
-        })?;
+        };
+        // A few points are not worth waking other threads.
+        if points.len() <= CHUNK {
+            answer_chunk((&mut answers, points))?;
+        } else {
+            let chunks = answers.par_chunks_mut(CHUNK).zip(points.par_chunks(CHUNK));
+            chunks.try_for_each(answer_chunk)?;
+        }
         Ok(answers)
     };
     unsafe { run(control, body) }

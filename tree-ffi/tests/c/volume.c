@@ -134,6 +134,17 @@ static void questions(void) {
     FAILS(TREE_ERROR_LIMIT, "nodes", tree_volume_contains(ball, points, SIZE_MAX, NULL, inside));
     FAILS(TREE_ERROR_NULL, "inside", tree_volume_contains(ball, points, 3, NULL, NULL));
 
+    /* So many that several threads share them. */
+    enum { MANY = 10000 };
+    float *many = malloc(3 * MANY * sizeof(float)), *far = malloc(MANY * sizeof(float));
+    for (int i = 0; i < 3 * MANY; i++) {
+        many[i] = i % 3 ? 0 : (float)(i / 3);
+    }
+    OK(tree_volume_distance(ball, many, MANY, NULL, far));
+    CHECK(far[0] == -2 && far[MANY - 1] == MANY - 3);
+    free(many);
+    free(far);
+
     float box[6];
     OK(tree_volume_bounds(ball, &box));
     CHECK(box[0] == -2 && box[5] == 2);

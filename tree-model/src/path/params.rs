@@ -32,7 +32,7 @@ pub const MIN_ANGLE: f32 = 0.05;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathParams {
     /// The volume of level 1: trunk and crown, or root ball. It decides the shape of the tree more
-    /// than all else. Bounded. Default: a trunk of 2.6 m under a round crown of 9.5 m height.
+    /// than all else. Bounded. Oak: a trunk of 3 m under a round crown, 10.4 m high.
     pub volume: Volume,
     /// Where all paths end; inside `volume` or within linking distance. Oak: the origin.
     pub root: Vec3,
