@@ -1,40 +1,237 @@
-//! C programs against the library, with the machine's compiler.
+//! C and C++ programs against the library, with the machine's compilers; under valgrind and gcc's
+//! sanitizers where they are installed.
 
-use std::path::{Path, PathBuf};
+mod common;
+
+use common::compile::{self, C11, CPP17, SANITIZE, files, here, root};
+use common::header;
+use std::path::PathBuf;
 use std::process::Command;
+use tree_core::{Control, Seed};
+use tree_mesh::{Look, MeshParams};
+use tree_model::path::PathParams;
 
-const STRICT: &[&str] = &["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-g"];
-
-fn here() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+fn c_tests() -> Vec<PathBuf> {
+    files(&here().join("tests/c"), "c")
 }
 
-/// Where cargo put the library for this test.
-fn library_folder() -> PathBuf {
-    std::env::current_exe().unwrap().parent().unwrap().to_path_buf()
+fn alone(name: &str) -> Vec<PathBuf> {
+    vec![here().join("tests/c_alone").join(name)]
+}
+
+fn oaks() -> [(&'static str, &'static [&'static str], PathBuf, &'static str); 2] {
+    [
+        ("cc", C11, root().join("examples/c/oak.c"), "oak_c"),
+        ("c++", CPP17, root().join("examples/cpp/oak.cpp"), "oak_cpp"),
+    ]
 }
 
 #[test]
 fn every_function_works_from_c() {
-    let out = library_folder().join("c_test");
-    let mut sources: Vec<_> = std::fs::read_dir(here().join("tests/c"))
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "c"))
-        .collect();
-    sources.sort();
-    let built = Command::new("cc")
-        .args(STRICT)
-        .arg("-I")
-        .arg(here().join("../include"))
-        .args(&sources)
-        .arg("-L")
-        .arg(library_folder())
-        .args(["-ltree_ffi", "-lm", "-lpthread", "-o"])
-        .arg(&out)
-        .status()
-        .expect("a C compiler");
-    assert!(built.success());
-    let ran = Command::new(&out).env("LD_LIBRARY_PATH", library_folder()).output().unwrap();
-    assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stdout));
+    let program = compile::compile("cc", C11, &c_tests(), "c_test");
+    let said = compile::run(&mut compile::command(&program));
+    assert!(said.contains("all is well"), "{said}");
+}
+
+#[test]
+fn every_function_is_called_by_a_c_test() {
+    let sources: String =
+        c_tests().iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
+    let header = header::parse(&header::text());
+    // The one that ends a program's other memory has a program of its own.
+    let names = header.functions.iter().map(|function| function.name.as_str());
+    let missing: Vec<_> = names.filter(|name| !sources.contains(&format!("{name}("))).collect();
+    assert!(missing.is_empty(), "tests/c calls none of {missing:?}");
+}
+
+#[test]
+fn a_host_brings_its_allocator() {
+    let program = compile::compile("cc", C11, &alone("allocator.c"), "allocator");
+    compile::run(&mut compile::command(&program));
+}
+
+#[test]
+fn a_thousand_cycles_leave_nothing() {
+    let program = compile::compile("cc", C11, &alone("soak.c"), "soak");
+    compile::run(&mut compile::command(&program));
+}
+
+#[test]
+fn c_cpp_and_rust_make_the_same_oak() {
+    let tree = PathParams::oak().unwrap().grow(Seed(1), &Control::default()).unwrap().tree;
+    let look = Look::built_in(tree.species()).unwrap();
+    let mesh = tree_mesh::build(&tree, &look, &MeshParams::default(), &Control::default());
+    let mesh = mesh.unwrap().mesh;
+    let (mut positions, mut indices) = (FNV_BEGIN, FNV_BEGIN);
+    for surface in &mesh.surfaces {
+        positions = fnv1a(positions, bytemuck::cast_slice(&surface.positions));
+        indices = fnv1a(indices, bytemuck::cast_slice(&surface.indices));
+    }
+    let expected = format!("oak seed 1\npositions {positions:016x} indices {indices:016x}\n");
+    for (compiler, flags, source, name) in oaks() {
+        let program = compile::compile(compiler, flags, &[source], name);
+        let mut command = compile::command(&program);
+        let folder = command.get_current_dir().unwrap().to_path_buf();
+        let said = compile::run(&mut command);
+        assert!(said.ends_with(&expected), "{name} says {said}not {expected}");
+        let glb = std::fs::read(folder.join("oak.glb")).unwrap();
+        assert_eq!(glb[..4], *b"glTF", "{name}");
+        assert_eq!(glb.len(), u32::from_le_bytes(glb[8..12].try_into().unwrap()) as usize);
+    }
+}
+
+const FNV_BEGIN: u64 = 0xcbf2_9ce4_8422_2325;
+
+fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
+}
+
+/// With exceptions, and without.
+fn cpp_tests(more: &[&'static str]) -> Vec<PathBuf> {
+    let source = here().join("tests/cpp/wrapper.cpp");
+    [("wrapper", &[][..]), ("wrapper_no_exceptions", &["-fno-exceptions"][..])]
+        .iter()
+        .map(|(name, own)| {
+            let flags = [CPP17, *own, more].concat();
+            let name = if more.is_empty() { (*name).to_owned() } else { format!("{name}_more") };
+            compile::compile("c++", &flags, std::slice::from_ref(&source), &name)
+        })
+        .collect()
+}
+
+#[test]
+fn the_cpp_wrapper_works_with_and_without_exceptions() {
+    for program in cpp_tests(&[]) {
+        compile::run(&mut compile::command(&program));
+    }
+}
+
+#[test]
+fn an_installed_library_is_found_by_make_cmake_and_pkg_config() {
+    let examples = root().join("examples/c");
+    let folder = compile::folder("installed");
+    let prefix = folder.join("prefix");
+    let lib = prefix.join("lib");
+    let install = |command: &mut Command| compile::run(command.current_dir(&folder));
+    install(Command::new("bash").arg(examples.join("install.sh")).arg(&prefix).arg(
+        compile::library_folder(),
+    ));
+    if compile::has("pkg-config") {
+        let flags = install(
+            Command::new("pkg-config")
+                .args(["--cflags", "--libs", "tree"])
+                .env("PKG_CONFIG_PATH", lib.join("pkgconfig")),
+        );
+        let built = Command::new("cc")
+            .args(C11)
+            .arg(examples.join("oak.c"))
+            .args(flags.split_whitespace())
+            .args(["-o", "oak_pkg_config"])
+            .current_dir(&folder)
+            .status();
+        assert!(built.unwrap().success());
+        let made = Command::new("make")
+            .arg("-C")
+            .arg(&examples)
+            .args(["-n", "INSTALLED=1"])
+            .env("PKG_CONFIG_PATH", lib.join("pkgconfig"))
+            .output()
+            .unwrap();
+        assert!(String::from_utf8_lossy(&made.stdout).contains("-ltree_ffi"));
+    }
+    if compile::has("cmake") {
+        let build = folder.join("build");
+        let _ = std::fs::remove_dir_all(&build);
+        install(
+            Command::new("cmake")
+                .arg("-S")
+                .arg(&examples)
+                .arg("-B")
+                .arg(&build)
+                .arg(format!("-DCMAKE_PREFIX_PATH={}", prefix.display())),
+        );
+        install(Command::new("cmake").arg("--build").arg(&build));
+        for program in ["oak", "oak_cpp", "oak_static"] {
+            // An unknown preset ends it at once, with the library's own words.
+            let said = Command::new(build.join(program)).arg("no such tree").output().unwrap();
+            let text = String::from_utf8_lossy(&said.stderr).into_owned();
+            assert!(text.contains("TREE_ERROR_UNKNOWN_NAME"), "{program}: {text}");
+        }
+    }
+}
+
+#[test]
+#[ignore = "slow: .ci/run does it"]
+fn valgrind_finds_nothing() {
+    if !compile::has("valgrind") {
+        return;
+    }
+    let program = compile::compile("cc", C11, &c_tests(), "c_test_valgrind");
+    compile::run(&mut compile::valgrind(&program));
+    let program = compile::compile("cc", C11, &alone("soak.c"), "soak_valgrind");
+    let ran = compile::output(compile::valgrind(&program).arg("20"));
+    // valgrind's own memory grows: only its verdict counts.
+    assert_ne!(ran.status.code(), Some(9), "{}", compile::said(&ran));
+    let program = compile::compile("cc", C11, &alone("allocator.c"), "allocator_valgrind");
+    compile::run(&mut compile::valgrind(&program));
+}
+
+#[test]
+#[ignore = "slow: .ci/run does it"]
+fn valgrind_would_find_misuse() {
+    if !compile::has("valgrind") {
+        return;
+    }
+    for name in ["misuse_leak.c", "misuse_freed_view.c"] {
+        let program = compile::compile("cc", C11, &alone(name), &name.replace(".c", "_valgrind"));
+        let ran = compile::output(&mut compile::valgrind(&program));
+        assert_eq!(ran.status.code(), Some(9), "{name}: {}", compile::said(&ran));
+        let said = compile::said(&ran);
+        let expected = if name.contains("leak") { "definitely lost" } else { "Invalid read" };
+        assert!(said.contains(expected), "{name}: {said}");
+    }
+}
+
+#[test]
+#[ignore = "slow: .ci/run does it"]
+fn sanitizers_find_nothing() {
+    if !has_sanitizers() {
+        return;
+    }
+    let c = [C11, SANITIZE].concat();
+    compile::run(&mut compile::command(&compile::compile("cc", &c, &c_tests(), "c_test_asan")));
+    for program in cpp_tests(SANITIZE) {
+        compile::run(&mut compile::command(&program));
+    }
+    for (compiler, flags, source, name) in oaks() {
+        let flags = [flags, SANITIZE].concat();
+        let program = compile::compile(compiler, &flags, &[source], &format!("{name}_asan"));
+        compile::run(&mut compile::command(&program));
+    }
+}
+
+#[test]
+#[ignore = "slow: .ci/run does it"]
+fn sanitizers_would_find_misuse() {
+    if !has_sanitizers() {
+        return;
+    }
+    for name in ["misuse_leak.c", "misuse_freed_view.c"] {
+        let c = [C11, SANITIZE].concat();
+        let program = compile::compile("cc", &c, &alone(name), &name.replace(".c", "_asan"));
+        let ran = compile::output(&mut compile::command(&program));
+        let said = compile::said(&ran);
+        assert!(!ran.status.success(), "{name}: {said}");
+        let expected = if name.contains("leak") { "LeakSanitizer" } else { "heap-use-after-free" };
+        assert!(said.contains(expected), "{name}: {said}");
+    }
+}
+
+fn has_sanitizers() -> bool {
+    let source = compile::folder("c_programs").join("sanitizers.c");
+    std::fs::write(&source, "int main(void) { return 0; }\n").unwrap();
+    let program = source.with_extension("");
+    let built = Command::new("cc").args(SANITIZE).arg(&source).arg("-o").arg(&program).output();
+    built.is_ok_and(|output| output.status.success())
+        && Command::new(&program).output().is_ok_and(|output| output.status.success())
 }

@@ -92,7 +92,15 @@ pub(crate) unsafe fn free<T: Handle>(pointer: *mut T, argument: &str) -> Result<
         return Err(Failure::new(TREE_ERROR_ORDER, text));
     }
     let key = key(pointer.cast_const());
-    let gone = shard(key).write().unwrap_or_else(PoisonError::into_inner).remove(&key);
+    let gone = {
+        let mut live = shard(key).write().unwrap_or_else(PoisonError::into_inner);
+        let gone = live.remove(&key);
+        // An empty map keeps a node: a host that unloads the library wants all its memory back.
+        if live.is_empty() {
+            *live = BTreeMap::new();
+        }
+        gone
+    };
     if gone.is_none() {
         return Err(wrong(argument, T::NAME, "another thread freed it in this moment"));
     }

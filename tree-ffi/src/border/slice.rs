@@ -92,6 +92,9 @@ pub(crate) unsafe fn fill<T: Copy>(
             format!("{argument} has room for {capacity} values, {} are needed", values.len());
         return Err(Failure::new(TREE_ERROR_BUFFER, text));
     }
+    if !first.is_aligned() {
+        return Err(Failure::new(TREE_ERROR_INVALID, format!("{argument} is not aligned")));
+    }
     // SAFETY: room for `capacity` values by contract, and no more are written.
     unsafe { first.copy_from_nonoverlapping(values.as_ptr(), values.len()) };
     Ok(())

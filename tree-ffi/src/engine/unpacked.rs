@@ -3,7 +3,8 @@
 use super::pack::*;
 use super::packed::{Content, tree_packed};
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_PANIC, Versioned, call, free, get, out, tree_status, write,
+    Failure, Handle, Result, TREE_ERROR_PANIC, Versioned, call, free, get, get_opt, out, tree_status,
+    write,
 };
 use crate::mesh::{column, tree_mesh};
 use ::tree_mesh::pack::{
@@ -140,9 +141,13 @@ pub unsafe extern "C" fn tree_packed_unpack(
     call(|| {
         let place = unsafe { out(unpacked, "unpacked") }?;
         let packed = unsafe { get(packed, "packed") }?;
+        let mesh = unsafe { get_opt(mesh, "mesh") }?;
         place.put(tree_unpacked(match &packed.content {
             Content::Streams(streams) => unpack(packed, streams)?,
-            Content::Vertices(vertices) => vertices.unpack(unsafe { get(mesh, "mesh") }?.rust()),
+            Content::Vertices(vertices) => {
+                let mesh = mesh.ok_or_else(|| Failure::null("mesh"))?;
+                vertices.unpack(mesh.rust())
+            }
         }));
         Ok(())
     })

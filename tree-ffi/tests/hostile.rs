@@ -1,0 +1,394 @@
+//! A hostile caller: a C program, made of `tree.h`, that calls every function with NULL, zeros, numbers
+//! that cannot be meant, dead and foreign handles and structs of wrong sizes, each argument in turn and
+//! all of them at random. Nothing may crash, panic or pass for well.
+
+mod common;
+
+use common::compile::{self, C11};
+use common::header::{self, Function, Header};
+use std::fmt::Write;
+
+/// Functions that are told nothing wrong by NULL and zeros alone.
+const NULL_IS_FINE: &[&str] = &[
+    "tree_mesh_params_check",
+    "tree_path_check",
+    "tree_convert_positions",
+    "tree_convert_directions",
+    "tree_convert_tangents",
+    "tree_convert_uvs",
+    "tree_convert_triangles",
+];
+
+/// Numbers that say how long a call without a control works: a large one is a wish, not a defect.
+const UNBOUNDED: &[(&str, &str)] = &[("tree_volume_estimate_measure", "n_samples")];
+
+/// C that makes a small object of each kind that has no other object behind it, or of those before it.
+const MAKERS: &[(&str, &str)] = &[
+    ("tree_cancel", "tree_cancel_new(&made)"),
+    ("tree_pool", "tree_pool_new(&one_thread, &made)"),
+    ("tree_skeleton", "tree_skeleton_from_columns(&fork_columns, NULL, &made)"),
+    ("tree_tree", "tree_tree_new(live_tree_skeleton(), &two_leaves, NULL, NULL, &made)"),
+    ("tree_volume", "tree_volume_sphere(origin, 1, &made)"),
+    ("tree_look", "tree_look_plain(NULL, &made)"),
+    ("tree_mesh", "tree_mesh_build(live_tree_tree(), live_tree_look(), NULL, NULL, NULL, &made)"),
+    ("tree_picture", "tree_picture_from_pixels(1, 1, pixel, 4, NULL, &made)"),
+    ("tree_mask", "tree_render_mask(live_tree_mesh(), tiny_view(), NULL, &made)"),
+    ("tree_graph_nodes", "tree_graph_strew(live_tree_volume(), few_nodes(), 1, NULL, &made)"),
+    ("tree_leaf_model", "tree_look_leaf_model(live_tree_look(), 0, NULL, NULL, &made)"),
+    ("tree_profile", "tree_profile_from_svg(svg, sizeof svg - 1, NULL, NULL, &made)"),
+    ("tree_rows", "tree_skeleton_refine(live_tree_skeleton(), 1, 1, NULL, &made, other_skeleton())"),
+    (
+        "tree_gltf_leaves",
+        "tree_mesh_build_instanced(live_tree_tree(), live_tree_look(), NULL, NULL, other_mesh(), &made)",
+    ),
+    (
+        "tree_twigs",
+        "tree_twigs_build(live_tree_tree(), live_tree_look(), NULL, NULL, 1, NULL, NULL, &made)",
+    ),
+    ("tree_axes", "tree_skeleton_axes(live_tree_skeleton(), 0, &made)"),
+    ("tree_capsules", "tree_skeleton_capsules(live_tree_skeleton(), NULL, NULL, NULL, &made)"),
+    ("tree_crossings", "tree_mesh_crossings(live_tree_mesh(), 0, NULL, &made)"),
+    ("tree_gltf_attributes", "tree_mesh_gltf_wind(live_tree_mesh(), NULL, &made)"),
+    ("tree_graph", "tree_graph_from_edges(fork_positions, 4, fork_edges, fork_radii, 3, NULL, &made)"),
+    ("tree_packed", "tree_mesh_pack(live_tree_mesh(), 0, 0, NULL, &made)"),
+    ("tree_unpacked", "tree_packed_unpack(live_tree_packed(), live_tree_mesh(), &made)"),
+    ("tree_pieces", "tree_pieces_new(NULL, NULL, 0, NULL, &made)"),
+    ("tree_separation", "tree_separation_of_mesh(live_tree_mesh(), NULL, 0, NULL, NULL, &made)"),
+    (
+        "tree_found_leaves",
+        "tree_separation_leaves(live_tree_separation(), live_tree_skeleton(), NULL, &made)",
+    ),
+    ("tree_swc", "tree_swc_read(swc, sizeof swc - 1, NULL, NULL, &made)"),
+    ("tree_texture", "tree_look_texture(live_tree_look(), 0, &made)"),
+    ("tree_wind_branches", "tree_skeleton_wind_branches(live_tree_skeleton(), 0, &made)"),
+    ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
+];
+
+#[test]
+fn hostile_calls_are_errors() {
+    let program = compile::compile("cc", C11, &[source()], "hostile");
+    let said = compile::run(&mut compile::command(&program));
+    assert!(said.contains("all is well"), "{said}");
+}
+
+#[test]
+#[ignore = "slow: .ci/run does it"]
+fn hostile_calls_touch_nothing_foreign() {
+    if compile::has("valgrind") {
+        let program = compile::compile("cc", C11, &[source()], "hostile_valgrind");
+        let said = compile::run(compile::valgrind(&program).arg("few"));
+        assert!(said.contains("all is well"), "{said}");
+    }
+}
+
+/// Every kind of object is thrown at the functions alive, not only dead.
+#[test]
+fn every_kind_of_object_is_made() {
+    let header = header::parse(&header::text());
+    let missing: Vec<_> = header.handles.iter().filter(|handle| maker(handle).is_none()).collect();
+    assert!(missing.is_empty(), "hostile.rs has no maker for {missing:?}");
+}
+
+fn maker(handle: &str) -> Option<&'static str> {
+    MAKERS.iter().find(|(name, _)| *name == handle).map(|(_, maker)| *maker)
+}
+
+fn source() -> std::path::PathBuf {
+    let header = header::parse(&header::text());
+    let source = compile::folder("hostile").join("hostile.c");
+    std::fs::write(&source, program(&header)).unwrap();
+    source
+}
+
+fn program(header: &Header) -> String {
+    let mut c = include_str!("hostile_begin.c").to_owned();
+    objects(header, &mut c);
+    structs(header, &mut c);
+    callbacks(header, &mut c);
+    for function in &header.functions {
+        caller(header, function, &mut c);
+    }
+    c.push_str("static const attack attacks[] = {\n");
+    for function in &header.functions {
+        let kinds: Vec<_> =
+            function.arguments.iter().map(|one| Kind::of(header, &one.kind).moods(header)).collect();
+        let list = kinds.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+        let name = &function.name;
+        let control = function.arguments.iter().position(|one| one.name == "control");
+        let status = function.returns == "tree_status";
+        let strict = status && !NULL_IS_FINE.contains(&name.as_str()) && !name.ends_with("_free");
+        writeln!(
+            c,
+            "    {{\"{name}\", call_{name}, {}, {{{}}}, {}, {}}},",
+            kinds.len(),
+            if list.is_empty() { "0" } else { &list },
+            control.map_or(-1, |at| at as i32),
+            i32::from(strict),
+        )
+        .unwrap();
+    }
+    c.push_str("};\n");
+    c.push_str(include_str!("hostile_end.c"));
+    c
+}
+
+/// What an argument or a field is, as far as lying with it goes.
+enum Kind<'a> {
+    /// `tree_x *` of an object.
+    Handle(&'a str),
+    /// `tree_x **`: where a new one goes.
+    Place,
+    /// `const tree_x *const *`.
+    Handles(&'a str),
+    /// A struct that begins with its size.
+    Sized(&'a str),
+    Float,
+    Integer,
+    Text,
+    Str,
+    Callback(&'a str),
+    User,
+    /// Numbers, rows, places for results.
+    Memory,
+}
+
+impl<'a> Kind<'a> {
+    fn of(header: &'a Header, kind: &'a str) -> Self {
+        let plain = kind.strip_prefix("const ").unwrap_or(kind);
+        let base = plain.split([' ', '*', '(', '[']).next().unwrap_or("");
+        let stars = kind.matches('*').count();
+        let handle = header.handles.iter().any(|handle| handle == base);
+        match (header.number(base), stars) {
+            _ if header.callbacks.contains_key(plain) => Self::Callback(base),
+            _ if handle && stars == 1 => Self::Handle(base),
+            _ if handle && kind.starts_with("const ") && kind.contains("*const") => {
+                Self::Handles(base)
+            }
+            _ if handle => Self::Place,
+            _ if header.is_sized(base) && stars == 1 => Self::Sized(base),
+            ("float" | "double", 0) => Self::Float,
+            ("tree_str", 0) => Self::Str,
+            (_, 0) if !header.structs.contains_key(base) => Self::Integer,
+            ("char", 1) => Self::Text,
+            ("void", 1) => Self::User,
+            _ => Self::Memory,
+        }
+    }
+
+    /// How many values there are: 0 is nothing, 1 is good, the rest is bad.
+    fn moods(&self, header: &Header) -> u32 {
+        match self {
+            Self::Handle(_) => 6,
+            Self::Handles(_) => 5,
+            Self::Place | Self::Callback(_) => 2,
+            Self::Sized(name) => SIZES + FIELD_MOODS * (header.structs[*name].len() as u32 - 1),
+            Self::Float => 7,
+            Self::Integer => 6,
+            Self::Text | Self::Str => 5,
+            Self::User => 1,
+            Self::Memory => 5,
+        }
+    }
+
+    /// The value for mood `m`, as C.
+    fn value(&self, m: &str, kind: &str) -> String {
+        match self {
+            Self::Handle(name) => format!("hostile_{name}({m})"),
+            Self::Handles(name) => format!("({kind})several(live_{name}(), {m})"),
+            Self::Place => format!("({kind})new_place({m})"),
+            Self::Sized(name) => format!("hostile_{name}({m})"),
+            Self::Float => format!("hostile_float({m})"),
+            Self::Integer => format!("({kind})hostile_integer({m}, sizeof({kind}))"),
+            Self::Text => format!("({kind})hostile_text({m})"),
+            Self::Str => format!("hostile_str({m})"),
+            Self::Callback(name) => format!("({m} ? callback_{name} : NULL)"),
+            Self::User => "NULL".to_owned(),
+            Self::Memory => format!("({kind})hostile_memory({m})"),
+        }
+    }
+
+    /// Moods that no function may take for good, from the first to the last.
+    fn never_good(&self) -> Option<(u32, u32)> {
+        match self {
+            Self::Handle(_) => Some((2, 5)),
+            Self::Sized(_) => Some((2, SIZES - 1)),
+            _ => None,
+        }
+    }
+}
+
+/// Moods of a struct before those of its fields: none, good, sizes 0, 3, one too few and 2^20.
+const SIZES: u32 = 6;
+/// Bad values for each field.
+const FIELD_MOODS: u32 = 3;
+
+fn objects(header: &Header, c: &mut String) {
+    // The foreign kinds first, then in the makers' order.
+    let rank = |handle: &String| MAKERS.iter().position(|(name, _)| name == handle);
+    let mut handles: Vec<_> = header.handles.iter().collect();
+    handles.sort_by_key(|handle| rank(handle).unwrap_or(usize::MAX));
+    for name in &handles {
+        let make = maker(name).unwrap_or("0");
+        let foreign = if *name == "tree_cancel" { "one_thread_pool" } else { "a_switch" };
+        writeln!(
+            c,
+            "static {name} *alive_{name};\n\
+             static {name} *live_{name}(void) {{\n    \
+             if (!alive_{name}) {{ {name} *made = NULL; must({make}); alive_{name} = made; }}\n    \
+             return alive_{name};\n}}\n\
+             static {name} *hostile_{name}(unsigned m) {{\n    \
+             switch (m) {{\n    \
+             case 0: return NULL;\n    \
+             case 1: return live_{name}();\n    \
+             case 2: return ({name} *)dead();\n    \
+             case 3: return ({name} *){foreign};\n    \
+             case 4: return ({name} *)(void *)0x10;\n    \
+             default: return ({name} *)(void *)((char *)live_{name}() + 1);\n    \
+             }}\n}}"
+        )
+        .unwrap();
+    }
+    c.push_str("static void free_all(void) {\n");
+    for name in handles.iter().rev().filter(|name| maker(name).is_some()) {
+        writeln!(c, "    must({name}_free(alive_{name}));").unwrap();
+    }
+    c.push_str("}\n");
+}
+
+/// Several of one struct in one call, and structs that point at structs: each has room of its own.
+fn structs(header: &Header, c: &mut String) {
+    for name in header.structs.keys().filter(|name| header.is_sized(name)) {
+        writeln!(c, "static {name} *hostile_{name}(unsigned m);").unwrap();
+    }
+    for name in header.callbacks.keys() {
+        let (returns, arguments) = &header.callbacks[name];
+        let list: Vec<_> = arguments.iter().map(|one| one.declaration.as_str()).collect();
+        writeln!(c, "static {returns} callback_{name}({});", list.join(", ")).unwrap();
+    }
+    for (name, fields) in header.structs.iter().filter(|(name, _)| header.is_sized(name)) {
+        let init = header.functions.iter().any(|function| function.name == format!("{name}_init"));
+        let good = if init { format!("must({name}_init(s, sizeof *s));") } else { String::new() };
+        let good = if name == "tree_control" { "calm(s);" } else { &good };
+        writeln!(
+            c,
+            "static {name} *hostile_{name}(unsigned m) {{\n    \
+             if (m == 0) return NULL;\n    \
+             {name} *s = room(sizeof *s);\n    \
+             s->struct_size = sizeof *s;\n    {good}\n    \
+             switch (m) {{\n    \
+             case 1: break;\n    \
+             case 2: s->struct_size = 0; break;\n    \
+             case 3: s->struct_size = 3; break;\n    \
+             case 4: s->struct_size = sizeof *s - 1; break;\n    \
+             case 5: s->struct_size = 1 << 20; break;"
+        )
+        .unwrap();
+        for (i, field) in fields.iter().skip(1).enumerate() {
+            for bad in 0..FIELD_MOODS {
+                let value = spoilt(header, field, bad);
+                let case = SIZES + FIELD_MOODS * i as u32 + bad;
+                writeln!(c, "    case {case}: {value} break;").unwrap();
+            }
+        }
+        c.push_str("    }\n    return s;\n}\n");
+    }
+}
+
+fn spoilt(header: &Header, field: &header::Named, bad: u32) -> String {
+    let name = &field.name;
+    if field.declaration.contains("(*") {
+        return format!("s->{name} = NULL;");
+    }
+    let embedded = header.structs.contains_key(&field.kind) && field.kind != "tree_str";
+    if field.declaration.contains('[') || embedded {
+        let bytes = ["0xff", "0x00", "0x7f"][bad as usize];
+        return format!("memset(&s->{name}, {bytes}, sizeof s->{name});");
+    }
+    let kind = Kind::of(header, &field.kind);
+    let mood = match (&kind, bad) {
+        (Kind::Integer, bad) => [0, 3, 5][bad as usize],
+        // An array without a count to go with it would be a lie that nothing can see through.
+        (Kind::Memory | Kind::User | Kind::Place, _) => 0,
+        (Kind::Handles(_), _) => 0,
+        (Kind::Callback(_), bad) => bad % 2,
+        (_, bad) => bad + 2,
+    };
+    format!("s->{name} = {};", kind.value(&mood.to_string(), &field.kind))
+}
+
+/// Callbacks that answer with what cannot be meant.
+fn callbacks(header: &Header, c: &mut String) {
+    for (name, (returns, arguments)) in &header.callbacks {
+        let list: Vec<_> = arguments.iter().map(|one| one.declaration.as_str()).collect();
+        let unused: String = arguments.iter().map(|one| format!(" (void){};", one.name)).collect();
+        let answer = match Kind::of(header, returns) {
+            Kind::Float => " return (float)NAN;",
+            _ if returns == "void" => "",
+            Kind::Integer => " return -1;",
+            _ => " return NULL;",
+        };
+        writeln!(c, "static {returns} callback_{name}({}) {{{unused}{answer} }}", list.join(", "))
+            .unwrap();
+    }
+}
+
+fn caller(header: &Header, function: &Function, c: &mut String) {
+    let name = &function.name;
+    writeln!(c, "static int call_{name}(const unsigned *m) {{\n    (void)m; int bad = 0;").unwrap();
+    // `tree_x_init(x, size)` believes its size.
+    let believed = function.arguments.get(1).is_some_and(|second| second.name == "size");
+    for (i, argument) in function.arguments.iter().enumerate() {
+        let kind = Kind::of(header, &argument.kind);
+        let mut mood = format!("m[{i}]");
+        // A length that goes with a text: as good as any, up to the NUL.
+        let after_text = i > 0 && function.arguments[i - 1].kind == "const char *";
+        if after_text && argument.kind == "size_t" {
+            mood = format!("(m[{i}] == 1 ? 3 : m[{i}])");
+        }
+        // Work without a control that the caller asks for in full.
+        if UNBOUNDED.contains(&(name.as_str(), argument.name.as_str())) {
+            mood = format!("m[{i}] % 3");
+        }
+        let value = if believed && argument.name == "size" {
+            let sized = function.arguments[0].kind.trim_end_matches(" *");
+            format!("(m[{i}] == 1 ? sizeof({sized}) : m[{i}] == 2 ? SIZE_MAX : m[{i}])")
+        } else {
+            kind.value(&mood, &argument.kind)
+        };
+        let declared = argument.called(&format!("a{i}"));
+        writeln!(c, "    {declared} = {value};").unwrap();
+        // An array of none is not looked at.
+        let counted = function.arguments.get(i + 1).is_some_and(|next| next.name.starts_with("n_"));
+        if let Some((from, to)) = kind.never_good().filter(|_| !believed && !counted) {
+            writeln!(c, "    bad |= m[{i}] >= {from} && m[{i}] <= {to};").unwrap();
+        }
+    }
+    let arguments: Vec<_> = (0..function.arguments.len()).map(|i| format!("a{i}")).collect();
+    let call = format!("{name}({})", arguments.join(", "));
+    if function.returns != "tree_status" {
+        writeln!(c, "    if (bad + 1) {call};\n    return NO_STATUS;\n}}").unwrap();
+        return;
+    }
+    writeln!(c, "    tree_status status = {call};").unwrap();
+    let is_place = |one: &header::Named| {
+        matches!(Kind::of(header, &one.kind), Kind::Place) && !one.kind.starts_with("const ")
+    };
+    let places: Vec<_> = (0..function.arguments.len())
+        .filter(|&i| is_place(&function.arguments[i]))
+        .collect();
+    let all_given = places.iter().map(|i| format!("a{i} != NULL")).collect::<Vec<_>>().join(" && ");
+    for &i in &places {
+        let made = function.arguments[i].kind.split(' ').next().unwrap_or("");
+        writeln!(
+            c,
+            "    if (a{i}) handed_out(status, {all_given}, *a{i}, \
+             status || !*a{i} ? 0 : {made}_free(*a{i}));"
+        )
+        .unwrap();
+    }
+    let frees = name.strip_suffix("_free").filter(|kind| header.handles.iter().any(|one| one == kind));
+    if let Some(kind) = frees {
+        writeln!(c, "    if (status == TREE_OK && a0 == alive_{kind}) alive_{kind} = NULL;").unwrap();
+    }
+    c.push_str("    return bad && status == TREE_OK ? PASSED_FOR_WELL : status;\n}\n");
+}

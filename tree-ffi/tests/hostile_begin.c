@@ -1,0 +1,211 @@
+/* Made by tests/hostile.rs of include/tree.h: calls everything as nobody should. */
+#define _POSIX_C_SOURCE 200809L
+#include "tree.h"
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#endif
+
+#define NO_STATUS (-1)
+#define PASSED_FOR_WELL (-2)
+#define MOST_ARGUMENTS 16
+
+typedef struct attack {
+    const char *name;
+    int (*call)(const unsigned *moods);
+    unsigned n_arguments;
+    unsigned n_moods[MOST_ARGUMENTS];
+    int control;
+    int strict;
+} attack;
+
+static int n_failures;
+static const char *now = "nothing";
+static unsigned moods_now[MOST_ARGUMENTS];
+
+static void complain(const char *what) {
+    static const char *last;
+    static int n_of_this;
+    n_of_this = last == now ? n_of_this + 1 : 0;
+    last = now;
+    if (n_of_this > 2) return;
+    printf("%s(", now);
+    for (int i = 0; i < 8; i++) printf("%u ", moods_now[i]);
+    printf("): %s: %s\n", what, tree_error_text());
+    if (++n_failures > 40) exit(1);
+}
+
+static void must(tree_status status) {
+    if (status != TREE_OK) complain("preparing failed");
+}
+
+#define UNTOUCHED ((void *)0x11)
+
+/* Where a handle goes, with something else in it. */
+static void *new_place(unsigned m) {
+    static void *places[8];
+    static unsigned next;
+    void **found = &places[next++ % 8];
+    *found = UNTOUCHED;
+    return m ? found : NULL;
+}
+
+/* After a failure there is NULL where the object would be. */
+static void handed_out(int status, int all_given, const void *found, int freed) {
+    if (status != TREE_OK && all_given && found != NULL) complain("the handle is not NULL after an error");
+    if (status == TREE_OK && freed != TREE_OK) complain("what was handed out cannot be freed");
+}
+
+/* Room for structs: enough for those of one call. */
+static void *room(size_t size) {
+    static union { char bytes[4096]; double align; void *pointer; } rooms[64];
+    static unsigned next;
+    char *found = rooms[next++ % 64].bytes;
+    if (size > 4096) complain("a struct is larger than the test's room");
+    memset(found, 0, 4096);
+    return found;
+}
+
+static float hostile_float(unsigned m) {
+    static const float values[] = {0, 0.5f, NAN, INFINITY, -1, 1e30f, 1e-30f};
+    return values[m];
+}
+
+static uint64_t hostile_integer(unsigned m, size_t size) {
+    uint64_t most = size == 8 ? UINT64_MAX : ((uint64_t)1 << (8 * size)) - 1;
+    switch (m) {
+    case 0: return 0;
+    case 1: return 1;
+    case 2: return 2;
+    case 3: return most;
+    case 4: return most / 2;
+    default: return most / 8 + 2;
+    }
+}
+
+static const char *hostile_text(unsigned m) {
+    static const char *const values[] = {NULL, "a name\0of 16 b", "\xff\xfe no UTF-8 this",
+                                         "\0 an empty one", "/no/such/folder/x"};
+    return values[m];
+}
+
+static tree_str hostile_str(unsigned m) {
+    switch (m) {
+    case 0: return (tree_str){NULL, 0};
+    case 1: return (tree_str){"name", 4};
+    case 2: return (tree_str){"\xff\xfe", 2};
+    case 3: return (tree_str){NULL, 5};
+    default: return (tree_str){"", TREE_NUL_TERMINATED};
+    }
+}
+
+/* Numbers to read, and room for results. */
+static void *hostile_memory(unsigned m) {
+    static _Alignas(64) unsigned char memory[4][1 << 22];
+    static unsigned next;
+    static const float halves[256] = {0.5f, 0.25f, 1, 0.5f};
+    if (m == 0) return NULL;
+    unsigned char *found = memory[next++ % 4];
+    memset(found, m == 2 ? 0xff : 0, 4096);
+    if (m == 3) memcpy(found, halves, sizeof halves);
+    /* The last one lies badly. */
+    return m == 4 ? found + 1 : found;
+}
+
+static void **several(void *alive, unsigned m) {
+    void **found = room(4 * sizeof *found);
+    for (int i = 0; i < 4; i++)
+        found[i] = m == 1 ? alive : m == 2 ? NULL : m == 3 ? (void *)0x10 : (void *)((char *)alive + 1);
+    return m ? found : NULL;
+}
+
+/* Ends work that has become long. */
+static int n_told;
+static int32_t patience(void *user, const char *stage, float fraction) {
+    (void)user;
+    return !stage || !(fraction >= 0 && fraction <= 1) || ++n_told > 200;
+}
+
+static tree_limits small_limits;
+
+static void calm(tree_control *control) {
+    if (!small_limits.struct_size) {
+        must(tree_limits_init(&small_limits, sizeof small_limits));
+        small_limits.nodes = small_limits.leaves = 2000;
+        small_limits.graph_nodes = small_limits.graph_arcs = 20000;
+        small_limits.triangles = small_limits.voxels = small_limits.pixels = 40000;
+    }
+    must(tree_control_init(control, sizeof *control));
+    control->progress = patience;
+    control->limits = &small_limits;
+}
+
+static const float fork_positions[] = {0, 0, 0, 0, 1, 0, 0.5f, 2.5f, 0, -0.5f, 2, 0};
+static const float fork_radii[] = {0.1f, 0.08f, 0.01f, 0.01f};
+static const uint32_t fork_parents[] = {TREE_NO_PARENT, 0, 1, 1};
+static const tree_skeleton_columns fork_columns = {sizeof fork_columns, 4, fork_positions,
+                                                   fork_radii, fork_parents};
+static const tree_pool_options one_thread = {sizeof one_thread, 1, 0, NULL, NULL};
+
+static const float origin[3];
+static const uint8_t pixel[4];
+static const char svg[] = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 10 10\">"
+                          "<path d=\"M5 10 L9 5 L5 0\"/></svg>";
+static const uint32_t fork_edges[] = {0, 1, 1, 2, 1, 3};
+static const uint8_t swc[] = "1 1 0 0 0 1 -1\n2 1 0 1 0 1 1\n";
+static const uint32_t leaf_nodes[] = {2, 3};
+static const float leaf_positions[] = {0.5f, 2.5f, 0, -0.5f, 2, 0};
+static const float leaf_rotations[] = {0, 0, 0, 1, 0.6f, 0, 0.8f, 0};
+static const float leaf_sizes[] = {0.1f, 0.12f};
+static const uint16_t leaf_kinds[2];
+static const tree_foliage two_leaves = {sizeof two_leaves, 2, leaf_nodes, leaf_positions,
+                                        leaf_rotations, leaf_sizes, leaf_kinds};
+
+/* Foreign kinds. */
+static tree_cancel *a_switch;
+static tree_pool *one_thread_pool;
+
+static const tree_view *tiny_view(void) {
+    static tree_view view;
+    must(tree_view_init(&view, sizeof view));
+    view.width = view.height = 8;
+    return &view;
+}
+
+static const tree_strew_params *few_nodes(void) {
+    static tree_strew_params params;
+    must(tree_strew_params_init(&params, sizeof params));
+    params.n_nodes = 20;
+    return &params;
+}
+
+/* Where the second thing goes that a call makes; freed at the end. */
+static tree_skeleton *second_skeleton;
+static tree_mesh *second_mesh;
+static tree_skeleton **other_skeleton(void) {
+    must(tree_skeleton_free(second_skeleton));
+    return &second_skeleton;
+}
+static tree_mesh **other_mesh(void) {
+    must(tree_mesh_free(second_mesh));
+    return &second_mesh;
+}
+
+/* The address of an object that is gone: nothing is made between this and the call that gets it. */
+static void *dead(void) {
+    tree_skeleton *skeleton = NULL;
+    must(tree_skeleton_from_columns(&fork_columns, NULL, &skeleton));
+    must(tree_skeleton_free(skeleton));
+    return skeleton;
+}
+
