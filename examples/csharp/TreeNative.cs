@@ -4170,13 +4170,12 @@ namespace TreeFamily.Native
         public const int TREE_ERROR_ENUM = 5;
 
         /// <summary>
-        /// A parameter lies outside its range, or is not finite.
+        /// A number, in a parameter or in a column, lies outside its range or is not finite.
         /// </summary>
         public const int TREE_ERROR_PARAMETER = 6;
 
         /// <summary>
-        /// Columns do not fit together: lengths, orders, indices that name nothing, coordinates that are not
-        /// finite.
+        /// Columns do not fit together: lengths, orders, indices that name nothing.
         /// </summary>
         public const int TREE_ERROR_INVALID = 7;
 
