@@ -1,6 +1,13 @@
 //! C and C++ programs against the library, with the machine's compilers; under valgrind and gcc's
 //! sanitizers where they are installed.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test says what failed by failing"
+)]
+
 mod common;
 
 use common::compile::{self, C11, CPP17, SANITIZE, files, here, root};
@@ -113,9 +120,12 @@ fn an_installed_library_is_found_by_make_cmake_and_pkg_config() {
     let prefix = folder.join("prefix");
     let lib = prefix.join("lib");
     let install = |command: &mut Command| compile::run(command.current_dir(&folder));
-    install(Command::new("bash").arg(examples.join("install.sh")).arg(&prefix).arg(
-        compile::library_folder(),
-    ));
+    install(
+        Command::new("bash")
+            .arg(examples.join("install.sh"))
+            .arg(&prefix)
+            .arg(compile::library_folder()),
+    );
     if compile::has("pkg-config") {
         let flags = install(
             Command::new("pkg-config")
