@@ -45,7 +45,6 @@ fn every_function_is_called_by_a_c_test() {
     let sources: String =
         c_tests().iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
     let header = header::parse(&header::text());
-    // The one that ends a program's other memory has a program of its own.
     let names = header.functions.iter().map(|function| function.name.as_str());
     let missing: Vec<_> = names.filter(|name| !sources.contains(&format!("{name}("))).collect();
     assert!(missing.is_empty(), "tests/c calls none of {missing:?}");
