@@ -749,7 +749,7 @@ public:
     static std::tuple<Skeleton, Pieces> make(Span<const tree_piece> rows, Ref<tree_control> control = nullptr);
     size_t count() const;
     std::tuple<tree_piece, Skeleton> piece(size_t index) const;
-    std::tuple<uint8_t, Skeleton> link(Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    Skeleton link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached) const;
 };
 
 class Pool : public detail::Object<tree_pool, tree_pool_free> {
@@ -1793,10 +1793,10 @@ inline std::tuple<tree_piece, Skeleton> Pieces::piece(size_t index) const {
     tree::check(tree_pieces_piece(get(), index, &row, &skeleton));
     return {row, Skeleton(skeleton)};
 }
-inline std::tuple<uint8_t, Skeleton> Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control) const {
-    uint8_t reached = 0; tree_skeleton *skeleton = nullptr;
-    tree::check(tree_pieces_link(get(), params, control, &reached, &skeleton));
-    return {reached, Skeleton(skeleton)};
+inline Skeleton Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached) const {
+    tree_skeleton *skeleton = nullptr;
+    tree::check(tree_pieces_link(get(), params, control, reached, &skeleton));
+    return Skeleton(skeleton);
 }
 inline Separation Separation::make(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params, Ref<tree_control> control) {
     tree_separation *separation = nullptr;

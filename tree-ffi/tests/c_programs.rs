@@ -1,6 +1,13 @@
 //! C and C++ programs against the library, with the machine's compilers; under valgrind and gcc's
 //! sanitizers where they are installed.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test says what failed by failing"
+)]
+
 mod common;
 
 use common::compile::{self, C11, CPP17, SANITIZE, files, here, root};
@@ -38,7 +45,6 @@ fn every_function_is_called_by_a_c_test() {
     let sources: String =
         c_tests().iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
     let header = header::parse(&header::text());
-    // The one that ends a program's other memory has a program of its own.
     let names = header.functions.iter().map(|function| function.name.as_str());
     let missing: Vec<_> = names.filter(|name| !sources.contains(&format!("{name}("))).collect();
     assert!(missing.is_empty(), "tests/c calls none of {missing:?}");
@@ -113,9 +119,12 @@ fn an_installed_library_is_found_by_make_cmake_and_pkg_config() {
     let prefix = folder.join("prefix");
     let lib = prefix.join("lib");
     let install = |command: &mut Command| compile::run(command.current_dir(&folder));
-    install(Command::new("bash").arg(examples.join("install.sh")).arg(&prefix).arg(
-        compile::library_folder(),
-    ));
+    install(
+        Command::new("bash")
+            .arg(examples.join("install.sh"))
+            .arg(&prefix)
+            .arg(compile::library_folder()),
+    );
     if compile::has("pkg-config") {
         let flags = install(
             Command::new("pkg-config")

@@ -2,6 +2,13 @@
 //! that cannot be meant, dead and foreign handles and structs of wrong sizes, each argument in turn and
 //! all of them at random. Nothing may crash, panic or pass for well.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test says what failed by failing"
+)]
+
 mod common;
 
 use common::compile::{self, C11};
@@ -36,7 +43,10 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_graph_nodes", "tree_graph_strew(live_tree_volume(), few_nodes(), 1, NULL, &made)"),
     ("tree_leaf_model", "tree_look_leaf_model(live_tree_look(), 0, NULL, NULL, &made)"),
     ("tree_profile", "tree_profile_from_svg(svg, sizeof svg - 1, NULL, NULL, &made)"),
-    ("tree_rows", "tree_skeleton_refine(live_tree_skeleton(), 1, 1, NULL, &made, other_skeleton())"),
+    (
+        "tree_rows",
+        "tree_skeleton_refine(live_tree_skeleton(), 1, 1, NULL, &made, other_skeleton())",
+    ),
     (
         "tree_gltf_leaves",
         "tree_mesh_build_instanced(live_tree_tree(), live_tree_look(), NULL, NULL, other_mesh(), &made)",
@@ -49,7 +59,10 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_capsules", "tree_skeleton_capsules(live_tree_skeleton(), NULL, NULL, NULL, &made)"),
     ("tree_crossings", "tree_mesh_crossings(live_tree_mesh(), 0, NULL, &made)"),
     ("tree_gltf_attributes", "tree_mesh_gltf_wind(live_tree_mesh(), NULL, &made)"),
-    ("tree_graph", "tree_graph_from_edges(fork_positions, 4, fork_edges, fork_radii, 3, NULL, &made)"),
+    (
+        "tree_graph",
+        "tree_graph_from_edges(fork_positions, 4, fork_edges, fork_radii, 3, NULL, &made)",
+    ),
     ("tree_packed", "tree_mesh_pack(live_tree_mesh(), 0, 0, NULL, &made)"),
     ("tree_unpacked", "tree_packed_unpack(live_tree_packed(), live_tree_mesh(), &made)"),
     ("tree_pieces", "tree_pieces_new(NULL, NULL, 0, NULL, &made)"),
@@ -110,8 +123,11 @@ fn program(header: &Header) -> String {
     }
     c.push_str("static const attack attacks[] = {\n");
     for function in &header.functions {
-        let kinds: Vec<_> =
-            function.arguments.iter().map(|one| Kind::of(header, &one.kind).moods(header)).collect();
+        let kinds: Vec<_> = function
+            .arguments
+            .iter()
+            .map(|one| Kind::of(header, &one.kind).moods(header))
+            .collect();
         let list = kinds.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
         let name = &function.name;
         let control = function.arguments.iter().position(|one| one.name == "control");
@@ -373,9 +389,8 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
     let is_place = |one: &header::Named| {
         matches!(Kind::of(header, &one.kind), Kind::Place) && !one.kind.starts_with("const ")
     };
-    let places: Vec<_> = (0..function.arguments.len())
-        .filter(|&i| is_place(&function.arguments[i]))
-        .collect();
+    let places: Vec<_> =
+        (0..function.arguments.len()).filter(|&i| is_place(&function.arguments[i])).collect();
     let all_given = places.iter().map(|i| format!("a{i} != NULL")).collect::<Vec<_>>().join(" && ");
     for &i in &places {
         let made = function.arguments[i].kind.split(' ').next().unwrap_or("");
@@ -386,9 +401,11 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
         )
         .unwrap();
     }
-    let frees = name.strip_suffix("_free").filter(|kind| header.handles.iter().any(|one| one == kind));
+    let frees =
+        name.strip_suffix("_free").filter(|kind| header.handles.iter().any(|one| one == kind));
     if let Some(kind) = frees {
-        writeln!(c, "    if (status == TREE_OK && a0 == alive_{kind}) alive_{kind} = NULL;").unwrap();
+        writeln!(c, "    if (status == TREE_OK && a0 == alive_{kind}) alive_{kind} = NULL;")
+            .unwrap();
     }
     c.push_str("    return bad && status == TREE_OK ? PASSED_FOR_WELL : status;\n}\n");
 }

@@ -3,6 +3,13 @@
 //! Objects become classes, structs with a size become structs with a constructor, and functions become
 //! methods of what they are told first, or named for.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test says what failed by failing"
+)]
+
 mod common;
 
 use common::compile::{self, CPP17};
@@ -10,11 +17,32 @@ use common::header::{self, Function, Header, Named};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Numbers to write to that are arrays without a capacity next to them.
+/// Places for results that are arrays without a capacity next to them.
 const ARRAYS: &[&str] = &[
-    "inside", "distances", "points", "costs", "predecessors", "of_vertex", "first", "rows",
-    "lengths", "to", "sizes", "counts", "starts", "nodes", "bits", "values", "positions", "normals",
-    "bent", "of", "indices", "pixels", "radii", "matrix", "matrices",
+    "bent",
+    "costs",
+    "distances",
+    "first",
+    "inside",
+    "of_vertex",
+    "points",
+    "predecessors",
+    "reached",
+    "rows",
+    "to",
+];
+/// Places for one number or one struct without a size.
+const SINGLES: &[&str] = &[
+    "measure",
+    "metres",
+    "phase",
+    "radius",
+    "reach",
+    "row",
+    "seconds",
+    "sway",
+    "n_threads",
+    "volume",
 ];
 
 /// Written anew with `TREE_UPDATE=1 cargo test -p tree-ffi --test hpp`, after the header.
@@ -55,16 +83,15 @@ fn both_headers_stand_alone_in_cpp() {
         ("tree.hpp", [CPP17, &["-fno-exceptions"]].concat()),
     ] {
         let source = folder.join("alone.cpp");
-        std::fs::write(&source, format!("#include \"{name}\"\nint main() {{ return 0; }}\n")).unwrap();
+        std::fs::write(&source, format!("#include \"{name}\"\nint main() {{ return 0; }}\n"))
+            .unwrap();
         compile::compile("c++", &flags, &[source], "alone");
     }
 }
 
 fn camel(name: &str) -> String {
     let words = name.trim_start_matches("tree_").split('_');
-    words
-        .map(|word| word[..1].to_uppercase() + &word[1..])
-        .collect()
+    words.map(|word| word[..1].to_uppercase() + &word[1..]).collect()
 }
 
 /// A name that C++ keeps for itself gets a line after it.
@@ -202,9 +229,7 @@ impl<'a> Method<'a> {
             self.owner = Some(handle);
             self.is_static = true;
             self.name = short(handle);
-        } else if let Some(handle) =
-            header.handles.iter().find(|one| *one == base && stars == 1)
-        {
+        } else if let Some(handle) = header.handles.iter().find(|one| *one == base && stars == 1) {
             self.owner = Some(handle);
             self.is_const = true;
             if owned_by(handle) {
@@ -307,6 +332,14 @@ impl<'a> Method<'a> {
         }
         let number = !header.structs.contains_key(base) && base != "void" && base != "char";
         let array = ARRAYS.contains(&name.as_str()) || next_name.ends_with("capacity") || counted;
+        let single =
+            SINGLES.contains(&name.as_str()) || base == "size_t" || name.starts_with("is_");
+        let result = stars == 1 && !is_const && !handle && !["void", "char"].contains(&base);
+        assert!(
+            !result || array || single,
+            "say in hpp.rs whether {name} of {} is one value or an array",
+            self.function.name
+        );
         if number && stars == 1 && !is_const && !array && !handle {
             let truth = base == "uint32_t" && name.starts_with("is_");
             let to = if truth { "bool" } else { base };

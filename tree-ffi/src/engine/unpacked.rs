@@ -3,8 +3,8 @@
 use super::pack::*;
 use super::packed::{Content, tree_packed};
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_PANIC, Versioned, call, free, get, get_opt, out, tree_status,
-    write,
+    Failure, Handle, Result, TREE_ERROR_PANIC, Versioned, call, free, get, get_opt, out,
+    tree_status, write,
 };
 use crate::mesh::{column, tree_mesh};
 use ::tree_mesh::pack::{

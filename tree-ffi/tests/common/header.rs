@@ -4,51 +4,51 @@ use std::collections::BTreeMap;
 
 /// A type and a name: an argument, or a field.
 #[derive(Clone, Debug)]
-pub struct Named {
+pub(crate) struct Named {
     /// The declaration as it stands, such as `float (*min_max)[6]`.
-    pub declaration: String,
+    pub(crate) declaration: String,
     /// The type alone, without `struct` and with one space between words, such as `const tree_mesh *`.
-    pub kind: String,
-    pub name: String,
+    pub(crate) kind: String,
+    pub(crate) name: String,
     around: (String, String),
 }
 
 impl Named {
     /// The declaration with another name.
-    pub fn called(&self, name: &str) -> String {
+    pub(crate) fn called(&self, name: &str) -> String {
         format!("{}{name}{}", self.around.0, self.around.1)
     }
 }
 
 #[derive(Clone, Debug)]
-pub struct Function {
-    pub returns: String,
-    pub name: String,
-    pub arguments: Vec<Named>,
+pub(crate) struct Function {
+    pub(crate) returns: String,
+    pub(crate) name: String,
+    pub(crate) arguments: Vec<Named>,
 }
 
 #[derive(Debug, Default)]
-pub struct Header {
-    pub functions: Vec<Function>,
+pub(crate) struct Header {
+    pub(crate) functions: Vec<Function>,
     /// Structs with fields.
-    pub structs: BTreeMap<String, Vec<Named>>,
+    pub(crate) structs: BTreeMap<String, Vec<Named>>,
     /// Names of opaque objects.
-    pub handles: Vec<String>,
+    pub(crate) handles: Vec<String>,
     /// Names of numbers: `typedef uint32_t tree_x`.
-    pub numbers: BTreeMap<String, String>,
+    pub(crate) numbers: BTreeMap<String, String>,
     /// Types of callbacks: return type, arguments.
-    pub callbacks: BTreeMap<String, (String, Vec<Named>)>,
+    pub(crate) callbacks: BTreeMap<String, (String, Vec<Named>)>,
     /// `#define TREE_X value`.
-    pub constants: BTreeMap<String, String>,
+    pub(crate) constants: BTreeMap<String, String>,
 }
 
 /// The header as it is in the repository.
-pub fn text() -> String {
+pub(crate) fn text() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../include/tree.h");
     std::fs::read_to_string(path).unwrap()
 }
 
-pub fn parse(text: &str) -> Header {
+pub(crate) fn parse(text: &str) -> Header {
     let mut header = Header::default();
     for statement in statements(text, &mut header.constants) {
         header.take(&statement);
@@ -66,10 +66,9 @@ fn statements(text: &str, constants: &mut BTreeMap<String, String>) -> Vec<Strin
             in_comment = !line.ends_with("*/");
             continue;
         }
-        if let Some(define) = line.strip_prefix("#define ") {
-            if let Some((name, value)) = define.split_once(' ') {
-                constants.insert(name.to_owned(), value.to_owned());
-            }
+        let define = line.strip_prefix("#define ").and_then(|define| define.split_once(' '));
+        if let Some((name, value)) = define {
+            constants.insert(name.to_owned(), value.to_owned());
         }
         let skipped = ["#", "extern \"C\""].iter().any(|start| line.starts_with(start));
         if !skipped && !line.is_empty() {
@@ -123,7 +122,7 @@ impl Header {
     }
 
     /// Whether the struct says how large it is.
-    pub fn is_sized(&self, name: &str) -> bool {
+    pub(crate) fn is_sized(&self, name: &str) -> bool {
         self.structs
             .get(name)
             .and_then(|fields| fields.first())
@@ -131,7 +130,7 @@ impl Header {
     }
 
     /// What a number is made of, through all names.
-    pub fn number<'a>(&'a self, kind: &'a str) -> &'a str {
+    pub(crate) fn number<'a>(&'a self, kind: &'a str) -> &'a str {
         self.numbers.get(kind).map_or(kind, |inner| self.number(inner))
     }
 }

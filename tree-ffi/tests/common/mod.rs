@@ -1,5 +1,5 @@
 //! What the tests of the C side share.
 #![allow(dead_code, reason = "each test uses its part")]
 
-pub mod compile;
-pub mod header;
+pub(crate) mod compile;
+pub(crate) mod header;
