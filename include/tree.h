@@ -4295,10 +4295,11 @@ tree_status tree_volume_measure(const struct tree_volume *volume,
                                 float *measure);
 
 // Cubic metres inside by sampling about `n_samples` points: the same in every run; the error falls a
-// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. Looks
-// at no control: 20,000 samples take some milliseconds.
+// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. 20,000
+// samples take some milliseconds.
 tree_status tree_volume_estimate_measure(const struct tree_volume *volume,
                                          uint32_t n_samples,
+                                         const struct tree_control *control,
                                          float *measure);
 
 // Writes `n_points` random points, uniform in the volume, three floats each, into `points`. The same

@@ -882,7 +882,7 @@ public:
     std::array<float, 6> bounds() const;
     bool is_bounded() const;
     float measure() const;
-    float estimate_measure(uint32_t n_samples) const;
+    float estimate_measure(uint32_t n_samples, Ref<tree_control> control = nullptr) const;
     void sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control, float *points) const;
     static Volume sphere(const float *center, float radius);
     static Volume ellipsoid(const float *center, const float *radii);
@@ -1908,9 +1908,9 @@ inline float Volume::measure() const {
     tree::check(tree_volume_measure(get(), &measure));
     return measure;
 }
-inline float Volume::estimate_measure(uint32_t n_samples) const {
+inline float Volume::estimate_measure(uint32_t n_samples, Ref<tree_control> control) const {
     float measure = 0;
-    tree::check(tree_volume_estimate_measure(get(), n_samples, &measure));
+    tree::check(tree_volume_estimate_measure(get(), n_samples, control, &measure));
     return measure;
 }
 inline void Volume::sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control, float *points) const {

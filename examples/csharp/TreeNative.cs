@@ -6807,11 +6807,11 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// Cubic metres inside by sampling about `n_samples` points: the same in every run; the error falls a
-        /// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. Looks
-        /// at no control: 20,000 samples take some milliseconds.
+        /// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. 20,000
+        /// samples take some milliseconds.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_volume_estimate_measure(tree_volume* volume, uint n_samples, float* measure);
+        public static extern int tree_volume_estimate_measure(tree_volume* volume, uint n_samples, tree_control* control, float* measure);
 
         /// <summary>
         /// Writes `n_points` random points, uniform in the volume, three floats each, into `points`. The same

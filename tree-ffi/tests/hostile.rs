@@ -26,7 +26,7 @@ const NULL_IS_FINE: &[&str] = &[
     "tree_convert_triangles",
 ];
 
-/// Numbers that say how long a call without a control works: a large one is a wish, not a defect.
+/// Numbers that say how long a call works: a large one is a wish, not a defect.
 const UNBOUNDED: &[(&str, &str)] = &[("tree_volume_estimate_measure", "n_samples")];
 
 /// C that makes a small object of each kind that has no other object behind it, or of those before it.
@@ -361,7 +361,7 @@ fn caller(header: &Header, function: &Function, c: &mut String) {
         if after_text && argument.kind == "size_t" {
             mood = format!("(m[{i}] == 1 ? 3 : m[{i}])");
         }
-        // Work without a control that the caller asks for in full.
+        // Work that the caller asks for in full.
         if UNBOUNDED.contains(&(name.as_str(), argument.name.as_str())) {
             mood = format!("m[{i}] % 3");
         }

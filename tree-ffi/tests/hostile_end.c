@@ -89,7 +89,7 @@ int main(int n, char **arguments) {
     must(tree_cancel_new(&a_switch));
     must(tree_pool_new(&one_thread, &one_thread_pool));
     for (unsigned i = 0; i < sizeof attacks / sizeof *attacks; i++)
-        run(&attacks[i], few ? 5 : 100);
+        run(&attacks[i], few ? 3 : 100);
     free_all();
     must(tree_skeleton_free(second_skeleton));
     must(tree_mesh_free(second_mesh));

@@ -1,6 +1,7 @@
 //! Random points in a volume, and its size by counting them.
 
 use super::Volume;
+use crate::control::{Cancelled, Control};
 use crate::seed::{Rng, Seed};
 use glam::{DVec3, Vec3};
 use rand::RngExt;
@@ -33,17 +34,19 @@ impl Volume {
     ///
     /// Infinite when the bounds are, zero when they are empty.
     ///
+    /// # Errors
+    /// [`Cancelled`].
+    ///
     /// # Complexity
     /// At most `samples` calls of [`contains`](Self::contains): the largest cube number not above
     /// it, and at least 1.
-    #[must_use]
-    pub fn estimate_measure(&self, samples: u32) -> f32 {
+    pub fn estimate_measure(&self, samples: u32, control: &Control) -> Result<f32, Cancelled> {
         let bounds = self.bounds();
         if bounds.is_empty() {
-            return 0.0;
+            return Ok(0.0);
         }
         if !bounds.is_finite() {
-            return f32::INFINITY;
+            return Ok(f32::INFINITY);
         }
         let n_side = cube_root(samples).max(1);
         let min = bounds.min.as_dvec3();
@@ -52,6 +55,7 @@ impl Volume {
         let mut n_inside = 0_u32;
         for x in 0..n_side {
             for y in 0..n_side {
+                control.check()?;
                 for z in 0..n_side {
                     let cell = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
                     let share = (cell + unit_cube(&mut rng)) / f64::from(n_side);
@@ -60,7 +64,7 @@ impl Volume {
             }
         }
         let n_cells = f64::from(n_side * n_side * n_side);
-        super::math::narrow(size.element_product() * f64::from(n_inside) / n_cells)
+        Ok(super::math::narrow(size.element_product() * f64::from(n_inside) / n_cells))
     }
 }
 

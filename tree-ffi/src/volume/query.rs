@@ -143,16 +143,19 @@ pub unsafe extern "C" fn tree_volume_measure(
 }
 
 /// Cubic metres inside by sampling about `n_samples` points: the same in every run; the error falls a
-/// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. Looks
-/// at no control: 20,000 samples take some milliseconds.
+/// little faster than 1 / sqrt(`n_samples`). Infinite when the bounds are, 0 when they are empty. 20,000
+/// samples take some milliseconds.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_volume_estimate_measure(
     volume: *const tree_volume,
     n_samples: u32,
+    control: *const tree_control,
     measure: *mut f32,
 ) -> tree_status {
     call(|| {
-        let answer = unsafe { get(volume, "volume") }?.rust().estimate_measure(n_samples);
+        let volume = unsafe { get(volume, "volume") }?.rust();
+        let answer =
+            unsafe { run(control, |control| Ok(volume.estimate_measure(n_samples, control)?)) }?;
         unsafe { out_value(measure, answer, "measure") }
     })
 }

@@ -102,7 +102,10 @@ pub fn strew(
     if !bounds.is_finite() {
         return Err(empty("it has no end; intersect it with a bounded solid"));
     }
-    let measure = volume.measure().unwrap_or_else(|| volume.estimate_measure(MEASURE_SAMPLES));
+    let measure = match volume.measure() {
+        Some(measure) => measure,
+        None => volume.estimate_measure(MEASURE_SAMPLES, control)?,
+    };
     let box_measure = bounds.size().element_product();
     if !(measure > 0.0 && box_measure > 0.0) {
         return Err(empty("it has no inside"));
@@ -126,7 +129,7 @@ pub fn strew(
     };
     let mut given = forced.to_vec();
     field.line_narrow_tip(&mut given);
-    field.throw_thin_parts(&mut given, seed.stream("thin"));
+    field.throw_thin_parts(&mut given, seed.stream("thin"), control)?;
     let points = field.throw_all(&given, seed, control)?;
     if points.len() == forced.len() {
         return Err(empty(
@@ -169,15 +172,17 @@ impl Field<'_> {
     /// Adds nodes in the parts of a union that are thinner than a separation, as trunks are beside
     /// their crowns. By their measure they would get a few darts only, and the graph would fall
     /// apart; here they get as many as their length asks for.
-    fn throw_thin_parts(&self, given: &mut Vec<Vec3>, seed: Seed) {
+    fn throw_thin_parts(&self, given: &mut Vec<Vec3>, seed: Seed, control: &Control) -> Result<()> {
         let parts = match self.volume.solid() {
             Solid::Union(parts) => parts.as_slice(),
             _ => std::slice::from_ref(self.volume),
         };
         for (number, part) in (0..).zip(parts) {
             let length = part.bounds().size().length() / self.separation;
-            let measure =
-                part.measure().unwrap_or_else(|| part.estimate_measure(THIN_MEASURE_SAMPLES));
+            let measure = match part.measure() {
+                Some(measure) => measure,
+                None => part.estimate_measure(THIN_MEASURE_SAMPLES, control)?,
+            };
             let expected = FILL * measure / (self.separation * self.separation * self.separation);
             if length > MAX_THIN_LENGTH || expected > THIN_NODES * length {
                 continue;
@@ -191,6 +196,7 @@ impl Field<'_> {
                 }
             }
         }
+        Ok(())
     }
 
     /// All points, the forced ones first.

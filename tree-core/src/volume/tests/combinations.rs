@@ -58,7 +58,7 @@ fn an_intersection_may_bound_half_spaces() {
         cube = cube.intersection(&slab(normal)).unwrap();
     }
     assert_eq!(cube.bounds(), Aabb::new(Vec3::splat(-0.5), Vec3::splat(0.5)));
-    assert_eq!(cube.estimate_measure(1000), 1.0);
+    assert_eq!(cube.estimate_measure(1000, &Control::default()).unwrap(), 1.0);
     // Quarter turns may leave infinite sides infinite, but not make NaN of them.
     let turned =
         slab(Vec3::X).transformed(Affine3A::from_rotation_z(std::f32::consts::FRAC_PI_2)).unwrap();

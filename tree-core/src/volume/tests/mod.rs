@@ -1,4 +1,5 @@
 use super::*;
+use crate::control::Control;
 use glam::{Affine3A, Quat, Vec2};
 use proptest::prelude::*;
 

@@ -61,7 +61,7 @@ proptest! {
     #[test]
     fn sampling_agrees_with_the_closed_form(volume in any_plain(), map in any_map()) {
         for volume in [volume.transformed(map).unwrap(), volume] {
-            let found = volume.estimate_measure(27_000);
+            let found = volume.estimate_measure(27_000, &Control::default()).unwrap();
             let size = volume.bounds().size();
             let expected = volume.measure().unwrap();
             prop_assert!(
@@ -94,14 +94,14 @@ fn what_cannot_be_sampled_gives_none() {
     let mut rng = crate::Seed(2).rng();
     let below = Volume::half_space(Vec3::ZERO, Vec3::Y).unwrap();
     assert_eq!(below.sample(&mut rng, 10), None);
-    assert_eq!(below.estimate_measure(10), f32::INFINITY);
+    assert_eq!(below.estimate_measure(10, &Control::default()).unwrap(), f32::INFINITY);
     assert!(!below.is_bounded() && below.measure().is_none());
     assert_eq!(below.bounds().max.y, 0.0);
     let above = Volume::box_solid(Vec3::ONE, Vec3::splat(2.0)).unwrap();
     let nothing = above.intersection(&below).unwrap();
     assert!(nothing.is_bounded());
     assert_eq!(nothing.sample(&mut rng, 10), None);
-    assert_eq!(nothing.estimate_measure(10), 0.0);
+    assert_eq!(nothing.estimate_measure(10, &Control::default()).unwrap(), 0.0);
     assert_eq!(above.sample(&mut rng, 0), None);
 }
 
@@ -172,7 +172,7 @@ fn a_profile_with_an_overhang_keeps_its_hollow() {
     assert!(!umbrella.contains(Vec3::new(0.8, 1.1, 0.0)), "under the cap");
     assert!(umbrella.contains(Vec3::new(0.0, 1.2, -1.6)), "rim");
     assert!(umbrella.contains(Vec3::new(0.0, 2.5, 0.0)), "cap");
-    let estimate = umbrella.estimate_measure(125_000);
+    let estimate = umbrella.estimate_measure(125_000, &Control::default()).unwrap();
     assert!((umbrella.measure().unwrap() / estimate - 1.0).abs() < 0.02);
     assert!((umbrella.distance(Vec3::new(0.0, 0.5, 0.0)).unwrap() + 0.2).abs() < 1e-6);
 }
