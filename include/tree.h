@@ -1,6 +1,34 @@
 /* The tree family's C interface. Made by cbindgen from tree-ffi/src: do not edit.
  * Licence: MIT OR Apache-2.0. */
 
+// Conventions
+//
+// * **Status.** Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
+//   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
+//   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
+//   (`tree_memory_set_budget`) comes before that.
+// * **Handles** (`tree_mesh *` and so on) are made by the library, never change after that, may be read
+//   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
+//   freed, or is of another kind, is `TREE_ERROR_HANDLE`. Handles keep alive what they are made of.
+// * **Out parameters** come last. A handle's place is set to NULL first, so after an error it is NULL.
+// * **Views** (`tree_surface` and so on) point into the object they were asked of: tightly packed,
+//   nothing copied, valid until that object is freed.
+// * **Structs** of parameters and views begin with `struct_size`. Parameters: call `tree_X_init(&x,
+//   sizeof x)`, which fills in the defaults, and change what should differ; NULL instead of parameters
+//   means the defaults. Views and reports: set `struct_size` to `sizeof x`; NULL where a report is not
+//   wanted. So programs built with an older header go on with a newer library.
+// * **Texts** are UTF-8, a pointer and a number of bytes; `TREE_NUL_TERMINATED` as number for C strings.
+// * **Constants** of one kind share a `typedef` and a prefix. A number that is none of them is
+//   `TREE_ERROR_ENUM`. A yes or no is a `uint32_t`, 0 is no and anything else yes.
+// * **Control** (`tree_control`) is taken by all that can run long: progress, cancellation, limits,
+//   threads. NULL means: no progress, no cancellation, default limits, all cores.
+// * **Axes:** right-handed, +Y up, metres, radians, triangles counter-clockwise from outside, texture v
+//   downwards, quaternions as x, y, z, w; `tree_convention` lists others.
+// * **What cannot be caught** is yours to keep: arrays as long as their count says, structs as long as their
+//   `struct_size` says, no view used after its object, nothing freed in one thread while another uses it, no
+//   exception thrown out of a callback.
+
+
 #ifndef TREE_H
 #define TREE_H
 
@@ -646,7 +674,7 @@ typedef struct tree_radius_rule {
 
 // Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
 // the share of the whole that is done, 0 to 1. Returns 0 to go on, anything else to cancel. Called from
-// whichever thread does the work, one call at a time or several; must not unwind.
+// whichever thread does the work, one call at a time for each call of the library; must not unwind.
 typedef int32_t (*tree_progress_fn)(void *user, const char *stage, float fraction);
 
 // Caps for one call: over the cap is `TREE_ERROR_LIMIT`, before the memory is asked for. Begin with

@@ -168,7 +168,7 @@ namespace TreeFamily.Native
     /// <summary>
     /// Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
     /// the share of the whole that is done, 0 to 1. Returns 0 to go on, anything else to cancel. Called from
-    /// whichever thread does the work, one call at a time or several; must not unwind.
+    /// whichever thread does the work, one call at a time for each call of the library; must not unwind.
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int tree_progress_fn(void* user, byte* stage, float fraction);

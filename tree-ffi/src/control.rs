@@ -7,13 +7,13 @@ use crate::border::{
 use crate::memory;
 use crate::pool::tree_pool;
 use std::ffi::{CString, c_char, c_void};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
 use tree_model::tree_core::{CancelFlag, Control, Limits};
 
 /// Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
 /// the share of the whole that is done, 0 to 1. Returns 0 to go on, anything else to cancel. Called from
-/// whichever thread does the work, one call at a time or several; must not unwind.
+/// whichever thread does the work, one call at a time for each call of the library; must not unwind.
 pub type tree_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, stage: *const c_char, fraction: f32) -> i32>;
 
@@ -250,7 +250,11 @@ pub(crate) unsafe fn run<R: Send>(
 fn with_progress(rust: Control, given: &tree_control, refused: CancelFlag) -> Control {
     let Some(progress) = given.progress else { return rust };
     let user = User(given.user);
+    // Not a lock to wait for: a callback that calls the library may find its thread busy with another
+    // part of this same call.
+    let told = Mutex::new(());
     rust.with_progress(move |at| {
+        let Ok(_one_at_a_time) = told.try_lock() else { return };
         let stage = CString::new(at.stage).unwrap_or_default();
         // SAFETY: the caller's function with the caller's pointer, as the header says.
         if unsafe { progress(user.get(), stage.as_ptr(), at.fraction) } != 0 {

@@ -6,7 +6,13 @@ use std::path::Path;
 #[test]
 fn the_header_is_up_to_date() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let config = cbindgen::Config::from_file(here.join("cbindgen.toml")).unwrap();
+    let mut config = cbindgen::Config::from_file(here.join("cbindgen.toml")).unwrap();
+    let conventions: String = include_str!("../CONVENTIONS.md")
+        .lines()
+        .map(|line| format!("// {line}").trim_end().to_owned() + "\n")
+        .collect();
+    let title = config.header.unwrap_or_default();
+    config.header = Some(format!("{title}\n\n// Conventions\n//\n{conventions}"));
     let mut made = Vec::new();
     cbindgen::Builder::new()
         .with_crate(here)
