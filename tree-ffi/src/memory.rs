@@ -6,37 +6,78 @@
 //! allocation itself never fails because of the budget: Rust would abort.
 
 use crate::border::{
-    Failure, TREE_ERROR_NULL, TREE_ERROR_ORDER, Versioned, call, read, tree_status,
+    Failure, Result, TREE_ERROR_MEMORY, TREE_ERROR_NULL, TREE_ERROR_ORDER, Versioned, call, read,
+    tree_status,
 };
+#[cfg(feature = "allocator")]
 use std::alloc::{GlobalAlloc, Layout, System};
+#[cfg(feature = "allocator")]
+use std::cell::Cell;
 use std::ffi::c_void;
 use std::sync::OnceLock;
+#[cfg(feature = "allocator")]
+use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tree_model::tree_core::Limits;
 
-static USED: AtomicU64 = AtomicU64::new(0);
+static USED: [Share; SHARES] = [const { Share(AtomicU64::new(0)) }; SHARES];
 static PEAK: AtomicU64 = AtomicU64::new(0);
 static BUDGET: AtomicU64 = AtomicU64::new(NO_BUDGET);
 static HOST: OnceLock<tree_allocator> = OnceLock::new();
 
 const NO_BUDGET: u64 = u64::MAX;
+/// Counters that the threads share among them: with one for all, threads waited for each other.
+const SHARES: usize = 16;
+#[cfg(feature = "allocator")]
+/// Blocks from this size on move the peak at once; smaller ones with the next such block, or when it is
+/// asked for.
+const LARGE: usize = 4096;
+/// Part of the budget that is kept for what is taken between two checks: one in so many.
+const RESERVE: u64 = 8;
+
+/// Bytes taken less bytes given back by some of the threads, modulo 2^64, on a cache line of its own.
+#[repr(align(64))]
+struct Share(AtomicU64);
+
+fn used() -> u64 {
+    USED.iter().fold(0_u64, |sum, share| sum.wrapping_add(share.0.load(Ordering::Relaxed)))
+}
+
+/// This thread's counter.
+#[cfg(feature = "allocator")]
+fn share() -> &'static AtomicU64 {
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    thread_local! {
+        // Neither allocates nor has a destructor: it is used inside the allocator.
+        static MINE: Cell<usize> = const { Cell::new(usize::MAX) };
+    }
+    let mine = MINE.try_with(|mine| {
+        if mine.get() == usize::MAX {
+            mine.set(NEXT.fetch_add(1, Ordering::Relaxed) % SHARES);
+        }
+        mine.get()
+    });
+    &USED[mine.unwrap_or(0) % SHARES].0
+}
 
 /// Bytes that the library has allocated and not freed, objects and work in progress together.
 #[unsafe(no_mangle)]
 pub extern "C" fn tree_memory_used() -> u64 {
-    USED.load(Ordering::Relaxed)
+    used()
 }
 
-/// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`.
+/// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`; small blocks may be
+/// missed by some kilobytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn tree_memory_peak() -> u64 {
-    PEAK.load(Ordering::Relaxed)
+    let used = used();
+    PEAK.fetch_max(used, Ordering::Relaxed).max(used)
 }
 
 /// Lets the peak begin anew at what is in use now.
 #[unsafe(no_mangle)]
 pub extern "C" fn tree_memory_reset_peak() {
-    PEAK.store(USED.load(Ordering::Relaxed), Ordering::Relaxed);
+    PEAK.store(used(), Ordering::Relaxed);
 }
 
 /// Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
@@ -118,17 +159,33 @@ pub(crate) fn budget() -> u64 {
     BUDGET.load(Ordering::Relaxed)
 }
 
-/// Bytes in use, if that is more than the budget.
+/// Bytes in use, if a call has to stop because of the budget.
 pub(crate) fn over_budget() -> Option<u64> {
-    let used = USED.load(Ordering::Relaxed);
-    (used > budget()).then_some(used)
+    let budget = budget();
+    if budget == NO_BUDGET {
+        return None;
+    }
+    let used = used();
+    (used > budget - budget / RESERVE).then_some(used)
+}
+
+/// Asks for about `bytes` for work that cannot be stopped on the way.
+pub(crate) fn ask(bytes: u64) -> Result<()> {
+    let (budget, used) = (budget(), used());
+    if budget == NO_BUDGET || used.saturating_add(bytes) <= budget {
+        return Ok(());
+    }
+    let text = format!(
+        "about {bytes} bytes are needed, {used} are in use, and the memory budget is {budget}"
+    );
+    Err(Failure::new(TREE_ERROR_MEMORY, text))
 }
 
 /// The limits `own`, and no more than the rest of the budget holds.
 pub(crate) fn limits(own: &Limits) -> Limits {
     match budget() {
         NO_BUDGET => *own,
-        bytes => own.min(&Limits::for_memory(bytes.saturating_sub(tree_memory_used()))),
+        bytes => own.min(&Limits::for_memory(bytes.saturating_sub(used()))),
     }
 }
 
@@ -137,22 +194,27 @@ pub(crate) fn limits(own: &Limits) -> Limits {
 static COUNTING: Counting = Counting;
 
 /// The system's allocator or the host's, counted.
-#[cfg_attr(not(feature = "allocator"), expect(dead_code, reason = "the feature switches it on"))]
+#[cfg(feature = "allocator")]
 struct Counting;
 
+#[cfg(feature = "allocator")]
 impl Counting {
     fn took(bytes: usize) {
-        let used = USED.fetch_add(bytes as u64, Ordering::Relaxed) + bytes as u64;
-        if used > PEAK.load(Ordering::Relaxed) {
-            PEAK.fetch_max(used, Ordering::Relaxed);
+        share().fetch_add(bytes as u64, Ordering::Relaxed);
+        if bytes >= LARGE {
+            let used = used();
+            if used > PEAK.load(Ordering::Relaxed) {
+                PEAK.fetch_max(used, Ordering::Relaxed);
+            }
         }
     }
 
     fn gave(bytes: usize) {
-        USED.fetch_sub(bytes as u64, Ordering::Relaxed);
+        share().fetch_sub(bytes as u64, Ordering::Relaxed);
     }
 }
 
+#[cfg(feature = "allocator")]
 /// A block of the host's.
 ///
 /// # Safety
@@ -165,6 +227,9 @@ unsafe fn host_alloc(host: &tree_allocator, layout: Layout) -> *mut u8 {
     }
 }
 
+#[cfg(feature = "allocator")]
+/// Gives a block of the host's back.
+///
 /// # Safety
 /// As [`GlobalAlloc::dealloc`].
 unsafe fn host_free(host: &tree_allocator, block: *mut u8, layout: Layout) {
@@ -174,6 +239,7 @@ unsafe fn host_free(host: &tree_allocator, block: *mut u8, layout: Layout) {
     }
 }
 
+#[cfg(feature = "allocator")]
 // SAFETY: hands every request on to one allocator, which never changes while a block is out.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {

@@ -114,33 +114,75 @@ static void cycles(void) {
     printf("%.0f %.0f %zu\n", early, resident(), tree_live_objects() - before);
 }
 
-/* Peak under a budget of so many megabytes, in bytes, and how the call ended. */
-static void budget(uint64_t megabytes) {
-    tree_tree *tree = NULL;
-    tree_mesh *mesh = NULL;
-    tree_path_params params;
-    must(tree_path_preset("oak", TREE_NUL_TERMINATED, &params, sizeof params));
-    tree_memory_set_budget(megabytes << 20);
+/* What a budget is tried on. Frees what it made; its status. */
+static tree_status work(const char *name, const tree_tree *tree, const tree_mesh *mesh) {
+    tree_tree *grown = NULL;
+    tree_mesh *made = NULL;
+    tree_bytes *bytes = NULL;
+    tree_picture *picture = NULL;
+    tree_status status = TREE_ERROR_UNKNOWN_NAME;
+    if (!strcmp(name, "grow")) {
+        tree_path_params params;
+        must(tree_path_preset("oak", TREE_NUL_TERMINATED, &params, sizeof params));
+        params.graph_nodes = 200000;
+        status = tree_path_grow(&params, 1, NULL, NULL, &grown);
+    } else if (!strcmp(name, "leaves")) {
+        tree_leaf_params params;
+        must(tree_leaf_params_init(&params, sizeof params));
+        params.spacing = 0.002f;
+        status = tree_tree_grow_leaves(tree, &params, NULL, NULL, 0, 1, NULL, NULL, &grown);
+    } else if (!strcmp(name, "mesh")) {
+        tree_mesh_params params;
+        must(tree_mesh_params_init(&params, sizeof params));
+        params.error = 0.0003f;
+        params.tangents = params.lightmap = 1;
+        status = tree_mesh_build(tree, NULL, &params, NULL, NULL, &made);
+    } else if (!strcmp(name, "picture")) {
+        tree_view view;
+        must(tree_view_init(&view, sizeof view));
+        view.width = view.height = 2000;
+        status = tree_render(mesh, &view, NULL, NULL, &picture);
+    } else if (!strcmp(name, "glb")) {
+        status = tree_mesh_to_glb(mesh, NULL, NULL, &bytes);
+    }
+    must(tree_picture_free(picture));
+    must(tree_bytes_free(bytes));
+    must(tree_mesh_free(made));
+    must(tree_tree_free(grown));
+    return status;
+}
+
+/* Bytes that a piece of work takes at its peak under a budget of so many (0 for none), and its status. */
+static void budget(const char *name, uint64_t bytes, const tree_tree *tree, const tree_mesh *mesh) {
     tree_memory_reset_peak();
-    tree_status status = tree_path_grow(&params, 1, NULL, NULL, &tree);
-    if (status == TREE_OK) status = tree_mesh_build(tree, NULL, NULL, NULL, NULL, &mesh);
-    printf("%llu %d\n", (unsigned long long)tree_memory_peak(), status);
+    uint64_t before = tree_memory_used();
+    tree_memory_set_budget(bytes ? before + bytes : 0);
+    tree_status status = work(name, tree, mesh);
     tree_memory_set_budget(0);
-    must(tree_mesh_free(mesh));
-    must(tree_tree_free(tree));
+    printf("%llu %d\n", (unsigned long long)(tree_memory_peak() - before), status);
 }
 
 int main(void) {
-    char line[64];
+    char line[64], name[32];
+    unsigned long long bytes = 0;
+    tree_tree *tree = NULL;
+    tree_mesh *mesh = NULL;
     while (fgets(line, sizeof line, stdin)) {
         line[strcspn(line, "\n")] = 0;
         if (!strcmp(line, "calls")) calls();
         else if (!strncmp(line, "whole ", 6)) whole(line + 6);
         else if (!strcmp(line, "fetch")) fetch();
         else if (!strcmp(line, "cycles")) cycles();
-        else if (!strncmp(line, "budget ", 7)) budget(strtoull(line + 7, NULL, 10));
-        else return 2;
+        else if (sscanf(line, "budget %31s %llu", name, &bytes) == 2) {
+            if (!tree) {
+                tree = grow("oak", NULL);
+                must(tree_mesh_build(tree, NULL, NULL, NULL, NULL, &mesh));
+            }
+            budget(name, bytes, tree, mesh);
+        } else return 2;
         fflush(stdout);
     }
+    must(tree_mesh_free(mesh));
+    must(tree_tree_free(tree));
     return 0;
 }
