@@ -34,7 +34,7 @@ public sealed class UnityTree : MonoBehaviour
         using (var pool = new TreePool(0))
         {
             var options = new CallOptions { Pool = pool };
-            tree_mesh_params parameters = TreeLibrary.DefaultMeshParams;
+            tree_mesh_params parameters = TreeDefaults.Mesh;
             parameters.leaf_scale = leafScale;
             parameters.error = error;
             parameters.tangents = 1;
