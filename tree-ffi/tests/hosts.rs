@@ -140,7 +140,7 @@ fn unity_is_handed_its_own_axes() {
     let here = root().join("tree-ffi/tests/csharp");
     let compile = &mut mcs(&program);
     compile.arg("-define:UNITY_5_3_OR_NEWER").args(csharp_files(WRAPPERS));
-    compile.args(csharp_files(&["UnityTree.cs"]));
+    compile.args(csharp_files(&["UnityTree.cs", "UnityTreeMesh.cs", "UnityTreeMaterials.cs"]));
     compile.args([here.join("FakeUnity.cs"), here.join("UnityCheck.cs")]);
     succeed(compile, &work);
     let said = succeed(Command::new("mono").arg(&program), &work);

@@ -22,6 +22,10 @@ public static unsafe class WholeCheck
                 Files(mesh, arguments[0]);
                 Packed(mesh);
                 Skeletonized(mesh);
+                using (var welded = Weld(mesh))
+                {
+                    Demand(welded.Surface(0).VertexCount < mesh.Surface(0).VertexCount, "welded");
+                }
             }
             Own(bare);
         }
@@ -136,7 +140,19 @@ public static unsafe class WholeCheck
         }
     }
 
-    /// <summary>A call that is not wrapped.</summary>
+    /// <summary>A call that is not wrapped, as the README has it.</summary>
+    static TreeMesh Weld(TreeMesh mesh)
+    {
+        using (var call = new NativeCall())
+        {
+            tree_mesh* made;
+            call.Check(TreeNative.tree_mesh_weld(
+                (tree_mesh*)call.Use(mesh), UIntPtr.Zero, call.Control, &made));
+            return new TreeMesh(made);
+        }
+    }
+
+    /// <summary>The same with progress, and a view.</summary>
     static void Own(BotanicalTree tree)
     {
         using (var call = new NativeCall(new CallOptions { Progress = (stage, share) => true }))
