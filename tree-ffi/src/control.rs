@@ -168,7 +168,7 @@ pub unsafe extern "C" fn tree_cancel_set(cancel: *const tree_cancel) -> tree_sta
     })
 }
 
-/// Ends a switch. Calls it was given to may still run.
+/// Frees a switch. Calls it was given to may still run.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_cancel_free(cancel: *mut tree_cancel) -> tree_status {
     call(|| unsafe { free(cancel, "cancel") })

@@ -107,10 +107,10 @@ pub struct tree_allocator {
     /// Handed to the functions.
     pub user: *mut c_void,
     /// `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
-    pub alloc:
+    pub allocate:
         Option<unsafe extern "C" fn(user: *mut c_void, size: usize, align: usize) -> *mut c_void>,
-    /// Gives back what `alloc` gave for this size and alignment.
-    pub free: Option<
+    /// Gives back what `allocate` gave for this size and alignment.
+    pub release: Option<
         unsafe extern "C" fn(user: *mut c_void, block: *mut c_void, size: usize, align: usize),
     >,
 }
@@ -125,12 +125,17 @@ unsafe impl Versioned for tree_allocator {
     const NAME: &'static str = "tree_allocator";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self { struct_size: size_of::<Self>(), user: std::ptr::null_mut(), alloc: None, free: None }
+        Self {
+            struct_size: size_of::<Self>(),
+            user: std::ptr::null_mut(),
+            allocate: None,
+            release: None,
+        }
     }
 }
 
 /// Lets the library take its memory from the host's allocator. Only before anything else: once the
-/// library has memory of its own it is `TREE_ERROR_ORDER`. When `alloc` gives NULL the process aborts, as
+/// library has memory of its own it is `TREE_ERROR_ORDER`. When `allocate` gives NULL the process aborts, as
 /// Rust does; set a budget below what the allocator has.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_memory_set_allocator(
@@ -139,8 +144,11 @@ pub unsafe extern "C" fn tree_memory_set_allocator(
     let used = tree_memory_used();
     call(|| {
         let allocator = unsafe { read(allocator, "allocator") }?;
-        if allocator.alloc.is_none() || allocator.free.is_none() {
-            return Err(Failure::new(TREE_ERROR_NULL, "allocator.alloc or allocator.free is NULL"));
+        if allocator.allocate.is_none() || allocator.release.is_none() {
+            return Err(Failure::new(
+                TREE_ERROR_NULL,
+                "allocator.allocate or allocator.release is NULL",
+            ));
         }
         if !cfg!(feature = "allocator") {
             let text = "this library was built without the feature `allocator`";
@@ -220,7 +228,7 @@ impl Counting {
 /// # Safety
 /// As [`GlobalAlloc::alloc`].
 unsafe fn host_alloc(host: &tree_allocator, layout: Layout) -> *mut u8 {
-    match host.alloc {
+    match host.allocate {
         // SAFETY: the host's function with the host's pointer.
         Some(alloc) => unsafe { alloc(host.user, layout.size(), layout.align()) }.cast(),
         None => std::ptr::null_mut(),
@@ -233,7 +241,7 @@ unsafe fn host_alloc(host: &tree_allocator, layout: Layout) -> *mut u8 {
 /// # Safety
 /// As [`GlobalAlloc::dealloc`].
 unsafe fn host_free(host: &tree_allocator, block: *mut u8, layout: Layout) {
-    if let Some(free) = host.free {
+    if let Some(free) = host.release {
         // SAFETY: the host's function with a block of the host's.
         unsafe { free(host.user, block.cast(), layout.size(), layout.align()) };
     }

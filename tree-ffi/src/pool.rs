@@ -225,7 +225,7 @@ pub unsafe extern "C" fn tree_pool_threads(
     })
 }
 
-/// Ends a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
+/// Frees a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
 /// pool lives on, while a call is at work on it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_pool_free(pool: *mut tree_pool) -> tree_status {

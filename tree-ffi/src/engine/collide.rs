@@ -213,7 +213,7 @@ unsafe fn value(capsule: *const tree_capsule, argument: &str) -> Result<tree_cap
     Ok(unsafe { capsule.read_unaligned() })
 }
 
-/// Ends capsules.
+/// Frees capsules.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_capsules_free(capsules: *mut tree_capsules) -> tree_status {
     call(|| unsafe { free(capsules, "capsules") })

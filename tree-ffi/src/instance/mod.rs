@@ -268,7 +268,7 @@ pub unsafe extern "C" fn tree_twigs_flatten(
     })
 }
 
-/// Ends twigs. Meshes that were asked of them live on.
+/// Frees twigs. Meshes that were asked of them live on.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_twigs_free(twigs: *mut tree_twigs) -> tree_status {
     call(|| unsafe { free(twigs, "twigs") })

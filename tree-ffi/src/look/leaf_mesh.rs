@@ -184,7 +184,7 @@ pub unsafe extern "C" fn tree_leaf_model_view(
     })
 }
 
-/// Ends a leaf's mesh.
+/// Frees a leaf's mesh.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_leaf_model_free(model: *mut tree_leaf_model) -> tree_status {
     call(|| unsafe { free(model, "model") })

@@ -89,7 +89,7 @@ pub(crate) fn column<T>(column: &[T]) -> *const T {
     if column.is_empty() { std::ptr::null() } else { column.as_ptr() }
 }
 
-/// Ends a mesh, and with it all views of it.
+/// Frees a mesh, and with it all views of it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_mesh_free(mesh: *mut tree_mesh) -> tree_status {
     call(|| unsafe { free(mesh, "mesh") })

@@ -24,7 +24,9 @@ unsafe fn make(
 
 /// Makes a tree of a mesh, in the mesh's unit: closed surfaces, tubes stuck into each other, thousands of
 /// separate prisms; cards or blobs for leaves. `parts` is `n_parts` structs, which are not kept. Its bark is
-/// named after the part with most wood, leaf kinds after the parts their leaves come from. `params`,
+/// named after the part with most wood, leaf kinds after the parts their leaves come from; no look is built
+/// in by such names, so give `tree_mesh_build` one of `tree_look_of_tree(tree, 1, &look)`, or of
+/// `tree_look_new` with the mesh's own textures. `params`,
 /// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_NO_RESULT` where
 /// nothing looks like wood; `TREE_ERROR_INVALID` for parts whose columns do not fit together.
 #[unsafe(no_mangle)]
