@@ -155,7 +155,7 @@ static const float fork_radii[] = {0.1f, 0.08f, 0.01f, 0.01f};
 static const uint32_t fork_parents[] = {TREE_NO_PARENT, 0, 1, 1};
 static const tree_skeleton_columns fork_columns = {sizeof fork_columns, 4, fork_positions,
                                                    fork_radii, fork_parents};
-static const tree_pool_options one_thread = {sizeof one_thread, 1, 0, NULL, NULL};
+static const tree_pool_options one_thread = {sizeof one_thread, 1, 0, 0, NULL, NULL};
 
 static const float origin[3];
 static const uint8_t pixel[4];

@@ -22,8 +22,9 @@ pub(crate) unsafe trait Versioned: Copy {
     fn default_value() -> Self;
 }
 
-/// Most bytes a struct may claim: far beyond what any version will have.
-const SIZE_MAX: usize = 1 << 16;
+/// Most bytes a struct may claim: beyond what any version will have, and not so many that an accidental
+/// number often passes.
+const SIZE_MAX: usize = 1 << 13;
 
 unsafe fn size_of_at<T: Versioned>(place: *const T, argument: &str) -> Result<usize> {
     if place.is_null() {
