@@ -125,6 +125,14 @@ pub(crate) unsafe fn write<T: Versioned>(place: *mut T, argument: &str, value: &
     Ok(())
 }
 
+/// Looks at the size of a report before the work that it tells of, so that no work is done in vain.
+///
+/// # Safety
+/// `place` is NULL or points at a struct of the size it states.
+pub(crate) unsafe fn foresee<T: Versioned>(place: *const T, argument: &str) -> Result<()> {
+    if place.is_null() { Ok(()) } else { unsafe { size_of_at(place, argument) }.map(drop) }
+}
+
 /// As [`write`]; nothing is written to NULL.
 ///
 /// # Safety
