@@ -1,52 +1,56 @@
 /* The tree family's C interface. Made by cbindgen from tree-ffi/src: do not edit.
  * Licence: MIT OR Apache-2.0. */
 
-// Conventions
-//
-// * **Status.** Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
-//   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
-//   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
-//   (`tree_memory_set_budget`) comes before that.
-// * **Handles** (`tree_mesh *` and so on) are made by the library, never change after that, may be read
-//   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
-//   freed, or is of another kind, is `TREE_ERROR_HANDLE`. Handles keep alive what they are made of.
-// * **Out parameters** come last. A handle's place is set to NULL first, so after an error it is NULL.
-// * **Views** (`tree_surface` and so on) point into the object they were asked of: tightly packed,
-//   nothing copied, valid until that object is freed.
-// * **Structs** of parameters and views begin with `struct_size`. Parameters: call `tree_X_init(&x,
-//   sizeof x)`, which fills in the defaults, and change what should differ; NULL instead of parameters
-//   means the defaults. Views and reports: set `struct_size` to `sizeof x`; NULL where a report is not
-//   wanted. So programs built with an older header go on with a newer library.
-// * **Texts** are UTF-8, a pointer and a number of bytes; `TREE_NUL_TERMINATED` as number for C strings.
-// * **Constants** of one kind share a `typedef` and a prefix. A number that is none of them is
-//   `TREE_ERROR_ENUM`. A yes or no is a `uint32_t`, 0 is no and anything else yes.
-// * **Control** (`tree_control`) is taken by all that can run long: progress, cancellation, limits,
-//   threads. NULL means: no progress, no cancellation, default limits, all cores.
-// * **Axes:** right-handed, +Y up, metres, radians, triangles counter-clockwise from outside, texture v
-//   downwards, quaternions as x, y, z, w; `tree_convention` lists others.
-// * **What cannot be caught** is yours to keep: arrays as long as their count says, structs as long as their
-//   `struct_size` says, no view used after its object, nothing freed in one thread while another uses it, no
-//   exception thrown out of a callback.
-
-
 #ifndef TREE_H
 #define TREE_H
 
 #include <stddef.h>
 #include <stdint.h>
+
+// A first tree, by the names of the functions: `tree_path_preset` fills in parameters, `tree_path_grow` makes
+// a `tree_tree` of them, `tree_mesh_build` a `tree_mesh` of that, `tree_mesh_surface` shows its columns, which
+// an engine uploads; `tree_mesh_write_glb` writes a file. `tree_mesh_free` and `tree_tree_free` at the end.
+// `examples/c/oak.c` does this.
+//
+// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
+//   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
+//   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
+//   (`tree_memory_set_budget`) comes before that.
+// * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
+//   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
+//   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
+//   its kind). Handles keep alive what they are made of.
+// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
+//   stood there before is not freed.
+// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
+//   nothing copied, valid until that object is freed.
+// * Structs of parameters and views begin with `struct_size`. Parameters: call `tree_X_init(&x,
+//   sizeof x)`, which fills in the defaults, and change what should differ; NULL instead of parameters
+//   means the defaults. Views and reports: set `struct_size` to `sizeof x`; NULL where a report is not
+//   wanted. So programs built with an older header go on with a newer library.
+// * Texts are UTF-8, a pointer and a number of bytes; `TREE_NUL_TERMINATED` as number for C strings.
+// * Constants of one kind share a `typedef` and a prefix. A number that is none of them is
+//   `TREE_ERROR_ENUM`. A yes or no is a `uint32_t`, 0 is no and anything else yes.
+// * Control (`tree_control`) is taken by all that can run long: progress, cancellation, limits,
+//   threads. NULL means: no progress, no cancellation, default limits, all cores.
+// * Axes: right-handed, +Y up, metres, radians, triangles counter-clockwise from outside, texture v
+//   downwards, quaternions as x, y, z, w; `tree_convention` lists others.
+// * What cannot be caught is yours to keep: arrays as long as their count says, structs as long as their
+//   `struct_size` says, no view used after its object, nothing freed in one thread while another uses it, no
+//   exception thrown out of a callback.
 /* Length of a text that ends with a NUL byte instead. */
 #define TREE_NUL_TERMINATED SIZE_MAX
 
 // Exponent of the pipe model by Leonardo da Vinci: the cross-sections above a fork together are the
 // cross-section below.
-#define TREE_PIPE_DA_VINCI 2.0
+#define TREE_PIPE_DA_VINCI 2.0f
 
 // Exponent of the pipe model by Murray (1927), who measured circumferences against the weight they
 // carry.
-#define TREE_PIPE_MURRAY 2.49
+#define TREE_PIPE_MURRAY 2.49f
 
 // Exponent of the pipe model by Mandelbrot (1983), 8/3.
-#define TREE_PIPE_MANDELBROT 2.6666667
+#define TREE_PIPE_MANDELBROT 2.6666667f
 
 // The pipe model, for most trees: at every fork the powers of the radii above add up to that below
 // (da Vinci, Murray, Mandelbrot).
@@ -206,7 +210,7 @@
 #define TREE_NUMBER_UNORM8 3
 
 // Element of a branch that has none.
-#define TREE_NO_ELEMENT 4294967295
+#define TREE_NO_ELEMENT 4294967295u
 
 // One at a node, each turned by the same angle from the last. Oak, poplar.
 #define TREE_PHYLLOTAXIS_SPIRAL 0
@@ -224,7 +228,7 @@
 #define TREE_PHYLLOTAXIS_WHORLED 4
 
 // Densities above this count as this.
-#define TREE_DENSITY_CAP 4.0
+#define TREE_DENSITY_CAP 4.0f
 
 // One blade. Oak, beech, linden.
 #define TREE_LEAVES_SIMPLE 0
@@ -370,7 +374,7 @@
 #define TREE_FLAT_SHARE 1e-15
 
 // Predecessor of the root, and of nodes that no path leads to.
-#define TREE_NO_NODE 4294967295
+#define TREE_NO_NODE 4294967295u
 
 // Anywhere in the volume.
 #define TREE_PATH_PLACING_VOLUME 0
@@ -431,7 +435,7 @@
 #define TREE_LENS_ORTHOGRAPHIC 1
 
 // Parent of the root: no node.
-#define TREE_NO_PARENT 4294967295
+#define TREE_NO_PARENT 4294967295u
 
 // The child with the largest radius, by length to the tip where radii are equal. The default.
 #define TREE_CONTINUATION_THICKEST 0
@@ -1296,10 +1300,10 @@ typedef struct tree_twig_report {
     double moved;
 } tree_twig_report;
 
-// The line that is drawn through the nodes of an axis.
+// The line that is drawn through the nodes of an axis: one of the `TREE_CURVE_` constants.
 typedef uint32_t tree_curve_fit;
 
-// How it is said how far a mesh may leave the exact shape.
+// How it is said how far a mesh may leave the exact shape: one of the `TREE_BOUND_` constants.
 typedef uint32_t tree_bound_kind;
 
 // How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
@@ -1566,7 +1570,7 @@ typedef struct tree_species {
     size_t n_leaf_kinds;
 } tree_species;
 
-// How a material treats the alpha of its texture.
+// How a material treats the alpha of its texture: one of the `TREE_ALPHA_` constants.
 typedef uint32_t tree_alpha;
 
 // What a surface looks like, in glTF's metallic-roughness terms; nothing on a tree is metal. As input
@@ -1622,7 +1626,7 @@ typedef struct tree_leaf_mesh {
     const uint32_t *indices;
 } tree_leaf_mesh;
 
-// What a leaf is cut out of. Fold, bend and number of sheets go with every form but `TREE_LEAF_MESH`.
+// What a leaf is cut out of: one of the `TREE_LEAF_` constants. Fold, bend and number of sheets go with every form but `TREE_LEAF_MESH`.
 typedef uint32_t tree_leaf_form;
 
 // What leaves of one kind look like: as input (begin with `tree_leaf_look_init`), or as a view.
@@ -1866,9 +1870,9 @@ typedef struct tree_allocator {
     // Handed to the functions.
     void *user;
     // `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
-    void *(*alloc)(void *user, size_t size, size_t align);
-    // Gives back what `alloc` gave for this size and alignment.
-    void (*free)(void *user, void *block, size_t size, size_t align);
+    void *(*allocate)(void *user, size_t size, size_t align);
+    // Gives back what `allocate` gave for this size and alignment.
+    void (*release)(void *user, void *block, size_t size, size_t align);
 } tree_allocator;
 
 // What a mesh was made of and what was left out.
@@ -2390,6 +2394,8 @@ typedef struct tree_pool_options {
     size_t struct_size;
     // Number of threads, at most 1024. Default 0: one for each core.
     uint32_t n_threads;
+    // 0.
+    uint32_t reserved;
     // Bytes of stack of each thread that the library starts. Default 0: the system's.
     size_t stack_size;
     // Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
@@ -2676,7 +2682,7 @@ typedef struct tree_leaf_kinds {
 
 // What one piece of wood stands for.
 typedef struct tree_piece {
-    // Area of its surface.
+    // Area of its surface, in squares of the mesh's own unit.
     float area;
     // Bumps of the bark dropped.
     uint32_t n_bumps;
@@ -2865,7 +2871,7 @@ tree_status tree_cancel_new(struct tree_cancel **cancel);
 // milliseconds. It stays set.
 tree_status tree_cancel_set(const struct tree_cancel *cancel);
 
-// Ends a switch. Calls it was given to may still run.
+// Frees a switch. Calls it was given to may still run.
 tree_status tree_cancel_free(struct tree_cancel *cancel);
 
 // What a branch of a mesh does in the wind. Set `motion->struct_size` first.
@@ -2891,7 +2897,7 @@ tree_status tree_wind_branches_view(const struct tree_wind_branches *branches,
                                     const struct tree_wind_branch **rows,
                                     size_t *n);
 
-// Ends branches.
+// Frees branches.
 tree_status tree_wind_branches_free(struct tree_wind_branches *branches);
 
 // Makes `params`, of `size` bytes, the default.
@@ -2919,7 +2925,7 @@ tree_status tree_capsule_contains(const struct tree_capsule *capsule,
 // Volume of a capsule in cubic metres.
 tree_status tree_capsule_volume(const struct tree_capsule *capsule, double *volume);
 
-// Ends capsules.
+// Frees capsules.
 tree_status tree_capsules_free(struct tree_capsules *capsules);
 
 // What a convention says. Set `traits->struct_size` first.
@@ -2954,11 +2960,11 @@ tree_status tree_convert_tangents(tree_convention convention,
 // `tree_convert_positions`.
 tree_status tree_convert_uvs(tree_convention convention, const float *from, size_t n, float *to);
 
-// Turns `n` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
+// Turns `n_triangles` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
 // as in `tree_convert_positions`.
 tree_status tree_convert_triangles(tree_convention convention,
                                    const uint32_t *from,
-                                   size_t n,
+                                   size_t n_triangles,
                                    uint32_t *to);
 
 // Packs a surface of a mesh, in the axes of the engine the layout is for. `control` may be NULL; only a
@@ -2972,7 +2978,7 @@ tree_status tree_mesh_pack(const struct tree_mesh *mesh,
 // Views streams and indices. Set `columns->struct_size` first.
 tree_status tree_packed_view(const struct tree_packed *packed, struct tree_packed_columns *columns);
 
-// Ends a packed surface, and with it all views of it.
+// Frees a packed surface, and with it all views of it.
 tree_status tree_packed_free(struct tree_packed *packed);
 
 // Views the textures of a surface packed with `TREE_LAYOUT_PIVOT_PAINTER`. Set `pivots->struct_size`
@@ -2997,7 +3003,7 @@ tree_status tree_packed_unpack(const struct tree_packed *packed,
 tree_status tree_unpacked_view(const struct tree_unpacked *unpacked,
                                struct tree_unpacked_columns *columns);
 
-// Ends what was read back.
+// Frees what was read back.
 tree_status tree_unpacked_free(struct tree_unpacked *unpacked);
 
 // Views the vertices of a surface packed with `TREE_LAYOUT_VERTEX`; its indices are in
@@ -3096,7 +3102,7 @@ tree_status tree_rows_view(const struct tree_rows *rows,
                            const uint32_t **first,
                            size_t *n);
 
-// Ends the numbers.
+// Frees the numbers.
 tree_status tree_rows_free(struct tree_rows *rows);
 
 // A new skeleton, the same but with nodes at most `spacing` metres apart (1e-5 to 1e6) on all segments
@@ -3175,7 +3181,7 @@ tree_status tree_twigs_flatten(const struct tree_twigs *twigs,
                                const struct tree_control *control,
                                struct tree_mesh **mesh);
 
-// Ends twigs. Meshes that were asked of them live on.
+// Frees twigs. Meshes that were asked of them live on.
 tree_status tree_twigs_free(struct tree_twigs *twigs);
 
 // Makes `params`, of `size` bytes, the default.
@@ -3184,7 +3190,7 @@ tree_status tree_instancing_params_init(struct tree_instancing_params *params, s
 // Views the bytes: where they begin and how many there are.
 tree_status tree_bytes_view(const struct tree_bytes *bytes, const uint8_t **data, size_t *len);
 
-// Ends a file in memory.
+// Frees a file in memory.
 tree_status tree_bytes_free(struct tree_bytes *bytes);
 
 // Makes `options`, of `size` bytes, the default.
@@ -3251,7 +3257,7 @@ tree_status tree_gltf_leaves_view(const struct tree_gltf_leaves *leaves,
                                   const struct tree_gltf_instances **rows,
                                   size_t *n);
 
-// Ends leaves, and their meshes.
+// Frees leaves, and their meshes.
 tree_status tree_gltf_leaves_free(struct tree_gltf_leaves *leaves);
 
 // The attributes `_WIND*` of all surfaces of a mesh, for a level of a glTF file: the streams of
@@ -3268,7 +3274,7 @@ tree_status tree_gltf_attributes_view(const struct tree_gltf_attributes *attribu
                                       const struct tree_gltf_attribute **rows,
                                       size_t *n);
 
-// Ends attributes.
+// Frees attributes.
 tree_status tree_gltf_attributes_free(struct tree_gltf_attributes *attributes);
 
 // What a note says, for people; the text is there for ever.
@@ -3349,7 +3355,8 @@ tree_status tree_look_built_in(const struct tree_species *species,
 tree_status tree_look_plain(const struct tree_species *species,
                             struct tree_look **look);
 
-// As `tree_look_built_in`, for the species of a tree; with `plain` as `tree_look_plain`.
+// As `tree_look_built_in`, for the species of a tree; with `plain` other than 0 as `tree_look_plain`. Free
+// the look with `tree_look_free`.
 tree_status tree_look_of_tree(const struct tree_tree *tree,
                               uint32_t plain,
                               struct tree_look **look);
@@ -3387,7 +3394,7 @@ tree_status tree_look_leaf(const struct tree_look *look,
 // Checks that a look has one leaf look for each leaf kind of the species (NULL is an oak).
 tree_status tree_look_check(const struct tree_look *look, const struct tree_species *species);
 
-// Ends a look. Meshes that were built with it keep their textures.
+// Frees a look. Meshes that were built with it keep their textures.
 tree_status tree_look_free(struct tree_look *look);
 
 // Makes `style`, of `size` bytes, the default.
@@ -3419,7 +3426,7 @@ tree_status tree_look_leaf_model(const struct tree_look *look,
 tree_status tree_leaf_model_view(const struct tree_leaf_model *model,
                                  struct tree_leaf_mesh *mesh);
 
-// Ends a leaf's mesh.
+// Frees a leaf's mesh.
 tree_status tree_leaf_model_free(struct tree_leaf_model *model);
 
 // Views the leaf of your own that kind `kind` of a look has; without vertices where its form is not
@@ -3469,16 +3476,17 @@ tree_status tree_texture_from_pixels(const struct tree_texture_pixels *pixels,
 // Makes a texture of a PNG or JPEG file in memory, recognised by its content. A photograph is turned
 // upright as its camera noted. `TREE_ERROR_LIMIT` when file or picture are larger than the limits
 // `input_bytes` and `pixels` allow, before it is decoded. Free the texture with `tree_texture_free`.
-tree_status tree_texture_decode(const char *name,
-                                size_t name_len,
-                                const uint8_t *file,
-                                size_t file_len,
-                                const struct tree_control *control,
-                                struct tree_texture **texture);
+tree_status tree_texture_from_bytes(const char *name,
+                                    size_t name_len,
+                                    const uint8_t *data,
+                                    size_t len,
+                                    const struct tree_control *control,
+                                    struct tree_texture **texture);
 
-// As `tree_texture_decode`, of a file on disk. The texture is named after the file.
-tree_status tree_texture_open(const char *file,
-                              size_t file_len,
+// As `tree_texture_from_bytes`, of a file on disk. The texture is named after the file. Free it with
+// `tree_texture_free`.
+tree_status tree_texture_read(const char *path,
+                              size_t path_len,
                               const struct tree_control *control,
                               struct tree_texture **texture);
 
@@ -3509,17 +3517,18 @@ tree_status tree_texture_view(const struct tree_texture *texture,
 tree_status tree_texture_to_png(const struct tree_texture *texture, struct tree_bytes **png);
 
 // Writes a texture as a PNG file, whole or not at all.
-tree_status tree_texture_save_png(const struct tree_texture *texture,
-                                  const char *file,
-                                  size_t file_len);
+tree_status tree_texture_write_png(const struct tree_texture *texture,
+                                   const char *path,
+                                   size_t path_len);
 
-// Ends a texture's handle. Materials and meshes that have the picture keep it.
+// Frees a texture's handle. Materials and meshes that have the picture keep it.
 tree_status tree_texture_free(struct tree_texture *texture);
 
 // Bytes that the library has allocated and not freed, objects and work in progress together.
 uint64_t tree_memory_used(void);
 
-// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`.
+// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`; small blocks may be
+// missed by some kilobytes.
 uint64_t tree_memory_peak(void);
 
 // Lets the peak begin anew at what is in use now.
@@ -3528,18 +3537,20 @@ void tree_memory_reset_peak(void);
 // Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
 // at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
 // or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
-// once may all be told so. Small calls, such as looking at a mesh, never fail.
+// once may all be told so. Calls that take no memory, such as looking at a mesh, never are. An eighth of
+// the budget is kept for what is taken between two looks at it; a call that went beyond all the same fails
+// at its end.
 void tree_memory_set_budget(uint64_t bytes);
 
 // The budget in bytes; 0 when there is none.
 uint64_t tree_memory_budget(void);
 
 // Lets the library take its memory from the host's allocator. Only before anything else: once the
-// library has memory of its own it is `TREE_ERROR_ORDER`. When `alloc` gives NULL the process aborts, as
+// library has memory of its own it is `TREE_ERROR_ORDER`. When `allocate` gives NULL the process aborts, as
 // Rust does; set a budget below what the allocator has.
 tree_status tree_memory_set_allocator(const struct tree_allocator *allocator);
 
-// Ends a mesh, and with it all views of it.
+// Frees a mesh, and with it all views of it.
 tree_status tree_mesh_free(struct tree_mesh *mesh);
 
 // Views the branches that a mesh's vertices move with, parents first: where they begin, NULL for none,
@@ -3655,12 +3666,13 @@ tree_status tree_mesh_examine(const struct tree_mesh *mesh,
 // The points of surface `number`, numbered in the order of their first vertices: by its welds where it
 // has them, otherwise vertices at exactly the same place are one point.
 //
-// `of_vertex`, NULL or with room for one number for each vertex, gets the point that each vertex stands
-// at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
+// `of_vertex`, NULL or with room for `of_vertex_capacity` numbers (one for each vertex), gets the point
+// that each vertex stands at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
 // enough), gets the first vertex of each point. `n_points` gets their number; it may be NULL.
 tree_status tree_mesh_points(const struct tree_mesh *mesh,
                              size_t number,
                              uint32_t *of_vertex,
+                             size_t of_vertex_capacity,
                              uint32_t *first,
                              size_t first_capacity,
                              size_t *n_points);
@@ -3678,7 +3690,7 @@ tree_status tree_mesh_crossings(const struct tree_mesh *mesh,
 tree_status tree_crossings_view(const struct tree_crossings *crossings,
                                 struct tree_crossing_pairs *pairs);
 
-// Ends crossings.
+// Frees crossings.
 tree_status tree_crossings_free(struct tree_crossings *crossings);
 
 // Counts what a mesh has. Set `totals->struct_size` first.
@@ -3737,17 +3749,18 @@ tree_status tree_graph_from_edges(const float *positions,
 // Views a graph. Set `columns->struct_size` first.
 tree_status tree_graph_view(const struct tree_graph *graph, struct tree_graph_columns *columns);
 
-// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for a float for each
-// node, gets what the path to it costs, infinity where there is none; `predecessors`, NULL or with room
-// for a number for each node, gets the node before it on that path, or `TREE_NO_NODE`. A root that does
-// not exist reaches nothing. `control` may be NULL.
+// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for `capacity` floats,
+// gets for each node what the path to it costs, infinity where there is none; `predecessors`, NULL or with
+// room for `capacity` numbers, gets the node before it on that path, or `TREE_NO_NODE`. `capacity` must
+// reach for all nodes. A root that does not exist reaches nothing. `control` may be NULL.
 tree_status tree_graph_search(const struct tree_graph *graph,
                               uint32_t root,
                               const struct tree_control *control,
                               float *costs,
-                              uint32_t *predecessors);
+                              uint32_t *predecessors,
+                              size_t capacity);
 
-// Ends a graph.
+// Frees a graph.
 tree_status tree_graph_free(struct tree_graph *graph);
 
 // Grows a tree of least-cost paths. The same parameters and `seed` give the same bits for any number of
@@ -3789,7 +3802,7 @@ tree_status tree_graph_strew(const struct tree_volume *volume,
 tree_status tree_graph_nodes_view(const struct tree_graph_nodes *nodes,
                                   struct tree_graph_nodes_columns *columns);
 
-// Ends strewn nodes. Graphs made of them live on.
+// Frees strewn nodes. Graphs made of them live on.
 tree_status tree_graph_nodes_free(struct tree_graph_nodes *nodes);
 
 // Makes `params`, of `size` bytes, an oak: a good tree to begin with.
@@ -3850,7 +3863,7 @@ tree_status tree_profile_volume(const struct tree_profile *profile,
                                 const float *base,
                                 struct tree_volume **volume);
 
-// Ends a profile.
+// Frees a profile.
 tree_status tree_profile_free(struct tree_profile *profile);
 
 // As `tree_profile_from_svg` and `tree_profile_volume` in one.
@@ -3885,7 +3898,8 @@ tree_status tree_pool_new(const struct tree_pool_options *options, struct tree_p
 // Number of threads of a pool.
 tree_status tree_pool_threads(const struct tree_pool *pool, uint32_t *n_threads);
 
-// Ends a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
+// Frees a pool, and returns when its threads have left its work. A host that unloads the library joins
+// threads of its own first: what the library keeps for each thread goes when the thread ends. `TREE_ERROR_ORDER`, and the
 // pool lives on, while a call is at work on it.
 tree_status tree_pool_free(struct tree_pool *pool);
 
@@ -3901,7 +3915,7 @@ tree_status tree_mask_bits(const struct tree_mask *mask,
 // The mask in black on white. Free the picture with `tree_picture_free`.
 tree_status tree_mask_picture(const struct tree_mask *mask, struct tree_picture **picture);
 
-// Ends a mask.
+// Frees a mask.
 tree_status tree_mask_free(struct tree_mask *mask);
 
 // Makes a picture of `4 * width * height` bytes of a program's own, which are copied. `control` may be
@@ -3925,7 +3939,7 @@ tree_status tree_picture_write_png(const struct tree_picture *picture,
 // A picture as a PNG file in memory. Free it with `tree_bytes_free`.
 tree_status tree_picture_to_png(const struct tree_picture *picture, struct tree_bytes **bytes);
 
-// Ends a picture.
+// Frees a picture.
 tree_status tree_picture_free(struct tree_picture *picture);
 
 // Draws a picture of a mesh. `view`, `style` and `control` may be NULL. Back faces are drawn too, with
@@ -3989,7 +4003,7 @@ tree_status tree_skeleton_view(const struct tree_skeleton *skeleton,
 // The box around all nodes, without their radii: its lower corner, then its upper one, in metres.
 tree_status tree_skeleton_bounds(const struct tree_skeleton *skeleton, float (*min_max)[6]);
 
-// Ends a skeleton.
+// Frees a skeleton.
 tree_status tree_skeleton_free(struct tree_skeleton *skeleton);
 
 // Splits a skeleton into axes. Free them with `tree_axes_free`; they do not need the skeleton any more.
@@ -4000,7 +4014,7 @@ tree_status tree_skeleton_axes(const struct tree_skeleton *skeleton,
 // Views the axes. Set `columns->struct_size` first.
 tree_status tree_axes_view(const struct tree_axes *axes, struct tree_axis_columns *columns);
 
-// Ends the axes.
+// Frees the axes.
 tree_status tree_axes_free(struct tree_axes *axes);
 
 // A new skeleton with other radii: `radii` has `n` floats, one for each node, in metres, 0 or more. Free
@@ -4064,18 +4078,18 @@ tree_status tree_swc_options_init(struct tree_swc_options *options, size_t size)
 // `TREE_NUL_TERMINATED`. `options` may be NULL for the defaults, and
 // so may `control`, of which only the limits matter. What is wrong with a file is told with its line.
 // Free the file with `tree_swc_free`.
-tree_status tree_swc_read_file(const char *path,
-                               size_t path_len,
-                               const struct tree_swc_options *options,
-                               const struct tree_control *control,
-                               struct tree_swc **swc);
-
-// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read_file`.
-tree_status tree_swc_read(const uint8_t *data,
-                          size_t len,
+tree_status tree_swc_read(const char *path,
+                          size_t path_len,
                           const struct tree_swc_options *options,
                           const struct tree_control *control,
                           struct tree_swc **swc);
+
+// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read`.
+tree_status tree_swc_from_text(const char *text,
+                               size_t len,
+                               const struct tree_swc_options *options,
+                               const struct tree_control *control,
+                               struct tree_swc **swc);
 
 // The skeleton of an SWC file, not copied. Free it with `tree_skeleton_free`; it may outlive `swc`.
 tree_status tree_swc_skeleton(const struct tree_swc *swc, struct tree_skeleton **skeleton);
@@ -4083,23 +4097,23 @@ tree_status tree_swc_skeleton(const struct tree_swc *swc, struct tree_skeleton *
 // Views what an SWC file held beside the skeleton. Set `contents->struct_size` first.
 tree_status tree_swc_view(const struct tree_swc *swc, struct tree_swc_contents *contents);
 
-// Ends an SWC file that was read.
+// Frees an SWC file that was read.
 tree_status tree_swc_free(struct tree_swc *swc);
 
 // Writes a skeleton as an SWC file, which is whole or absent: written beside its name, then renamed. Ids
 // count from 1 in node order; types are 3, which continues the axis, and 4, which starts a lateral. With
 // a scale of 1, reading brings back every position and radius exactly, unless it moves the root.
 // `options` may be NULL for the defaults.
-tree_status tree_swc_write_file(const struct tree_skeleton *skeleton,
-                                const char *path,
-                                size_t path_len,
-                                const struct tree_swc_options *options);
+tree_status tree_skeleton_write_swc(const struct tree_skeleton *skeleton,
+                                    const char *path,
+                                    size_t path_len,
+                                    const struct tree_swc_options *options);
 
-// Writes a skeleton as the text of an SWC file, as `tree_swc_write_file` does. Free it with
+// Writes a skeleton as the text of an SWC file, as `tree_skeleton_write_swc` does. Free it with
 // `tree_bytes_free`.
-tree_status tree_swc_write(const struct tree_skeleton *skeleton,
-                           const struct tree_swc_options *options,
-                           struct tree_bytes **text);
+tree_status tree_skeleton_to_swc(const struct tree_skeleton *skeleton,
+                                 const struct tree_swc_options *options,
+                                 struct tree_bytes **text);
 
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_skeletonize_params_init(struct tree_skeletonize_params *params, size_t size);
@@ -4123,7 +4137,7 @@ tree_status tree_found_leaves_foliage(const struct tree_found_leaves *leaves,
 tree_status tree_found_leaves_view(const struct tree_found_leaves *leaves,
                                    struct tree_leaf_kinds *kinds);
 
-// Ends leaves found in a mesh.
+// Frees leaves found in a mesh.
 tree_status tree_found_leaves_free(struct tree_found_leaves *leaves);
 
 // The second stage: follows every connected piece of wood from its base, in parallel. `params` and
@@ -4153,15 +4167,16 @@ tree_status tree_pieces_piece(const struct tree_pieces *pieces,
                               struct tree_skeleton **skeleton);
 
 // The third stage: links pieces over gaps of at most `params.bridge` to one skeleton, seen from its lowest
-// thick end. `reached`, NULL or with room for a byte for each piece, says whether it is part of it. Free
+// thick end. `reached`, NULL or with room for `capacity` bytes (one for each piece), says whether it is part of it. Free
 // the skeleton with `tree_skeleton_free`. `TREE_ERROR_NO_RESULT` without pieces.
 tree_status tree_pieces_link(const struct tree_pieces *pieces,
                              const struct tree_skeletonize_params *params,
                              const struct tree_control *control,
                              uint8_t *reached,
+                             size_t capacity,
                              struct tree_skeleton **skeleton);
 
-// Ends pieces.
+// Frees pieces.
 tree_status tree_pieces_free(struct tree_pieces *pieces);
 
 // The first stage of `tree_skeletonize` by itself: welds the parts and says of each connected component
@@ -4201,12 +4216,14 @@ tree_status tree_separation_outward(const struct tree_separation *separation,
                                     const struct tree_skeleton *skeleton,
                                     struct tree_skeleton **outward);
 
-// Ends a separation.
+// Frees a separation.
 tree_status tree_separation_free(struct tree_separation *separation);
 
 // Makes a tree of a mesh, in the mesh's unit: closed surfaces, tubes stuck into each other, thousands of
 // separate prisms; cards or blobs for leaves. `parts` is `n_parts` structs, which are not kept. Its bark is
-// named after the part with most wood, leaf kinds after the parts their leaves come from. `params`,
+// named after the part with most wood, leaf kinds after the parts their leaves come from; no look is built
+// in by such names, so give `tree_mesh_build` one of `tree_look_of_tree(tree, 1, &look)`, or of
+// `tree_look_new` with the mesh's own textures. `params`,
 // `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_NO_RESULT` where
 // nothing looks like wood; `TREE_ERROR_INVALID` for parts whose columns do not fit together.
 tree_status tree_skeletonize(const struct tree_mesh_part *parts,
@@ -4245,7 +4262,7 @@ tree_status tree_tree_foliage(const struct tree_tree *tree, struct tree_foliage 
 // Views the tree's species. Set `species->struct_size` first.
 tree_status tree_tree_species(const struct tree_tree *tree, struct tree_species *species);
 
-// Ends a tree.
+// Frees a tree.
 tree_status tree_tree_free(struct tree_tree *tree);
 
 // The library's own `TREE_ABI_VERSION`: hold it against the header's before anything else.
@@ -4258,7 +4275,7 @@ const char *tree_version(void);
 // are never freed, do not count.
 size_t tree_live_objects(void);
 
-// Ends a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
+// Frees a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
 // belong to the library.
 tree_status tree_volume_free(struct tree_volume *volume);
 

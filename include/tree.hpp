@@ -640,7 +640,7 @@ public:
     static Graph link(const struct tree_graph_nodes *nodes, Ref<tree_link_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
     static Graph from_edges(const float *positions, size_t n_nodes, const uint32_t *edges, const float *costs, size_t n_edges, Ref<tree_control> control = nullptr);
     GraphColumns view() const;
-    void search(uint32_t root, Ref<tree_control> control, float *costs, uint32_t *predecessors) const;
+    void search(uint32_t root, Ref<tree_control> control, float *costs, uint32_t *predecessors, size_t capacity) const;
 };
 
 class GraphNodes : public detail::Object<tree_graph_nodes, tree_graph_nodes_free> {
@@ -707,7 +707,7 @@ public:
     Material material(size_t number) const;
     Texture texture(size_t number) const;
     Topology examine(size_t number, Ref<tree_control> control = nullptr) const;
-    size_t points(size_t number, uint32_t *of_vertex, uint32_t *first, size_t first_capacity) const;
+    size_t points(size_t number, uint32_t *of_vertex, size_t of_vertex_capacity, uint32_t *first, size_t first_capacity) const;
     Crossings crossings(size_t number, Ref<tree_control> control = nullptr) const;
     MeshTotals count() const;
     size_t surface_count() const;
@@ -749,7 +749,7 @@ public:
     static std::tuple<Skeleton, Pieces> make(Span<const tree_piece> rows, Ref<tree_control> control = nullptr);
     size_t count() const;
     std::tuple<tree_piece, Skeleton> piece(size_t index) const;
-    Skeleton link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached) const;
+    Skeleton link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached, size_t capacity) const;
 };
 
 class Pool : public detail::Object<tree_pool, tree_pool_free> {
@@ -808,15 +808,15 @@ public:
     void subtree_sizes(uint32_t *sizes, size_t capacity) const;
     void tip_counts(uint32_t *counts, size_t capacity) const;
     void children(uint32_t *starts, size_t starts_capacity, uint32_t *nodes, size_t nodes_capacity) const;
-    void swc_write_file(std::string_view path, Ref<tree_swc_options> options = nullptr) const;
-    Bytes swc_write(Ref<tree_swc_options> options = nullptr) const;
+    void write_swc(std::string_view path, Ref<tree_swc_options> options = nullptr) const;
+    Bytes to_swc(Ref<tree_swc_options> options = nullptr) const;
 };
 
 class Swc : public detail::Object<tree_swc, tree_swc_free> {
 public:
     using Object::Object;
-    static Swc read_file(std::string_view path, Ref<tree_swc_options> options = nullptr, Ref<tree_control> control = nullptr);
-    static Swc read(Span<const uint8_t> data, Ref<tree_swc_options> options = nullptr, Ref<tree_control> control = nullptr);
+    static Swc read(std::string_view path, Ref<tree_swc_options> options = nullptr, Ref<tree_control> control = nullptr);
+    static Swc from_text(std::string_view text, Ref<tree_swc_options> options = nullptr, Ref<tree_control> control = nullptr);
     Skeleton skeleton() const;
     SwcContents view() const;
 };
@@ -827,13 +827,13 @@ public:
     static Texture bark_with(Ref<tree_bark_style> style, uint32_t size, Ref<tree_control> control = nullptr);
     static std::tuple<LeafCard, Texture> leaf_with(Ref<tree_leaf_shape> shape, uint32_t size, Ref<tree_control> control = nullptr);
     static Texture from_pixels(Ref<tree_texture_pixels> pixels = nullptr, Ref<tree_control> control = nullptr);
-    static Texture decode(std::string_view name, Span<const uint8_t> file, Ref<tree_control> control = nullptr);
-    static Texture open(std::string_view file, Ref<tree_control> control = nullptr);
+    static Texture from_bytes(std::string_view name, Span<const uint8_t> data, Ref<tree_control> control = nullptr);
+    static Texture read(std::string_view path, Ref<tree_control> control = nullptr);
     static Texture bark(std::string_view name, uint32_t size, Ref<tree_control> control = nullptr);
     static std::tuple<LeafCard, Texture> leaf(std::string_view name, uint32_t size, Ref<tree_control> control = nullptr);
     TexturePixels view() const;
     Bytes to_png() const;
-    void save_png(std::string_view file) const;
+    void write_png(std::string_view path) const;
 };
 
 class Tree : public detail::Object<tree_tree, tree_tree_free> {
@@ -916,7 +916,7 @@ void convert_positions(tree_convention convention, tree_convert way, const float
 void convert_directions(tree_convention convention, tree_convert way, const float *from, size_t n, float *to);
 void convert_tangents(tree_convention convention, tree_convert way, const float *from, size_t n, float *to);
 void convert_uvs(tree_convention convention, const float *from, size_t n, float *to);
-void convert_triangles(tree_convention convention, const uint32_t *from, size_t n, uint32_t *to);
+void convert_triangles(tree_convention convention, const uint32_t *from, size_t n_triangles, uint32_t *to);
 float wind_sway(float reach);
 float wind_leaf_phase(uint32_t leaf);
 size_t foliage_species_count();
@@ -1052,8 +1052,8 @@ inline void convert_tangents(tree_convention convention, tree_convert way, const
 inline void convert_uvs(tree_convention convention, const float *from, size_t n, float *to) {
     tree::check(tree_convert_uvs(convention, from, n, to));
 }
-inline void convert_triangles(tree_convention convention, const uint32_t *from, size_t n, uint32_t *to) {
-    tree::check(tree_convert_triangles(convention, from, n, to));
+inline void convert_triangles(tree_convention convention, const uint32_t *from, size_t n_triangles, uint32_t *to) {
+    tree::check(tree_convert_triangles(convention, from, n_triangles, to));
 }
 inline Packed Mesh::pack(size_t surface, tree_layout layout, Ref<tree_control> control) const {
     tree_packed *packed = nullptr;
@@ -1356,14 +1356,14 @@ inline Texture Texture::from_pixels(Ref<tree_texture_pixels> pixels, Ref<tree_co
     tree::check(tree_texture_from_pixels(pixels, control, &texture));
     return Texture(texture);
 }
-inline Texture Texture::decode(std::string_view name, Span<const uint8_t> file, Ref<tree_control> control) {
+inline Texture Texture::from_bytes(std::string_view name, Span<const uint8_t> data, Ref<tree_control> control) {
     tree_texture *texture = nullptr;
-    tree::check(tree_texture_decode(name.data() ? name.data() : "", name.size(), file.data(), file.size(), control, &texture));
+    tree::check(tree_texture_from_bytes(name.data() ? name.data() : "", name.size(), data.data(), data.size(), control, &texture));
     return Texture(texture);
 }
-inline Texture Texture::open(std::string_view file, Ref<tree_control> control) {
+inline Texture Texture::read(std::string_view path, Ref<tree_control> control) {
     tree_texture *texture = nullptr;
-    tree::check(tree_texture_open(file.data() ? file.data() : "", file.size(), control, &texture));
+    tree::check(tree_texture_read(path.data() ? path.data() : "", path.size(), control, &texture));
     return Texture(texture);
 }
 inline Texture Texture::bark(std::string_view name, uint32_t size, Ref<tree_control> control) {
@@ -1386,8 +1386,8 @@ inline Bytes Texture::to_png() const {
     tree::check(tree_texture_to_png(get(), &png));
     return Bytes(png);
 }
-inline void Texture::save_png(std::string_view file) const {
-    tree::check(tree_texture_save_png(get(), file.data() ? file.data() : "", file.size()));
+inline void Texture::write_png(std::string_view path) const {
+    tree::check(tree_texture_write_png(get(), path.data() ? path.data() : "", path.size()));
 }
 inline uint64_t memory_used() {
     return tree_memory_used();
@@ -1465,9 +1465,9 @@ inline Topology Mesh::examine(size_t number, Ref<tree_control> control) const {
     tree::check(tree_mesh_examine(get(), number, control, &topology));
     return topology;
 }
-inline size_t Mesh::points(size_t number, uint32_t *of_vertex, uint32_t *first, size_t first_capacity) const {
+inline size_t Mesh::points(size_t number, uint32_t *of_vertex, size_t of_vertex_capacity, uint32_t *first, size_t first_capacity) const {
     size_t n_points = 0;
-    tree::check(tree_mesh_points(get(), number, of_vertex, first, first_capacity, &n_points));
+    tree::check(tree_mesh_points(get(), number, of_vertex, of_vertex_capacity, first, first_capacity, &n_points));
     return n_points;
 }
 inline Crossings Mesh::crossings(size_t number, Ref<tree_control> control) const {
@@ -1532,8 +1532,8 @@ inline GraphColumns Graph::view() const {
     tree::check(tree_graph_view(get(), &columns));
     return columns;
 }
-inline void Graph::search(uint32_t root, Ref<tree_control> control, float *costs, uint32_t *predecessors) const {
-    tree::check(tree_graph_search(get(), root, control, costs, predecessors));
+inline void Graph::search(uint32_t root, Ref<tree_control> control, float *costs, uint32_t *predecessors, size_t capacity) const {
+    tree::check(tree_graph_search(get(), root, control, costs, predecessors, capacity));
 }
 inline Tree path_grow(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control, tree_path_report *report) {
     tree_tree *tree = nullptr;
@@ -1730,14 +1730,14 @@ inline void Skeleton::tip_counts(uint32_t *counts, size_t capacity) const {
 inline void Skeleton::children(uint32_t *starts, size_t starts_capacity, uint32_t *nodes, size_t nodes_capacity) const {
     tree::check(tree_skeleton_children(get(), starts, starts_capacity, nodes, nodes_capacity));
 }
-inline Swc Swc::read_file(std::string_view path, Ref<tree_swc_options> options, Ref<tree_control> control) {
+inline Swc Swc::read(std::string_view path, Ref<tree_swc_options> options, Ref<tree_control> control) {
     tree_swc *swc = nullptr;
-    tree::check(tree_swc_read_file(path.data() ? path.data() : "", path.size(), options, control, &swc));
+    tree::check(tree_swc_read(path.data() ? path.data() : "", path.size(), options, control, &swc));
     return Swc(swc);
 }
-inline Swc Swc::read(Span<const uint8_t> data, Ref<tree_swc_options> options, Ref<tree_control> control) {
+inline Swc Swc::from_text(std::string_view text, Ref<tree_swc_options> options, Ref<tree_control> control) {
     tree_swc *swc = nullptr;
-    tree::check(tree_swc_read(data.data(), data.size(), options, control, &swc));
+    tree::check(tree_swc_from_text(text.data() ? text.data() : "", text.size(), options, control, &swc));
     return Swc(swc);
 }
 inline Skeleton Swc::skeleton() const {
@@ -1750,12 +1750,12 @@ inline SwcContents Swc::view() const {
     tree::check(tree_swc_view(get(), &contents));
     return contents;
 }
-inline void Skeleton::swc_write_file(std::string_view path, Ref<tree_swc_options> options) const {
-    tree::check(tree_swc_write_file(get(), path.data() ? path.data() : "", path.size(), options));
+inline void Skeleton::write_swc(std::string_view path, Ref<tree_swc_options> options) const {
+    tree::check(tree_skeleton_write_swc(get(), path.data() ? path.data() : "", path.size(), options));
 }
-inline Bytes Skeleton::swc_write(Ref<tree_swc_options> options) const {
+inline Bytes Skeleton::to_swc(Ref<tree_swc_options> options) const {
     tree_bytes *text = nullptr;
-    tree::check(tree_swc_write(get(), options, &text));
+    tree::check(tree_skeleton_to_swc(get(), options, &text));
     return Bytes(text);
 }
 inline FoundLeaves Separation::leaves(const struct tree_skeleton *skeleton, Ref<tree_control> control) const {
@@ -1793,9 +1793,9 @@ inline std::tuple<tree_piece, Skeleton> Pieces::piece(size_t index) const {
     tree::check(tree_pieces_piece(get(), index, &row, &skeleton));
     return {row, Skeleton(skeleton)};
 }
-inline Skeleton Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached) const {
+inline Skeleton Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached, size_t capacity) const {
     tree_skeleton *skeleton = nullptr;
-    tree::check(tree_pieces_link(get(), params, control, reached, &skeleton));
+    tree::check(tree_pieces_link(get(), params, control, reached, capacity, &skeleton));
     return Skeleton(skeleton);
 }
 inline Separation Separation::make(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params, Ref<tree_control> control) {

@@ -186,13 +186,13 @@ namespace TreeFamily.Native
     /// `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-    public unsafe delegate void* tree_allocator_alloc(void* user, UIntPtr size, UIntPtr align);
+    public unsafe delegate void* tree_allocator_allocate(void* user, UIntPtr size, UIntPtr align);
 
     /// <summary>
-    /// Gives back what `alloc` gave for this size and alignment.
+    /// Gives back what `allocate` gave for this size and alignment.
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-    public unsafe delegate void tree_allocator_free(void* user, void* block, UIntPtr size, UIntPtr align);
+    public unsafe delegate void tree_allocator_release(void* user, void* block, UIntPtr size, UIntPtr align);
 
     /// <summary>
     /// A cost factor for a point in space, three floats in metres: finite and 0 or more, or the call fails
@@ -2439,11 +2439,11 @@ namespace TreeFamily.Native
         /// <summary>
         /// `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
         /// </summary>
-        public IntPtr alloc;
+        public IntPtr allocate;
         /// <summary>
-        /// Gives back what `alloc` gave for this size and alignment.
+        /// Gives back what `allocate` gave for this size and alignment.
         /// </summary>
-        public IntPtr free;
+        public IntPtr release;
     }
 
     /// <summary>
@@ -3398,6 +3398,10 @@ namespace TreeFamily.Native
         /// </summary>
         public uint n_threads;
         /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
         /// Bytes of stack of each thread that the library starts. Default 0: the system's.
         /// </summary>
         public UIntPtr stack_size;
@@ -3914,7 +3918,7 @@ namespace TreeFamily.Native
     public unsafe struct tree_piece
     {
         /// <summary>
-        /// Area of its surface.
+        /// Area of its surface, in squares of the mesh's own unit.
         /// </summary>
         public float area;
         /// <summary>
@@ -4094,6 +4098,39 @@ namespace TreeFamily.Native
         public const string Library = "tree_ffi";
 #endif
 
+        /// <summary>
+        /// A first tree, by the names of the functions: `tree_path_preset` fills in parameters, `tree_path_grow` makes
+        /// a `tree_tree` of them, `tree_mesh_build` a `tree_mesh` of that, `tree_mesh_surface` shows its columns, which
+        /// an engine uploads; `tree_mesh_write_glb` writes a file. `tree_mesh_free` and `tree_tree_free` at the end.
+        /// `examples/c/oak.c` does this.
+        ///
+        /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
+        /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
+        /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
+        /// (`tree_memory_set_budget`) comes before that.
+        /// * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
+        /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
+        /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
+        /// its kind). Handles keep alive what they are made of.
+        /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
+        /// stood there before is not freed.
+        /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
+        /// nothing copied, valid until that object is freed.
+        /// * Structs of parameters and views begin with `struct_size`. Parameters: call `tree_X_init(&amp;x,
+        /// sizeof x)`, which fills in the defaults, and change what should differ; NULL instead of parameters
+        /// means the defaults. Views and reports: set `struct_size` to `sizeof x`; NULL where a report is not
+        /// wanted. So programs built with an older header go on with a newer library.
+        /// * Texts are UTF-8, a pointer and a number of bytes; `TREE_NUL_TERMINATED` as number for C strings.
+        /// * Constants of one kind share a `typedef` and a prefix. A number that is none of them is
+        /// `TREE_ERROR_ENUM`. A yes or no is a `uint32_t`, 0 is no and anything else yes.
+        /// * Control (`tree_control`) is taken by all that can run long: progress, cancellation, limits,
+        /// threads. NULL means: no progress, no cancellation, default limits, all cores.
+        /// * Axes: right-handed, +Y up, metres, radians, triangles counter-clockwise from outside, texture v
+        /// downwards, quaternions as x, y, z, w; `tree_convention` lists others.
+        /// * What cannot be caught is yours to keep: arrays as long as their count says, structs as long as their
+        /// `struct_size` says, no view used after its object, nothing freed in one thread while another uses it, no
+        /// exception thrown out of a callback.
+        /// </summary>
         public static readonly UIntPtr TREE_NUL_TERMINATED = (UIntPtr)(UIntPtr.Size == 8 ? ulong.MaxValue : uint.MaxValue);
 
         /// <summary>
@@ -5016,7 +5053,7 @@ namespace TreeFamily.Native
         public static extern int tree_cancel_set(tree_cancel* cancel);
 
         /// <summary>
-        /// Ends a switch. Calls it was given to may still run.
+        /// Frees a switch. Calls it was given to may still run.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_cancel_free(tree_cancel* cancel);
@@ -5048,7 +5085,7 @@ namespace TreeFamily.Native
         public static extern int tree_wind_branches_view(tree_wind_branches* branches, tree_wind_branch** rows, UIntPtr* n);
 
         /// <summary>
-        /// Ends branches.
+        /// Frees branches.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_wind_branches_free(tree_wind_branches* branches);
@@ -5086,7 +5123,7 @@ namespace TreeFamily.Native
         public static extern int tree_capsule_volume(tree_capsule* capsule, double* volume);
 
         /// <summary>
-        /// Ends capsules.
+        /// Frees capsules.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_capsules_free(tree_capsules* capsules);
@@ -5127,11 +5164,11 @@ namespace TreeFamily.Native
         public static extern int tree_convert_uvs(uint convention, float* from, UIntPtr n, float* to);
 
         /// <summary>
-        /// Turns `n` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
+        /// Turns `n_triangles` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
         /// as in `tree_convert_positions`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_convert_triangles(uint convention, uint* from, UIntPtr n, uint* to);
+        public static extern int tree_convert_triangles(uint convention, uint* from, UIntPtr n_triangles, uint* to);
 
         /// <summary>
         /// Packs a surface of a mesh, in the axes of the engine the layout is for. `control` may be NULL; only a
@@ -5147,7 +5184,7 @@ namespace TreeFamily.Native
         public static extern int tree_packed_view(tree_packed* packed, tree_packed_columns* columns);
 
         /// <summary>
-        /// Ends a packed surface, and with it all views of it.
+        /// Frees a packed surface, and with it all views of it.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_packed_free(tree_packed* packed);
@@ -5181,7 +5218,7 @@ namespace TreeFamily.Native
         public static extern int tree_unpacked_view(tree_unpacked* unpacked, tree_unpacked_columns* columns);
 
         /// <summary>
-        /// Ends what was read back.
+        /// Frees what was read back.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_unpacked_free(tree_unpacked* unpacked);
@@ -5292,7 +5329,7 @@ namespace TreeFamily.Native
         public static extern int tree_rows_view(tree_rows* rows, uint** first, UIntPtr* n);
 
         /// <summary>
-        /// Ends the numbers.
+        /// Frees the numbers.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_rows_free(tree_rows* rows);
@@ -5382,7 +5419,7 @@ namespace TreeFamily.Native
         public static extern int tree_twigs_flatten(tree_twigs* twigs, tree_control* control, tree_mesh** mesh);
 
         /// <summary>
-        /// Ends twigs. Meshes that were asked of them live on.
+        /// Frees twigs. Meshes that were asked of them live on.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_twigs_free(tree_twigs* twigs);
@@ -5400,7 +5437,7 @@ namespace TreeFamily.Native
         public static extern int tree_bytes_view(tree_bytes* bytes, byte** data, UIntPtr* len);
 
         /// <summary>
-        /// Ends a file in memory.
+        /// Frees a file in memory.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_bytes_free(tree_bytes* bytes);
@@ -5466,7 +5503,7 @@ namespace TreeFamily.Native
         public static extern int tree_gltf_leaves_view(tree_gltf_leaves* leaves, tree_gltf_instances** rows, UIntPtr* n);
 
         /// <summary>
-        /// Ends leaves, and their meshes.
+        /// Frees leaves, and their meshes.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_gltf_leaves_free(tree_gltf_leaves* leaves);
@@ -5488,7 +5525,7 @@ namespace TreeFamily.Native
         public static extern int tree_gltf_attributes_view(tree_gltf_attributes* attributes, tree_gltf_attribute** rows, UIntPtr* n);
 
         /// <summary>
-        /// Ends attributes.
+        /// Frees attributes.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_gltf_attributes_free(tree_gltf_attributes* attributes);
@@ -5576,7 +5613,8 @@ namespace TreeFamily.Native
         public static extern int tree_look_plain(tree_species* species, tree_look** look);
 
         /// <summary>
-        /// As `tree_look_built_in`, for the species of a tree; with `plain` as `tree_look_plain`.
+        /// As `tree_look_built_in`, for the species of a tree; with `plain` other than 0 as `tree_look_plain`. Free
+        /// the look with `tree_look_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_look_of_tree(tree_tree* tree, uint plain, tree_look** look);
@@ -5623,7 +5661,7 @@ namespace TreeFamily.Native
         public static extern int tree_look_check(tree_look* look, tree_species* species);
 
         /// <summary>
-        /// Ends a look. Meshes that were built with it keep their textures.
+        /// Frees a look. Meshes that were built with it keep their textures.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_look_free(tree_look* look);
@@ -5668,7 +5706,7 @@ namespace TreeFamily.Native
         public static extern int tree_leaf_model_view(tree_leaf_model* model, tree_leaf_mesh* mesh);
 
         /// <summary>
-        /// Ends a leaf's mesh.
+        /// Frees a leaf's mesh.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_leaf_model_free(tree_leaf_model* model);
@@ -5740,13 +5778,14 @@ namespace TreeFamily.Native
         /// `input_bytes` and `pixels` allow, before it is decoded. Free the texture with `tree_texture_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_texture_decode(byte* name, UIntPtr name_len, byte* file, UIntPtr file_len, tree_control* control, tree_texture** texture);
+        public static extern int tree_texture_from_bytes(byte* name, UIntPtr name_len, byte* data, UIntPtr len, tree_control* control, tree_texture** texture);
 
         /// <summary>
-        /// As `tree_texture_decode`, of a file on disk. The texture is named after the file.
+        /// As `tree_texture_from_bytes`, of a file on disk. The texture is named after the file. Free it with
+        /// `tree_texture_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_texture_open(byte* file, UIntPtr file_len, tree_control* control, tree_texture** texture);
+        public static extern int tree_texture_read(byte* path, UIntPtr path_len, tree_control* control, tree_texture** texture);
 
         /// <summary>
         /// Draws a built-in bark, which tiles without a seam; `tree_bark_names` has the names. `size` is width and
@@ -5780,10 +5819,10 @@ namespace TreeFamily.Native
         /// Writes a texture as a PNG file, whole or not at all.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_texture_save_png(tree_texture* texture, byte* file, UIntPtr file_len);
+        public static extern int tree_texture_write_png(tree_texture* texture, byte* path, UIntPtr path_len);
 
         /// <summary>
-        /// Ends a texture's handle. Materials and meshes that have the picture keep it.
+        /// Frees a texture's handle. Materials and meshes that have the picture keep it.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_texture_free(tree_texture* texture);
@@ -5795,7 +5834,8 @@ namespace TreeFamily.Native
         public static extern ulong tree_memory_used();
 
         /// <summary>
-        /// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`.
+        /// Most bytes in use at one time since the start, or since `tree_memory_reset_peak`; small blocks may be
+        /// missed by some kilobytes.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern ulong tree_memory_peak();
@@ -5810,7 +5850,9 @@ namespace TreeFamily.Native
         /// Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
         /// at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
         /// or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
-        /// once may all be told so. Small calls, such as looking at a mesh, never fail.
+        /// once may all be told so. Calls that take no memory, such as looking at a mesh, never are. An eighth of
+        /// the budget is kept for what is taken between two looks at it; a call that went beyond all the same fails
+        /// at its end.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern void tree_memory_set_budget(ulong bytes);
@@ -5823,14 +5865,14 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// Lets the library take its memory from the host's allocator. Only before anything else: once the
-        /// library has memory of its own it is `TREE_ERROR_ORDER`. When `alloc` gives NULL the process aborts, as
+        /// library has memory of its own it is `TREE_ERROR_ORDER`. When `allocate` gives NULL the process aborts, as
         /// Rust does; set a budget below what the allocator has.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_memory_set_allocator(tree_allocator* allocator);
 
         /// <summary>
-        /// Ends a mesh, and with it all views of it.
+        /// Frees a mesh, and with it all views of it.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_free(tree_mesh* mesh);
@@ -5961,12 +6003,12 @@ namespace TreeFamily.Native
         /// The points of surface `number`, numbered in the order of their first vertices: by its welds where it
         /// has them, otherwise vertices at exactly the same place are one point.
         ///
-        /// `of_vertex`, NULL or with room for one number for each vertex, gets the point that each vertex stands
-        /// at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
+        /// `of_vertex`, NULL or with room for `of_vertex_capacity` numbers (one for each vertex), gets the point
+        /// that each vertex stands at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
         /// enough), gets the first vertex of each point. `n_points` gets their number; it may be NULL.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_mesh_points(tree_mesh* mesh, UIntPtr number, uint* of_vertex, uint* first, UIntPtr first_capacity, UIntPtr* n_points);
+        public static extern int tree_mesh_points(tree_mesh* mesh, UIntPtr number, uint* of_vertex, UIntPtr of_vertex_capacity, uint* first, UIntPtr first_capacity, UIntPtr* n_points);
 
         /// <summary>
         /// Finds the triangles of surface `number` that cross or touch each other without sharing a point, and
@@ -5984,7 +6026,7 @@ namespace TreeFamily.Native
         public static extern int tree_crossings_view(tree_crossings* crossings, tree_crossing_pairs* pairs);
 
         /// <summary>
-        /// Ends crossings.
+        /// Frees crossings.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_crossings_free(tree_crossings* crossings);
@@ -6068,16 +6110,16 @@ namespace TreeFamily.Native
         public static extern int tree_graph_view(tree_graph* graph, tree_graph_columns* columns);
 
         /// <summary>
-        /// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for a float for each
-        /// node, gets what the path to it costs, infinity where there is none; `predecessors`, NULL or with room
-        /// for a number for each node, gets the node before it on that path, or `TREE_NO_NODE`. A root that does
-        /// not exist reaches nothing. `control` may be NULL.
+        /// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for `capacity` floats,
+        /// gets for each node what the path to it costs, infinity where there is none; `predecessors`, NULL or with
+        /// room for `capacity` numbers, gets the node before it on that path, or `TREE_NO_NODE`. `capacity` must
+        /// reach for all nodes. A root that does not exist reaches nothing. `control` may be NULL.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_graph_search(tree_graph* graph, uint root, tree_control* control, float* costs, uint* predecessors);
+        public static extern int tree_graph_search(tree_graph* graph, uint root, tree_control* control, float* costs, uint* predecessors, UIntPtr capacity);
 
         /// <summary>
-        /// Ends a graph.
+        /// Frees a graph.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_graph_free(tree_graph* graph);
@@ -6126,7 +6168,7 @@ namespace TreeFamily.Native
         public static extern int tree_graph_nodes_view(tree_graph_nodes* nodes, tree_graph_nodes_columns* columns);
 
         /// <summary>
-        /// Ends strewn nodes. Graphs made of them live on.
+        /// Frees strewn nodes. Graphs made of them live on.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_graph_nodes_free(tree_graph_nodes* nodes);
@@ -6209,7 +6251,7 @@ namespace TreeFamily.Native
         public static extern int tree_profile_volume(tree_profile* profile, float* @base, tree_volume** volume);
 
         /// <summary>
-        /// Ends a profile.
+        /// Frees a profile.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_profile_free(tree_profile* profile);
@@ -6259,7 +6301,8 @@ namespace TreeFamily.Native
         public static extern int tree_pool_threads(tree_pool* pool, uint* n_threads);
 
         /// <summary>
-        /// Ends a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
+        /// Frees a pool, and returns when its threads have left its work. A host that unloads the library joins
+        /// threads of its own first: what the library keeps for each thread goes when the thread ends. `TREE_ERROR_ORDER`, and the
         /// pool lives on, while a call is at work on it.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -6285,7 +6328,7 @@ namespace TreeFamily.Native
         public static extern int tree_mask_picture(tree_mask* mask, tree_picture** picture);
 
         /// <summary>
-        /// Ends a mask.
+        /// Frees a mask.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mask_free(tree_mask* mask);
@@ -6317,7 +6360,7 @@ namespace TreeFamily.Native
         public static extern int tree_picture_to_png(tree_picture* picture, tree_bytes** bytes);
 
         /// <summary>
-        /// Ends a picture.
+        /// Frees a picture.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_picture_free(tree_picture* picture);
@@ -6399,7 +6442,7 @@ namespace TreeFamily.Native
         public static extern int tree_skeleton_bounds(tree_skeleton* skeleton, float* min_max);
 
         /// <summary>
-        /// Ends a skeleton.
+        /// Frees a skeleton.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_skeleton_free(tree_skeleton* skeleton);
@@ -6417,7 +6460,7 @@ namespace TreeFamily.Native
         public static extern int tree_axes_view(tree_axes* axes, tree_axis_columns* columns);
 
         /// <summary>
-        /// Ends the axes.
+        /// Frees the axes.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_axes_free(tree_axes* axes);
@@ -6493,13 +6536,13 @@ namespace TreeFamily.Native
         /// Free the file with `tree_swc_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_swc_read_file(byte* path, UIntPtr path_len, tree_swc_options* options, tree_control* control, tree_swc** swc);
+        public static extern int tree_swc_read(byte* path, UIntPtr path_len, tree_swc_options* options, tree_control* control, tree_swc** swc);
 
         /// <summary>
-        /// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read_file`.
+        /// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_swc_read(byte* data, UIntPtr len, tree_swc_options* options, tree_control* control, tree_swc** swc);
+        public static extern int tree_swc_from_text(byte* text, UIntPtr len, tree_swc_options* options, tree_control* control, tree_swc** swc);
 
         /// <summary>
         /// The skeleton of an SWC file, not copied. Free it with `tree_skeleton_free`; it may outlive `swc`.
@@ -6514,7 +6557,7 @@ namespace TreeFamily.Native
         public static extern int tree_swc_view(tree_swc* swc, tree_swc_contents* contents);
 
         /// <summary>
-        /// Ends an SWC file that was read.
+        /// Frees an SWC file that was read.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_swc_free(tree_swc* swc);
@@ -6526,14 +6569,14 @@ namespace TreeFamily.Native
         /// `options` may be NULL for the defaults.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_swc_write_file(tree_skeleton* skeleton, byte* path, UIntPtr path_len, tree_swc_options* options);
+        public static extern int tree_skeleton_write_swc(tree_skeleton* skeleton, byte* path, UIntPtr path_len, tree_swc_options* options);
 
         /// <summary>
-        /// Writes a skeleton as the text of an SWC file, as `tree_swc_write_file` does. Free it with
+        /// Writes a skeleton as the text of an SWC file, as `tree_skeleton_write_swc` does. Free it with
         /// `tree_bytes_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_swc_write(tree_skeleton* skeleton, tree_swc_options* options, tree_bytes** text);
+        public static extern int tree_skeleton_to_swc(tree_skeleton* skeleton, tree_swc_options* options, tree_bytes** text);
 
         /// <summary>
         /// Makes `params`, of `size` bytes, the default.
@@ -6568,7 +6611,7 @@ namespace TreeFamily.Native
         public static extern int tree_found_leaves_view(tree_found_leaves* leaves, tree_leaf_kinds* kinds);
 
         /// <summary>
-        /// Ends leaves found in a mesh.
+        /// Frees leaves found in a mesh.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_found_leaves_free(tree_found_leaves* leaves);
@@ -6603,14 +6646,14 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// The third stage: links pieces over gaps of at most `params.bridge` to one skeleton, seen from its lowest
-        /// thick end. `reached`, NULL or with room for a byte for each piece, says whether it is part of it. Free
+        /// thick end. `reached`, NULL or with room for `capacity` bytes (one for each piece), says whether it is part of it. Free
         /// the skeleton with `tree_skeleton_free`. `TREE_ERROR_NO_RESULT` without pieces.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_pieces_link(tree_pieces* pieces, tree_skeletonize_params* @params, tree_control* control, byte* reached, tree_skeleton** skeleton);
+        public static extern int tree_pieces_link(tree_pieces* pieces, tree_skeletonize_params* @params, tree_control* control, byte* reached, UIntPtr capacity, tree_skeleton** skeleton);
 
         /// <summary>
-        /// Ends pieces.
+        /// Frees pieces.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_pieces_free(tree_pieces* pieces);
@@ -6653,7 +6696,7 @@ namespace TreeFamily.Native
         public static extern int tree_separation_outward(tree_separation* separation, tree_skeleton* skeleton, tree_skeleton** outward);
 
         /// <summary>
-        /// Ends a separation.
+        /// Frees a separation.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_separation_free(tree_separation* separation);
@@ -6661,7 +6704,9 @@ namespace TreeFamily.Native
         /// <summary>
         /// Makes a tree of a mesh, in the mesh's unit: closed surfaces, tubes stuck into each other, thousands of
         /// separate prisms; cards or blobs for leaves. `parts` is `n_parts` structs, which are not kept. Its bark is
-        /// named after the part with most wood, leaf kinds after the parts their leaves come from. `params`,
+        /// named after the part with most wood, leaf kinds after the parts their leaves come from; no look is built
+        /// in by such names, so give `tree_mesh_build` one of `tree_look_of_tree(tree, 1, &amp;look)`, or of
+        /// `tree_look_new` with the mesh's own textures. `params`,
         /// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_NO_RESULT` where
         /// nothing looks like wood; `TREE_ERROR_INVALID` for parts whose columns do not fit together.
         /// </summary>
@@ -6702,7 +6747,7 @@ namespace TreeFamily.Native
         public static extern int tree_tree_species(tree_tree* tree, tree_species* species);
 
         /// <summary>
-        /// Ends a tree.
+        /// Frees a tree.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_tree_free(tree_tree* tree);
@@ -6727,7 +6772,7 @@ namespace TreeFamily.Native
         public static extern UIntPtr tree_live_objects();
 
         /// <summary>
-        /// Ends a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
+        /// Frees a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
         /// belong to the library.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

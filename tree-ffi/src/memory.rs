@@ -32,6 +32,8 @@ const SHARES: usize = 16;
 /// Blocks from this size on move the peak at once; smaller ones with the next such block, or when it is
 /// asked for.
 const LARGE: usize = 4096;
+/// Work of so many bytes is not refused beforehand, however little of the budget is left.
+const SMALL: u64 = 1 << 20;
 /// Part of the budget that is kept for what is taken between two checks: one in so many.
 const RESERVE: u64 = 8;
 
@@ -83,7 +85,9 @@ pub extern "C" fn tree_memory_reset_peak() {
 /// Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
 /// at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
 /// or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
-/// once may all be told so. Small calls, such as looking at a mesh, never fail.
+/// once may all be told so. Calls that take no memory, such as looking at a mesh, never are. An eighth of
+/// the budget is kept for what is taken between two looks at it; a call that went beyond all the same fails
+/// at its end.
 #[unsafe(no_mangle)]
 pub extern "C" fn tree_memory_set_budget(bytes: u64) {
     BUDGET.store(if bytes == 0 { NO_BUDGET } else { bytes }, Ordering::Relaxed);
@@ -107,10 +111,10 @@ pub struct tree_allocator {
     /// Handed to the functions.
     pub user: *mut c_void,
     /// `size` bytes (never 0) at a multiple of `align` (a power of two), or NULL.
-    pub alloc:
+    pub allocate:
         Option<unsafe extern "C" fn(user: *mut c_void, size: usize, align: usize) -> *mut c_void>,
-    /// Gives back what `alloc` gave for this size and alignment.
-    pub free: Option<
+    /// Gives back what `allocate` gave for this size and alignment.
+    pub release: Option<
         unsafe extern "C" fn(user: *mut c_void, block: *mut c_void, size: usize, align: usize),
     >,
 }
@@ -125,12 +129,17 @@ unsafe impl Versioned for tree_allocator {
     const NAME: &'static str = "tree_allocator";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self { struct_size: size_of::<Self>(), user: std::ptr::null_mut(), alloc: None, free: None }
+        Self {
+            struct_size: size_of::<Self>(),
+            user: std::ptr::null_mut(),
+            allocate: None,
+            release: None,
+        }
     }
 }
 
 /// Lets the library take its memory from the host's allocator. Only before anything else: once the
-/// library has memory of its own it is `TREE_ERROR_ORDER`. When `alloc` gives NULL the process aborts, as
+/// library has memory of its own it is `TREE_ERROR_ORDER`. When `allocate` gives NULL the process aborts, as
 /// Rust does; set a budget below what the allocator has.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_memory_set_allocator(
@@ -139,15 +148,21 @@ pub unsafe extern "C" fn tree_memory_set_allocator(
     let used = tree_memory_used();
     call(|| {
         let allocator = unsafe { read(allocator, "allocator") }?;
-        if allocator.alloc.is_none() || allocator.free.is_none() {
-            return Err(Failure::new(TREE_ERROR_NULL, "allocator.alloc or allocator.free is NULL"));
+        if allocator.allocate.is_none() || allocator.release.is_none() {
+            return Err(Failure::new(
+                TREE_ERROR_NULL,
+                "allocator.allocate or allocator.release is NULL",
+            ));
         }
         if !cfg!(feature = "allocator") {
             let text = "this library was built without the feature `allocator`";
             return Err(Failure::new(TREE_ERROR_ORDER, text));
         }
         if used > 0 || HOST.set(allocator).is_err() {
-            let text = format!("{used} bytes are in use: set the allocator first, and once");
+            let text = format!(
+                "{used} bytes are in use: set the allocator first, and once (an error text counts, until \
+                 tree_error_clear)"
+            );
             return Err(Failure::new(TREE_ERROR_ORDER, text));
         }
         Ok(())
@@ -169,6 +184,12 @@ pub(crate) fn over_budget() -> Option<u64> {
     (used > budget - budget / RESERVE).then_some(used)
 }
 
+/// Whether work that is done has gone beyond the budget.
+pub(crate) fn exceeded() -> Option<u64> {
+    let used = used();
+    (used > budget()).then_some(used)
+}
+
 /// Asks for about `bytes` for work that cannot be stopped on the way.
 pub(crate) fn ask(bytes: u64) -> Result<()> {
     let (budget, used) = (budget(), used());
@@ -185,7 +206,7 @@ pub(crate) fn ask(bytes: u64) -> Result<()> {
 pub(crate) fn limits(own: &Limits) -> Limits {
     match budget() {
         NO_BUDGET => *own,
-        bytes => own.min(&Limits::for_memory(bytes.saturating_sub(used()))),
+        bytes => own.min(&Limits::for_memory(bytes.saturating_sub(used()).max(SMALL))),
     }
 }
 
@@ -220,7 +241,7 @@ impl Counting {
 /// # Safety
 /// As [`GlobalAlloc::alloc`].
 unsafe fn host_alloc(host: &tree_allocator, layout: Layout) -> *mut u8 {
-    match host.alloc {
+    match host.allocate {
         // SAFETY: the host's function with the host's pointer.
         Some(alloc) => unsafe { alloc(host.user, layout.size(), layout.align()) }.cast(),
         None => std::ptr::null_mut(),
@@ -233,7 +254,7 @@ unsafe fn host_alloc(host: &tree_allocator, layout: Layout) -> *mut u8 {
 /// # Safety
 /// As [`GlobalAlloc::dealloc`].
 unsafe fn host_free(host: &tree_allocator, block: *mut u8, layout: Layout) {
-    if let Some(free) = host.free {
+    if let Some(free) = host.release {
         // SAFETY: the host's function with a block of the host's.
         unsafe { free(host.user, block.cast(), layout.size(), layout.align()) };
     }

@@ -71,7 +71,7 @@ const MAKERS: &[(&str, &str)] = &[
         "tree_found_leaves",
         "tree_separation_leaves(live_tree_separation(), live_tree_skeleton(), NULL, &made)",
     ),
-    ("tree_swc", "tree_swc_read(swc, sizeof swc - 1, NULL, NULL, &made)"),
+    ("tree_swc", "tree_swc_from_text(swc, sizeof swc - 1, NULL, NULL, &made)"),
     ("tree_texture", "tree_look_texture(live_tree_look(), 0, &made)"),
     ("tree_wind_branches", "tree_skeleton_wind_branches(live_tree_skeleton(), 0, &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),

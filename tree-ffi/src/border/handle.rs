@@ -79,7 +79,7 @@ pub(crate) unsafe fn get_opt<'a, T: Handle>(
     if pointer.is_null() { Ok(None) } else { unsafe { get(pointer, argument) }.map(Some) }
 }
 
-/// Ends an object. NULL is none.
+/// Frees an object. NULL is none.
 ///
 /// # Safety
 /// No other thread uses it.

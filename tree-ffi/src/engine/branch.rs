@@ -119,7 +119,7 @@ pub unsafe extern "C" fn tree_wind_branches_view(
     })
 }
 
-/// Ends branches.
+/// Frees branches.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_wind_branches_free(branches: *mut tree_wind_branches) -> tree_status {
     call(|| unsafe { free(branches, "branches") })

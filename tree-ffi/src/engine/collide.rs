@@ -1,7 +1,7 @@
 //! Collision capsules.
 
 use crate::border::{
-    Failure, Handle, Result, Versioned, call, floats, free, get, init, out, out_value,
+    Failure, Handle, Result, Versioned, call, floats, foresee, free, get, init, out, out_value,
     read_or_default, tree_status, view,
 };
 use crate::control::{run, tree_control};
@@ -149,6 +149,7 @@ pub unsafe extern "C" fn tree_skeleton_capsules(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(capsules, "capsules") }?;
+        unsafe { foresee(report, "report") }?;
         let skeleton = unsafe { get(skeleton, "skeleton") }?.rust();
         let params = unsafe { read_or_default(params, "params") }?.rust()?;
         let made =
@@ -213,7 +214,7 @@ unsafe fn value(capsule: *const tree_capsule, argument: &str) -> Result<tree_cap
     Ok(unsafe { capsule.read_unaligned() })
 }
 
-/// Ends capsules.
+/// Frees capsules.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_capsules_free(capsules: *mut tree_capsules) -> tree_status {
     call(|| unsafe { free(capsules, "capsules") })

@@ -129,17 +129,17 @@ pub unsafe extern "C" fn tree_convert_uvs(
     })
 }
 
-/// Turns `n` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
+/// Turns `n_triangles` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
 /// as in `tree_convert_positions`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_convert_triangles(
     convention: tree_convention,
     from: *const u32,
-    n: usize,
+    n_triangles: usize,
     to: *mut u32,
 ) -> tree_status {
     call(|| {
         let space = self::convention(convention, "convention")?;
-        unsafe { rows(from, n, to, |corners| space.triangle(corners)) }
+        unsafe { rows(from, n_triangles, to, |corners| space.triangle(corners)) }
     })
 }

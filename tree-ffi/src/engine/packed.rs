@@ -209,7 +209,7 @@ pub unsafe extern "C" fn tree_packed_view(
     })
 }
 
-/// Ends a packed surface, and with it all views of it.
+/// Frees a packed surface, and with it all views of it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_packed_free(packed: *mut tree_packed) -> tree_status {
     call(|| unsafe { free(packed, "packed") })

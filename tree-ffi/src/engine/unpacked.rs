@@ -165,7 +165,7 @@ pub unsafe extern "C" fn tree_unpacked_view(
     })
 }
 
-/// Ends what was read back.
+/// Frees what was read back.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_unpacked_free(unpacked: *mut tree_unpacked) -> tree_status {
     call(|| unsafe { free(unpacked, "unpacked") })

@@ -26,7 +26,7 @@ pub unsafe extern "C" fn tree_rows_view(
     })
 }
 
-/// Ends the numbers.
+/// Frees the numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_rows_free(rows: *mut tree_rows) -> tree_status {
     call(|| unsafe { free(rows, "rows") })

@@ -29,7 +29,7 @@ pub unsafe extern "C" fn tree_bytes_view(
     })
 }
 
-/// Ends a file in memory.
+/// Frees a file in memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_bytes_free(bytes: *mut tree_bytes) -> tree_status {
     call(|| unsafe { free(bytes, "bytes") })

@@ -107,7 +107,7 @@ pub unsafe extern "C" fn tree_gltf_leaves_view(
     })
 }
 
-/// Ends leaves, and their meshes.
+/// Frees leaves, and their meshes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_gltf_leaves_free(leaves: *mut tree_gltf_leaves) -> tree_status {
     call(|| unsafe { free(leaves, "leaves") })

@@ -80,7 +80,7 @@ pub unsafe extern "C" fn tree_gltf_attributes_view(
     })
 }
 
-/// Ends attributes.
+/// Frees attributes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_gltf_attributes_free(
     attributes: *mut tree_gltf_attributes,

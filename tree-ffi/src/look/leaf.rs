@@ -6,7 +6,7 @@ use ::tree_mesh::{LeafForm, LeafLook};
 use std::sync::Arc;
 use tree_model::tree_core::Limits;
 
-/// What a leaf is cut out of. Fold, bend and number of sheets go with every form but `TREE_LEAF_MESH`.
+/// What a leaf is cut out of: one of the `TREE_LEAF_` constants. Fold, bend and number of sheets go with every form but `TREE_LEAF_MESH`.
 pub type tree_leaf_form = u32;
 /// A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
 pub const TREE_LEAF_CARD: u32 = 0;

@@ -4,7 +4,7 @@ use super::tree_texture;
 use crate::border::{Failure, Result, Versioned, call, get_opt, init, tree_status, tree_str};
 use ::tree_mesh::{Alpha, Material, Mesh};
 
-/// How a material treats the alpha of its texture.
+/// How a material treats the alpha of its texture: one of the `TREE_ALPHA_` constants.
 pub type tree_alpha = u32;
 /// Alpha is ignored.
 pub const TREE_ALPHA_OPAQUE: u32 = 0;

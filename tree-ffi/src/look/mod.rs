@@ -84,7 +84,8 @@ pub unsafe extern "C" fn tree_look_plain(
     })
 }
 
-/// As `tree_look_built_in`, for the species of a tree; with `plain` as `tree_look_plain`.
+/// As `tree_look_built_in`, for the species of a tree; with `plain` other than 0 as `tree_look_plain`. Free
+/// the look with `tree_look_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_look_of_tree(
     tree: *const tree_tree,
@@ -220,7 +221,7 @@ pub unsafe extern "C" fn tree_look_check(
     })
 }
 
-/// Ends a look. Meshes that were built with it keep their textures.
+/// Frees a look. Meshes that were built with it keep their textures.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_look_free(look: *mut tree_look) -> tree_status {
     call(|| unsafe { free(look, "look") })

@@ -1,7 +1,7 @@
 //! Pictures that materials wrap on surfaces.
 
 use crate::border::{
-    Handle, Result, Versioned, bytes, call, free, get, out, path, read, slice, text, tree_status,
+    self, Handle, Result, Versioned, bytes, call, free, get, out, read, slice, text, tree_status,
     tree_str, view, write,
 };
 use crate::control::{limits, run, tree_control};
@@ -106,37 +106,38 @@ pub unsafe extern "C" fn tree_texture_from_pixels(
 /// upright as its camera noted. `TREE_ERROR_LIMIT` when file or picture are larger than the limits
 /// `input_bytes` and `pixels` allow, before it is decoded. Free the texture with `tree_texture_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_texture_decode(
+pub unsafe extern "C" fn tree_texture_from_bytes(
     name: *const c_char,
     name_len: usize,
-    file: *const u8,
-    file_len: usize,
+    data: *const u8,
+    len: usize,
     control: *const tree_control,
     texture: *mut *mut tree_texture,
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(texture, "texture") }?;
         let name = unsafe { text(name, name_len, "name") }?;
-        let file = unsafe { bytes(file, file_len, &limits(control)?, "file") }?;
+        let data = unsafe { bytes(data, len, &limits(control)?, "data") }?;
         let decoded =
-            unsafe { run(control, |control| Ok(Texture::decode(name, file, &control.limits)?)) }?;
+            unsafe { run(control, |control| Ok(Texture::decode(name, data, &control.limits)?)) }?;
         place.put(tree_texture::new(decoded));
         Ok(())
     })
 }
 
-/// As `tree_texture_decode`, of a file on disk. The texture is named after the file.
+/// As `tree_texture_from_bytes`, of a file on disk. The texture is named after the file. Free it with
+/// `tree_texture_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_texture_open(
-    file: *const c_char,
-    file_len: usize,
+pub unsafe extern "C" fn tree_texture_read(
+    path: *const c_char,
+    path_len: usize,
     control: *const tree_control,
     texture: *mut *mut tree_texture,
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(texture, "texture") }?;
-        let file = unsafe { path(file, file_len, "file") }?;
-        let opened = unsafe { run(control, |control| Ok(Texture::open(file, &control.limits)?)) }?;
+        let path = unsafe { border::path(path, path_len, "path") }?;
+        let opened = unsafe { run(control, |control| Ok(Texture::open(path, &control.limits)?)) }?;
         place.put(tree_texture::new(opened));
         Ok(())
     })
@@ -270,18 +271,18 @@ pub unsafe extern "C" fn tree_texture_to_png(
 
 /// Writes a texture as a PNG file, whole or not at all.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_texture_save_png(
+pub unsafe extern "C" fn tree_texture_write_png(
     texture: *const tree_texture,
-    file: *const c_char,
-    file_len: usize,
+    path: *const c_char,
+    path_len: usize,
 ) -> tree_status {
     call(|| {
         let texture = unsafe { get(texture, "texture") }?.rust();
-        Ok(texture.save_png(unsafe { path(file, file_len, "file") }?)?)
+        Ok(texture.save_png(unsafe { border::path(path, path_len, "path") }?)?)
     })
 }
 
-/// Ends a texture's handle. Materials and meshes that have the picture keep it.
+/// Frees a texture's handle. Materials and meshes that have the picture keep it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_texture_free(texture: *mut tree_texture) -> tree_status {
     call(|| unsafe { free(texture, "texture") })

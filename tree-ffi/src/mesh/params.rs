@@ -6,7 +6,7 @@ use crate::border::{
 use crate::skeleton::{continuation, continuation_of, tree_continuation};
 use ::tree_mesh::{CurveFit, ErrorBound, MeshParams};
 
-/// The line that is drawn through the nodes of an axis.
+/// The line that is drawn through the nodes of an axis: one of the `TREE_CURVE_` constants.
 pub type tree_curve_fit = u32;
 /// Straight from node to node.
 pub const TREE_CURVE_STRAIGHT: u32 = 0;
@@ -16,7 +16,7 @@ pub const TREE_CURVE_THROUGH: u32 = 1;
 /// jitters, such as scanned skeletons.
 pub const TREE_CURVE_NEAR: u32 = 2;
 
-/// How it is said how far a mesh may leave the exact shape.
+/// How it is said how far a mesh may leave the exact shape: one of the `TREE_BOUND_` constants.
 pub type tree_bound_kind = u32;
 /// As a length.
 pub const TREE_BOUND_METRES: u32 = 0;

@@ -110,14 +110,15 @@ pub unsafe extern "C" fn tree_mesh_examine(
 /// The points of surface `number`, numbered in the order of their first vertices: by its welds where it
 /// has them, otherwise vertices at exactly the same place are one point.
 ///
-/// `of_vertex`, NULL or with room for one number for each vertex, gets the point that each vertex stands
-/// at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
+/// `of_vertex`, NULL or with room for `of_vertex_capacity` numbers (one for each vertex), gets the point
+/// that each vertex stands at. `first`, NULL or with room for `first_capacity` numbers (as many as there are vertices are always
 /// enough), gets the first vertex of each point. `n_points` gets their number; it may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_mesh_points(
     mesh: *const tree_mesh,
     number: usize,
     of_vertex: *mut u32,
+    of_vertex_capacity: usize,
     first: *mut u32,
     first_capacity: usize,
     n_points: *mut usize,
@@ -132,8 +133,7 @@ pub unsafe extern "C" fn tree_mesh_points(
             unsafe { fill(first, first_capacity, &points.first, "first") }?;
         }
         if !of_vertex.is_null() {
-            let n_vertices = surface.positions.len();
-            unsafe { fill(of_vertex, n_vertices, &points.of_vertex, "of_vertex") }?;
+            unsafe { fill(of_vertex, of_vertex_capacity, &points.of_vertex, "of_vertex") }?;
         }
         Ok(())
     })
@@ -218,7 +218,7 @@ pub unsafe extern "C" fn tree_crossings_view(
     })
 }
 
-/// Ends crossings.
+/// Frees crossings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_crossings_free(crossings: *mut tree_crossings) -> tree_status {
     call(|| unsafe { free(crossings, "crossings") })

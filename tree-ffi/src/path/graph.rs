@@ -146,10 +146,10 @@ pub unsafe extern "C" fn tree_graph_view(
     })
 }
 
-/// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for a float for each
-/// node, gets what the path to it costs, infinity where there is none; `predecessors`, NULL or with room
-/// for a number for each node, gets the node before it on that path, or `TREE_NO_NODE`. A root that does
-/// not exist reaches nothing. `control` may be NULL.
+/// Finds the least-cost paths from `root` to all nodes. `costs`, NULL or with room for `capacity` floats,
+/// gets for each node what the path to it costs, infinity where there is none; `predecessors`, NULL or with
+/// room for `capacity` numbers, gets the node before it on that path, or `TREE_NO_NODE`. `capacity` must
+/// reach for all nodes. A root that does not exist reaches nothing. `control` may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_graph_search(
     graph: *const tree_graph,
@@ -157,6 +157,7 @@ pub unsafe extern "C" fn tree_graph_search(
     control: *const tree_control,
     costs: *mut f32,
     predecessors: *mut u32,
+    capacity: usize,
 ) -> tree_status {
     call(|| {
         let graph = &unsafe { get(graph, "graph") }?.0;
@@ -164,17 +165,17 @@ pub unsafe extern "C" fn tree_graph_search(
         let nodes = 0..graph.len() as u32;
         if !costs.is_null() {
             let found: Vec<f32> = nodes.clone().map(|node| routes.cost(node)).collect();
-            unsafe { fill(costs, found.len(), &found, "costs") }?;
+            unsafe { fill(costs, capacity, &found, "costs") }?;
         }
         if !predecessors.is_null() {
             let found: Vec<u32> = nodes.map(|node| routes.from(node)).collect();
-            unsafe { fill(predecessors, found.len(), &found, "predecessors") }?;
+            unsafe { fill(predecessors, capacity, &found, "predecessors") }?;
         }
         Ok(())
     })
 }
 
-/// Ends a graph.
+/// Frees a graph.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_graph_free(graph: *mut tree_graph) -> tree_status {
     call(|| unsafe { free(graph, "graph") })

@@ -150,7 +150,7 @@ pub unsafe extern "C" fn tree_graph_nodes_view(
     })
 }
 
-/// Ends strewn nodes. Graphs made of them live on.
+/// Frees strewn nodes. Graphs made of them live on.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_graph_nodes_free(nodes: *mut tree_graph_nodes) -> tree_status {
     call(|| unsafe { free(nodes, "nodes") })

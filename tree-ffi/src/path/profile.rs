@@ -146,7 +146,7 @@ pub unsafe extern "C" fn tree_profile_volume(
     })
 }
 
-/// Ends a profile.
+/// Frees a profile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_profile_free(profile: *mut tree_profile) -> tree_status {
     call(|| unsafe { free(profile, "profile") })

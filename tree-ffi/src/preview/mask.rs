@@ -100,7 +100,7 @@ pub unsafe extern "C" fn tree_mask_picture(
     })
 }
 
-/// Ends a mask.
+/// Frees a mask.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_mask_free(mask: *mut tree_mask) -> tree_status {
     call(|| unsafe { free(mask, "mask") })

@@ -121,7 +121,7 @@ pub unsafe extern "C" fn tree_picture_to_png(
     })
 }
 
-/// Ends a picture.
+/// Frees a picture.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_picture_free(picture: *mut tree_picture) -> tree_status {
     call(|| unsafe { free(picture, "picture") })

@@ -121,7 +121,7 @@ pub unsafe extern "C" fn tree_axes_view(
     })
 }
 
-/// Ends the axes.
+/// Frees the axes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_axes_free(axes: *mut tree_axes) -> tree_status {
     call(|| unsafe { free(axes, "axes") })

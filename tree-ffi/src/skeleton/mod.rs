@@ -177,7 +177,7 @@ pub unsafe extern "C" fn tree_skeleton_bounds(
     })
 }
 
-/// Ends a skeleton.
+/// Frees a skeleton.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_skeleton_free(skeleton: *mut tree_skeleton) -> tree_status {
     call(|| unsafe { free(skeleton, "skeleton") })

@@ -198,7 +198,7 @@ impl tree_swc_contents {
 /// so may `control`, of which only the limits matter. What is wrong with a file is told with its line.
 /// Free the file with `tree_swc_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_swc_read_file(
+pub unsafe extern "C" fn tree_swc_read(
     path: *const c_char,
     path_len: usize,
     options: *const tree_swc_options,
@@ -214,10 +214,10 @@ pub unsafe extern "C" fn tree_swc_read_file(
     })
 }
 
-/// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read_file`.
+/// Reads the text of an SWC file, of `len` bytes or `TREE_NUL_TERMINATED`. Otherwise as `tree_swc_read`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_swc_read(
-    data: *const u8,
+pub unsafe extern "C" fn tree_swc_from_text(
+    text: *const c_char,
     len: usize,
     options: *const tree_swc_options,
     control: *const tree_control,
@@ -228,7 +228,7 @@ pub unsafe extern "C" fn tree_swc_read(
         let options = unsafe { read_or_default(options, "options") }?.rust()?;
         let limits = unsafe { limits(control) }?;
         // As for files: a comment in another encoding is no reason to refuse one.
-        let text = String::from_utf8_lossy(unsafe { bytes(data, len, &limits, "data") }?);
+        let text = String::from_utf8_lossy(unsafe { bytes(text.cast(), len, &limits, "text") }?);
         place.put(tree_swc::of(swc::read(&text, &options, &limits)?));
         Ok(())
     })
@@ -259,7 +259,7 @@ pub unsafe extern "C" fn tree_swc_view(
     })
 }
 
-/// Ends an SWC file that was read.
+/// Frees an SWC file that was read.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_swc_free(swc: *mut tree_swc) -> tree_status {
     call(|| unsafe { free(swc, "swc") })
@@ -270,7 +270,7 @@ pub unsafe extern "C" fn tree_swc_free(swc: *mut tree_swc) -> tree_status {
 /// a scale of 1, reading brings back every position and radius exactly, unless it moves the root.
 /// `options` may be NULL for the defaults.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_swc_write_file(
+pub unsafe extern "C" fn tree_skeleton_write_swc(
     skeleton: *const tree_skeleton,
     path: *const c_char,
     path_len: usize,
@@ -284,10 +284,10 @@ pub unsafe extern "C" fn tree_swc_write_file(
     })
 }
 
-/// Writes a skeleton as the text of an SWC file, as `tree_swc_write_file` does. Free it with
+/// Writes a skeleton as the text of an SWC file, as `tree_skeleton_write_swc` does. Free it with
 /// `tree_bytes_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_swc_write(
+pub unsafe extern "C" fn tree_skeleton_to_swc(
     skeleton: *const tree_skeleton,
     options: *const tree_swc_options,
     text: *mut *mut tree_bytes,

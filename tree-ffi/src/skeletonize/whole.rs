@@ -3,7 +3,7 @@
 use super::params::tree_skeletonize_params;
 use super::part::{parts_of_mesh, read_parts, tree_hint, tree_mesh_part};
 use super::report::tree_skeletonize_report;
-use crate::border::{Result, call, out, read_or_default, tree_status, view};
+use crate::border::{Result, call, foresee, out, read_or_default, tree_status, view};
 use crate::control::{limits, run, tree_control};
 use crate::mesh::tree_mesh;
 use crate::tree::tree_tree;
@@ -16,6 +16,7 @@ unsafe fn make(
     control: *const tree_control,
     report: *mut tree_skeletonize_report,
 ) -> Result<Tree> {
+    unsafe { foresee(report, "report") }?;
     let params = unsafe { read_or_default(params, "params") }?.rust();
     let made = unsafe { run(control, |control| Ok(skeletonize(parts, &params, control)?)) }?;
     unsafe { view(report, "report", &tree_skeletonize_report::of(&made.report)) }?;
@@ -24,7 +25,9 @@ unsafe fn make(
 
 /// Makes a tree of a mesh, in the mesh's unit: closed surfaces, tubes stuck into each other, thousands of
 /// separate prisms; cards or blobs for leaves. `parts` is `n_parts` structs, which are not kept. Its bark is
-/// named after the part with most wood, leaf kinds after the parts their leaves come from. `params`,
+/// named after the part with most wood, leaf kinds after the parts their leaves come from; no look is built
+/// in by such names, so give `tree_mesh_build` one of `tree_look_of_tree(tree, 1, &look)`, or of
+/// `tree_look_new` with the mesh's own textures. `params`,
 /// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_NO_RESULT` where
 /// nothing looks like wood; `TREE_ERROR_INVALID` for parts whose columns do not fit together.
 #[unsafe(no_mangle)]

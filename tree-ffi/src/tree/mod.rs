@@ -98,7 +98,7 @@ pub unsafe extern "C" fn tree_tree_species(
     })
 }
 
-/// Ends a tree.
+/// Frees a tree.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_tree_free(tree: *mut tree_tree) -> tree_status {
     call(|| unsafe { free(tree, "tree") })

@@ -32,7 +32,7 @@ impl tree_volume {
     }
 }
 
-/// Ends a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
+/// Frees a volume. What was made of it lives on. `TREE_ERROR_ORDER` for the volumes of presets, which
 /// belong to the library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_volume_free(volume: *mut tree_volume) -> tree_status {

@@ -125,9 +125,9 @@ static void texts(void) {
 
     /* No file has a NUL byte in its name, or none at all. */
     tree_swc *swc = NULL;
-    FAILS(TREE_ERROR_TEXT, "NUL", tree_swc_read_file("a\0b", 3, NULL, NULL, &swc));
-    FAILS(TREE_ERROR_TEXT, "empty", tree_swc_read_file("", 0, NULL, NULL, &swc));
-    FAILS(TREE_ERROR_IO, "no/such", tree_swc_read_file("no/such/file.swc", TREE_NUL_TERMINATED, NULL,
+    FAILS(TREE_ERROR_TEXT, "NUL", tree_swc_read("a\0b", 3, NULL, NULL, &swc));
+    FAILS(TREE_ERROR_TEXT, "empty", tree_swc_read("", 0, NULL, NULL, &swc));
+    FAILS(TREE_ERROR_IO, "no/such", tree_swc_read("no/such/file.swc", TREE_NUL_TERMINATED, NULL,
                                                        NULL, &swc));
 }
 

@@ -74,23 +74,23 @@ static void textures(void) {
     size_t file_len = 0;
     OK(tree_bytes_view(png, &file, &file_len));
     CHECK(file_len > 8 && memcmp(file + 1, "PNG", 3) == 0);
-    OK(tree_texture_decode("again", 5, file, file_len, NULL, &back));
+    OK(tree_texture_from_bytes("again", 5, file, file_len, NULL, &back));
     OK(tree_texture_view(back, &view));
     CHECK(memcmp(view.pixels, pixels, 8) == 0 && memcmp(view.name.data, "again", 5) == 0);
     OK(tree_texture_free(back));
-    FAILS(TREE_ERROR_FORMAT, "cut", tree_texture_decode("cut", 3, file, file_len / 2, NULL, &back));
+    FAILS(TREE_ERROR_FORMAT, "cut", tree_texture_from_bytes("cut", 3, file, file_len / 2, NULL, &back));
     OK(tree_bytes_free(png));
 
     char path[L_tmpnam + 8];
     snprintf(path, sizeof path, "look_test_%p.png", (void *)two);
-    OK(tree_texture_save_png(two, path, TREE_NUL_TERMINATED));
-    OK(tree_texture_open(path, TREE_NUL_TERMINATED, NULL, &back));
+    OK(tree_texture_write_png(two, path, TREE_NUL_TERMINATED));
+    OK(tree_texture_read(path, TREE_NUL_TERMINATED, NULL, &back));
     OK(tree_texture_view(back, &view));
     CHECK(view.width == 2 && view.name.len > 9 && memcmp(view.name.data, "look_test", 9) == 0);
     OK(tree_texture_free(back));
     remove(path);
-    FAILS(TREE_ERROR_IO, path, tree_texture_open(path, TREE_NUL_TERMINATED, NULL, &back));
-    FAILS(TREE_ERROR_IO, "", tree_texture_save_png(two, "no/such/folder/x.png", TREE_NUL_TERMINATED));
+    FAILS(TREE_ERROR_IO, path, tree_texture_read(path, TREE_NUL_TERMINATED, NULL, &back));
+    FAILS(TREE_ERROR_IO, "", tree_texture_write_png(two, "no/such/folder/x.png", TREE_NUL_TERMINATED));
     OK(tree_texture_free(two));
 
     input.width = 0;

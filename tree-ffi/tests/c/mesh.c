@@ -297,13 +297,13 @@ static void topology(void) {
     uint32_t *of_vertex = malloc(bark.n_vertices * sizeof *of_vertex);
     uint32_t *first = malloc(bark.n_vertices * sizeof *first);
     size_t n_points = 0;
-    OK(tree_mesh_points(mesh, 0, of_vertex, first, bark.n_vertices, &n_points));
+    OK(tree_mesh_points(mesh, 0, of_vertex, bark.n_vertices, first, bark.n_vertices, &n_points));
     CHECK(n_points == found.n_points && first[0] == 0);
     for (size_t v = 0; v < bark.n_vertices; v++) {
         CHECK(of_vertex[v] < n_points && first[of_vertex[v]] == bark.welds[v]);
     }
-    OK(tree_mesh_points(mesh, 0, NULL, NULL, 0, NULL));
-    FAILS(TREE_ERROR_BUFFER, "first", tree_mesh_points(mesh, 0, NULL, first, 2, NULL));
+    OK(tree_mesh_points(mesh, 0, NULL, 0, NULL, 0, NULL));
+    FAILS(TREE_ERROR_BUFFER, "first", tree_mesh_points(mesh, 0, NULL, 0, first, 2, NULL));
     free(of_vertex);
     free(first);
     OK(tree_mesh_free(mesh));

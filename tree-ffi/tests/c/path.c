@@ -234,7 +234,7 @@ static void stages(void) {
     CHECK(view.arcs[0].to < view.n_nodes && view.arcs[0].cost > 0);
     float *costs = malloc(view.n_nodes * sizeof(float));
     uint32_t *from = malloc(view.n_nodes * sizeof(uint32_t));
-    OK(tree_graph_search(graph, strewn.forced[0], NULL, costs, from));
+    OK(tree_graph_search(graph, strewn.forced[0], NULL, costs, from, view.n_nodes));
     CHECK(costs[strewn.forced[0]] == 0 && from[strewn.forced[0]] == TREE_NO_NODE);
     /* The cost of the path is the sum of its arcs. */
     double sum = 0;
@@ -246,7 +246,7 @@ static void stages(void) {
     CHECK(fabs(sum - (double)costs[strewn.forced[1]]) < 1e-4 && sum > 0.1);
     free(costs);
     free(from);
-    OK(tree_graph_search(graph, 1u << 30, NULL, NULL, NULL));
+    OK(tree_graph_search(graph, 1u << 30, NULL, NULL, NULL, 0));
     OK(tree_graph_free(graph));
 
     tree_paint paint = {.struct_size = sizeof paint, .volume = wall, .factor = -1};
@@ -273,7 +273,7 @@ static void stages(void) {
     float prices[] = {1, 1, 5}, found[3];
     uint32_t before[3];
     OK(tree_graph_from_edges(places, 3, edges, prices, 3, NULL, &graph));
-    OK(tree_graph_search(graph, 0, NULL, found, before));
+    OK(tree_graph_search(graph, 0, NULL, found, before, 3));
     CHECK(found[2] == 2 && before[2] == 1 && before[1] == 0);
     OK(tree_graph_free(graph));
     prices[1] = -1;
@@ -311,8 +311,28 @@ static void drawings(void) {
           tree_volume_from_svg(svg, TREE_NUL_TERMINATED, &options, origin, NULL, &first));
 }
 
+static int32_t never(void *user, const char *stage, float fraction) {
+    (void)stage, (void)fraction;
+    *(int *)user = 1;
+    return 0;
+}
+
+/* A report that cannot be written is found before the work is done. */
+static void reports_are_foreseen(void) {
+    int begun = 0;
+    tree_control control;
+    OK(tree_control_init(&control, sizeof control));
+    control.progress = never;
+    control.user = &begun;
+    tree_path_report report = {.struct_size = 0};
+    tree_tree *tree = NULL;
+    FAILS(TREE_ERROR_STRUCT_SIZE, "report", tree_path_grow(NULL, 1, &control, &report, &tree));
+    CHECK(tree == NULL && !begun);
+}
+
 void test_path(void) {
     presets();
+    reports_are_foreseen();
     growing();
     stages();
     drawings();

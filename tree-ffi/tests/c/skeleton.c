@@ -210,7 +210,7 @@ static void test_swc_text(void) {
     CHECK(options.scale == 1 && options.up == TREE_SWC_UP_Z && options.base_at_origin == 1);
     options.unknown_radius = TREE_SWC_RADIUS_INTERPOLATE;
     tree_swc *swc = NULL;
-    OK(tree_swc_read((const uint8_t *)text, TREE_NUL_TERMINATED, &options, NULL, &swc));
+    OK(tree_swc_from_text(text, TREE_NUL_TERMINATED, &options, NULL, &swc));
     tree_swc_contents contents = {.struct_size = sizeof contents};
     OK(tree_swc_view(swc, &contents));
     CHECK(contents.n_nodes == 3 && contents.types[2] == 4 && contents.ids[1] == 9);
@@ -227,7 +227,7 @@ static void test_swc_text(void) {
     CHECK(view.positions[4] == 2 && view.radii[2] == 0.5f);
     OK(tree_skeleton_free(skeleton));
 
-    FAILS(TREE_ERROR_FORMAT, "2", tree_swc_read((const uint8_t *)"1 3 0 0 0 1 -1\n2 3", 18, NULL, NULL, &swc));
+    FAILS(TREE_ERROR_FORMAT, "2", tree_swc_from_text("1 3 0 0 0 1 -1\n2 3", 18, NULL, NULL, &swc));
     CHECK(swc == NULL);
     tree_limits limits;
     OK(tree_limits_init(&limits, sizeof limits));
@@ -236,19 +236,19 @@ static void test_swc_text(void) {
     OK(tree_control_init(&control, sizeof control));
     control.limits = &limits;
     FAILS(TREE_ERROR_LIMIT, "nodes",
-          tree_swc_read((const uint8_t *)text, sizeof text - 1, NULL, &control, &swc));
+          tree_swc_from_text(text, sizeof text - 1, NULL, &control, &swc));
     options.up = 2;
     FAILS(TREE_ERROR_ENUM, "TREE_SWC_UP_",
-          tree_swc_read((const uint8_t *)text, sizeof text - 1, &options, NULL, &swc));
+          tree_swc_from_text(text, sizeof text - 1, &options, NULL, &swc));
     options.up = TREE_SWC_UP_Y;
     options.unknown_radius = 2;
     FAILS(TREE_ERROR_ENUM, "TREE_SWC_RADIUS_",
-          tree_swc_read((const uint8_t *)text, sizeof text - 1, &options, NULL, &swc));
+          tree_swc_from_text(text, sizeof text - 1, &options, NULL, &swc));
     options.unknown_radius = TREE_SWC_RADIUS_KEEP;
     options.reserved = 1;
     FAILS(TREE_ERROR_PARAMETER, "reserved",
-          tree_swc_read((const uint8_t *)text, sizeof text - 1, &options, NULL, &swc));
-    FAILS(TREE_ERROR_NULL, "data", tree_swc_read(NULL, 3, NULL, NULL, &swc));
+          tree_swc_from_text(text, sizeof text - 1, &options, NULL, &swc));
+    FAILS(TREE_ERROR_NULL, "text", tree_swc_from_text(NULL, 3, NULL, NULL, &swc));
 }
 
 static void test_swc_files(void) {
@@ -257,12 +257,12 @@ static void test_swc_files(void) {
     OK(tree_skeleton_view(fork, &one));
 
     tree_bytes *bytes = NULL;
-    OK(tree_swc_write(fork, NULL, &bytes));
+    OK(tree_skeleton_to_swc(fork, NULL, &bytes));
     const uint8_t *data = NULL;
     size_t len = 0;
     OK(tree_bytes_view(bytes, &data, &len));
     tree_swc *swc = NULL;
-    OK(tree_swc_read(data, len, NULL, NULL, &swc));
+    OK(tree_swc_from_text((const char *)data, len, NULL, NULL, &swc));
     OK(tree_swc_skeleton(swc, &again));
     OK(tree_skeleton_view(again, &two));
     CHECK(two.n_nodes == 4 && !memcmp(one.positions, two.positions, 12 * sizeof(float)));
@@ -277,8 +277,8 @@ static void test_swc_files(void) {
     tree_swc_options options;
     OK(tree_swc_options_init(&options, sizeof options));
     options.up = TREE_SWC_UP_Y;
-    OK(tree_swc_write_file(fork, path, TREE_NUL_TERMINATED, &options));
-    OK(tree_swc_read_file(path, strlen(path), &options, NULL, &swc));
+    OK(tree_skeleton_write_swc(fork, path, TREE_NUL_TERMINATED, &options));
+    OK(tree_swc_read(path, strlen(path), &options, NULL, &swc));
     OK(tree_swc_skeleton(swc, &again));
     OK(tree_skeleton_view(again, &two));
     CHECK(!memcmp(one.radii, two.radii, 4 * sizeof(float)));
@@ -286,13 +286,13 @@ static void test_swc_files(void) {
     OK(tree_swc_free(swc));
     CHECK(remove(path) == 0);
 
-    FAILS(TREE_ERROR_IO, path, tree_swc_read_file(path, strlen(path), NULL, NULL, &swc));
+    FAILS(TREE_ERROR_IO, path, tree_swc_read(path, strlen(path), NULL, NULL, &swc));
     FAILS(TREE_ERROR_IO, "nowhere",
-          tree_swc_write_file(fork, "/nowhere/at/all.swc", TREE_NUL_TERMINATED, NULL));
+          tree_skeleton_write_swc(fork, "/nowhere/at/all.swc", TREE_NUL_TERMINATED, NULL));
     options.scale = 0;
-    FAILS(TREE_ERROR_PARAMETER, "scale", tree_swc_write_file(fork, path, strlen(path), &options));
+    FAILS(TREE_ERROR_PARAMETER, "scale", tree_skeleton_write_swc(fork, path, strlen(path), &options));
     options.scale = NAN;
-    CHECK(tree_swc_write(fork, &options, &bytes) != TREE_OK && bytes == NULL);
+    CHECK(tree_skeleton_to_swc(fork, &options, &bytes) != TREE_OK && bytes == NULL);
     OK(tree_skeleton_free(fork));
 }
 

@@ -155,11 +155,11 @@ static void stage_by_stage(const tree_mesh_part parts[2]) {
     OK(tree_pieces_new(own, &row, 1, NULL, &copies));
     OK(tree_skeleton_free(piece));
     uint8_t reached = 9;
-    OK(tree_pieces_link(copies, NULL, NULL, &reached, &linked));
+    OK(tree_pieces_link(copies, NULL, NULL, &reached, 1, &linked));
     CHECK(reached == 1);
     OK(tree_pieces_free(copies));
     OK(tree_pieces_new(NULL, NULL, 0, NULL, &copies));
-    FAILS(TREE_ERROR_NO_RESULT, "pieces", tree_pieces_link(copies, NULL, NULL, NULL, &outward));
+    FAILS(TREE_ERROR_NO_RESULT, "pieces", tree_pieces_link(copies, NULL, NULL, NULL, 0, &outward));
     OK(tree_pieces_free(copies));
 
     tree_found_leaves *leaves;

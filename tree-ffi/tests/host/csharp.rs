@@ -208,6 +208,7 @@ fn constant_of(value: &str) -> Result<(&'static str, String), String> {
             "(UIntPtr)(UIntPtr.Size == 8 ? ulong.MaxValue : uint.MaxValue)".into(),
         ));
     }
+    let value = value.trim_end_matches('u');
     if value.parse::<i32>().is_ok() {
         return Ok(("const int", value.into()));
     }
@@ -217,6 +218,7 @@ fn constant_of(value: &str) -> Result<(&'static str, String), String> {
     if value.parse::<u64>().is_ok() {
         return Ok(("const ulong", value.into()));
     }
+    let value = value.trim_end_matches('f');
     if value.parse::<f32>().is_ok() {
         return Ok(("const float", format!("{value}f")));
     }

@@ -103,7 +103,7 @@ pub unsafe extern "C" fn tree_found_leaves_view(
     })
 }
 
-/// Ends leaves found in a mesh.
+/// Frees leaves found in a mesh.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_found_leaves_free(leaves: *mut tree_found_leaves) -> tree_status {
     call(|| unsafe { free(leaves, "leaves") })

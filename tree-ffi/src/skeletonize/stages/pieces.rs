@@ -23,7 +23,7 @@ impl Handle for tree_pieces {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct tree_piece {
-    /// Area of its surface.
+    /// Area of its surface, in squares of the mesh's own unit.
     pub area: f32,
     /// Bumps of the bark dropped.
     pub n_bumps: u32,
@@ -118,7 +118,7 @@ pub unsafe extern "C" fn tree_pieces_piece(
 }
 
 /// The third stage: links pieces over gaps of at most `params.bridge` to one skeleton, seen from its lowest
-/// thick end. `reached`, NULL or with room for a byte for each piece, says whether it is part of it. Free
+/// thick end. `reached`, NULL or with room for `capacity` bytes (one for each piece), says whether it is part of it. Free
 /// the skeleton with `tree_skeleton_free`. `TREE_ERROR_NO_RESULT` without pieces.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_pieces_link(
@@ -126,6 +126,7 @@ pub unsafe extern "C" fn tree_pieces_link(
     params: *const tree_skeletonize_params,
     control: *const tree_control,
     reached: *mut u8,
+    capacity: usize,
     skeleton: *mut *mut tree_skeleton,
 ) -> tree_status {
     call(|| {
@@ -135,14 +136,14 @@ pub unsafe extern "C" fn tree_pieces_link(
         let linked = unsafe { run(control, |control| Ok(link(pieces, &params, control)?)) }?;
         if !reached.is_null() {
             let bytes: Vec<u8> = linked.reached.iter().map(|&reached| reached.into()).collect();
-            unsafe { fill(reached, bytes.len(), &bytes, "reached") }?;
+            unsafe { fill(reached, capacity, &bytes, "reached") }?;
         }
         place.put(tree_skeleton::own(linked.skeleton));
         Ok(())
     })
 }
 
-/// Ends pieces.
+/// Frees pieces.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_pieces_free(pieces: *mut tree_pieces) -> tree_status {
     call(|| unsafe { free(pieces, "pieces") })

@@ -290,7 +290,7 @@ pub unsafe extern "C" fn tree_separation_outward(
     })
 }
 
-/// Ends a separation.
+/// Frees a separation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_separation_free(separation: *mut tree_separation) -> tree_status {
     call(|| unsafe { free(separation, "separation") })
