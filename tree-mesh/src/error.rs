@@ -61,6 +61,12 @@ pub enum MeshError {
         /// The parent found.
         parent: u32,
     },
+    /// A number of a branch is NaN or infinite.
+    #[error("branch {branch}: a number is not finite")]
+    BranchNotFinite {
+        /// Row in the table of branches.
+        branch: usize,
+    },
     /// The number of indices is not a multiple of three.
     #[error("{}: {found} indices are not whole triangles", named(surface))]
     PartialTriangle {

@@ -232,11 +232,19 @@ impl Mesh {
         check_surface(Some(number), surface, self.materials.len(), self.branches.len())
     }
 
-    /// Checks that branches come after those that carry them, and that only the first carries itself.
+    /// Checks that branches come after those that carry them, that only the first carries itself, and that
+    /// their numbers are finite.
     ///
     /// # Errors
-    /// [`MeshError::BranchOrder`], naming the first branch at fault.
+    /// [`MeshError::BranchOrder`] or [`MeshError::BranchNotFinite`], naming the first branch at fault.
     pub fn check_branches(&self) -> Result<()> {
+        let finite = |b: &Branch| {
+            let numbers = [b.length, b.radius, b.collar, b.phase, b.stiffness];
+            b.pivot.is_finite() && b.axis.is_finite() && numbers.iter().all(|n| n.is_finite())
+        };
+        if let Some(branch) = self.branches.iter().position(|branch| !finite(branch)) {
+            return Err(MeshError::BranchNotFinite { branch });
+        }
         let late = |(row, branch): &(usize, &Branch)| branch.parent as usize >= (*row).max(1);
         match self.branches.iter().enumerate().find(late) {
             Some((row, branch)) => {

@@ -61,6 +61,13 @@ fn branches_come_after_those_that_carry_them() {
 }
 
 #[test]
+fn branches_are_finite() {
+    let limp = Branch { stiffness: f32::NAN, ..Branch::default() };
+    let mesh = Mesh { branches: vec![Branch::default(), limp], ..triangle() };
+    assert!(matches!(mesh.check(), Err(MeshError::BranchNotFinite { branch: 1 })));
+}
+
+#[test]
 fn errors_name_the_surface_only_where_it_has_a_number() {
     let mut mesh = triangle();
     let error = mesh.check_surface(99).unwrap_err();
