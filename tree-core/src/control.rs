@@ -92,6 +92,17 @@ impl Control {
         self
     }
 
+    /// The same for a part of the work: what the part reports as 0 to 1 arrives as `from` to `to`.
+    #[must_use]
+    pub fn part(&self, from: f32, to: f32) -> Self {
+        let progress = self.progress.clone().map(|callback| -> Arc<Callback> {
+            Arc::new(move |p: Progress| {
+                callback(Progress { fraction: from + (to - from) * p.fraction, ..p });
+            })
+        });
+        Self { progress, ..self.clone() }
+    }
+
     /// Cheap enough for inner loops (one relaxed load, and what [`with_stop`](Self::with_stop) costs).
     ///
     /// # Errors
@@ -127,6 +138,18 @@ impl fmt::Debug for Control {
 mod tests {
     use super::*;
     use std::sync::Mutex;
+
+    #[test]
+    fn a_part_of_the_work_reports_its_share() {
+        let seen = Arc::new(Mutex::new(Vec::new()));
+        let sink = seen.clone();
+        let control =
+            Control::default().with_progress(move |p| sink.lock().unwrap().push(p.fraction));
+        control.part(0.0, 0.5).report("a", 1.0).unwrap();
+        control.part(0.5, 1.0).part(0.0, 0.5).report("b", 1.0).unwrap();
+        assert_eq!(*seen.lock().unwrap(), [0.5, 0.75]);
+        assert!(Control::default().part(0.0, 0.5).report("c", 1.0).is_ok());
+    }
 
     #[test]
     fn progress_arrives_clamped_and_in_order() {

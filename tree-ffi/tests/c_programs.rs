@@ -50,6 +50,15 @@ fn every_function_is_called_by_a_c_test() {
     assert!(missing.is_empty(), "tests/c calls none of {missing:?}");
 }
 
+/// A field that comes later must not lie in bytes that old programs never set.
+#[test]
+fn no_struct_has_padding() {
+    let source = compile::folder("c_programs").join("padded.c");
+    std::fs::write(&source, "#include \"tree.h\"\nint main(void) { return 0; }\n").unwrap();
+    let flags = [C11, &["-Wpadded"]].concat();
+    compile::compile("cc", &flags, &[source], "padded");
+}
+
 #[test]
 fn a_host_brings_its_allocator() {
     let program = compile::compile("cc", C11, &alone("allocator.c"), "allocator");

@@ -81,6 +81,7 @@ struct Node {
     bounds_64: Box64,
     depth: u32,
     n_solids: u32,
+    cost: u64,
 }
 
 impl Volume {
@@ -99,9 +100,11 @@ impl Volume {
     pub fn new(solid: Solid) -> Result<Self> {
         let mut depth = 0;
         let mut n_solids = 1_u32;
+        let mut cost = own_cost(&solid);
         for part in solid.parts() {
             depth = depth.max(part.0.depth + 1);
             n_solids = n_solids.saturating_add(part.0.n_solids);
+            cost = cost.saturating_add(part.0.cost);
         }
         if depth > MAX_DEPTH {
             return Err(too_deep(depth));
@@ -118,6 +121,7 @@ impl Volume {
             shape,
             depth,
             n_solids,
+            cost,
         })))
     }
 
@@ -125,6 +129,14 @@ impl Volume {
     #[must_use]
     pub fn solid(&self) -> &Solid {
         &self.0.solid
+    }
+
+    /// Most steps that a question about one point takes, roughly: 1 for each solid and combination, each
+    /// triangle of a mesh and each point of a profile, counted with repetition. Says how many questions
+    /// to answer between looks at a [`Control`](crate::Control).
+    #[must_use]
+    pub fn cost(&self) -> u64 {
+        self.0.cost
     }
 
     fn shape(&self) -> &Shape {
@@ -205,6 +217,15 @@ fn too_deep(found: u32) -> CoreError {
         found: f64::from(found),
         min: 0.0,
         max: f64::from(MAX_DEPTH),
+    }
+}
+
+/// Steps of a question without those of the parts.
+fn own_cost(solid: &Solid) -> u64 {
+    match solid {
+        Solid::Revolution { profile, .. } => 1 + profile.len() as u64,
+        Solid::Mesh { triangles, .. } => 1 + triangles.len() as u64,
+        _ => 1,
     }
 }
 

@@ -22,8 +22,17 @@ pub(crate) trait Handle: Send + Sync + 'static {
 #[derive(Clone, Copy)]
 struct Entry {
     name: &'static str,
-    /// The library's own: callers may use it and not free it.
-    for_ever: bool,
+    owner: Owner,
+}
+
+/// Who frees an object.
+#[derive(Clone, Copy, PartialEq)]
+enum Owner {
+    Caller,
+    /// Nobody: callers may use it.
+    Library,
+    /// An object with this name, when it is freed itself.
+    Object(&'static str),
 }
 
 /// Addresses are kept with all bits turned over: a leak checker that looks through memory for pointers
@@ -79,7 +88,7 @@ pub(crate) unsafe fn get_opt<'a, T: Handle>(
     if pointer.is_null() { Ok(None) } else { unsafe { get(pointer, argument) }.map(Some) }
 }
 
-/// Frees an object. NULL is none.
+/// Frees an object of the caller's. NULL is none.
 ///
 /// # Safety
 /// No other thread uses it.
@@ -87,10 +96,25 @@ pub(crate) unsafe fn free<T: Handle>(pointer: *mut T, argument: &str) -> Result<
     if pointer.is_null() {
         return Ok(());
     }
-    if check(pointer.cast_const(), argument)?.for_ever {
-        let text = format!("{argument} belongs to the library: it is not freed");
-        return Err(Failure::new(TREE_ERROR_ORDER, text));
-    }
+    let owner = match check(pointer.cast_const(), argument)?.owner {
+        Owner::Caller => return unsafe { remove(pointer, argument) },
+        Owner::Library => "the library: it is not freed".to_owned(),
+        Owner::Object(name) => format!("a {name}: it is freed with that"),
+    };
+    Err(Failure::new(TREE_ERROR_ORDER, format!("{argument} belongs to {owner}")))
+}
+
+/// Frees an object that another one owns, which calls this when it is dropped.
+///
+/// # Safety
+/// No other thread uses it.
+pub(crate) unsafe fn free_owned<T: Handle>(pointer: *mut T) {
+    // The register had it, and callers cannot take it out: there is no error to report.
+    let _ = unsafe { remove(pointer, T::NAME) };
+}
+
+/// Takes an object out of the register and drops it.
+unsafe fn remove<T: Handle>(pointer: *mut T, argument: &str) -> Result<()> {
     let key = key(pointer.cast_const());
     let gone = {
         let mut live = shard(key).write().unwrap_or_else(PoisonError::into_inner);
@@ -109,24 +133,29 @@ pub(crate) unsafe fn free<T: Handle>(pointer: *mut T, argument: &str) -> Result<
     Ok(())
 }
 
-fn register<T: Handle>(object: T, for_ever: bool) -> *mut T {
+fn register<T: Handle>(object: T, owner: Owner) -> *mut T {
     let pointer = Box::into_raw(Box::new(object));
     let key = key(pointer.cast_const());
-    let entry = Entry { name: T::NAME, for_ever };
+    let entry = Entry { name: T::NAME, owner };
     shard(key).write().unwrap_or_else(PoisonError::into_inner).insert(key, entry);
     pointer
 }
 
 /// A handle that is never freed, for constants. It does not count among those alive.
 pub(crate) fn register_for_ever<T: Handle>(object: T) -> *const T {
-    register(object, true)
+    register(object, Owner::Library)
+}
+
+/// A handle that belongs to an object of type `By`, which frees it with [`free_owned`].
+pub(crate) fn register_owned<T: Handle, By: Handle>(object: T) -> *mut T {
+    register(object, Owner::Object(By::NAME))
 }
 
 /// Number of objects alive that callers have to free.
 pub(crate) fn n_live() -> usize {
     let own = |shard: &Shard| {
         let live = shard.read().unwrap_or_else(PoisonError::into_inner);
-        live.values().filter(|entry| !entry.for_ever).count()
+        live.values().filter(|entry| entry.owner == Owner::Caller).count()
     };
     LIVE.iter().map(own).sum()
 }
@@ -147,10 +176,22 @@ pub(crate) unsafe fn out<T: Handle>(place: *mut *mut T, argument: &str) -> Resul
     Ok(Out(place))
 }
 
+/// As [`out`] for two places: both that are there are NULL before the first is an error.
+///
+/// # Safety
+/// As [`out`].
+pub(crate) unsafe fn out2<A: Handle, B: Handle>(
+    a: (*mut *mut A, &str),
+    b: (*mut *mut B, &str),
+) -> Result<(Out<A>, Out<B>)> {
+    let (a, b) = unsafe { (out(a.0, a.1), out(b.0, b.1)) };
+    Ok((a?, b?))
+}
+
 impl<T: Handle> Out<T> {
     /// Hands the object out.
     pub(crate) fn put(self, object: T) {
         // SAFETY: checked by `out`.
-        unsafe { self.0.write(register(object, false)) };
+        unsafe { self.0.write(register(object, Owner::Caller)) };
     }
 }

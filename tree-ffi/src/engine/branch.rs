@@ -22,6 +22,8 @@ pub struct tree_branch_motion {
     pub frequency: f32,
     /// The direction it swings in: a unit vector square to the axis, another one for each phase.
     pub swing: [f32; 3],
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -40,6 +42,7 @@ impl tree_branch_motion {
             give: branch.give(),
             frequency: branch.frequency(),
             swing: branch.swing().to_array(),
+            reserved: 0,
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::border::{
     Failure, Handle, Result, TREE_ERROR_PANIC, Versioned, call, free, get, tree_status, tree_str,
     write,
 };
+use crate::mesh::column;
 use ::tree_mesh::pack::speedtree9::Limits;
 use ::tree_mesh::pack::vertex::PackedSurface;
 use ::tree_mesh::pack::{Data, Indices, Packed, Stream};
@@ -82,9 +83,9 @@ impl tree_packed {
             convention: self.space,
             n_vertices,
             vertex_bytes,
-            streams: self.streams.as_ptr(),
+            streams: column(&self.streams),
             n_streams: self.streams.len(),
-            indices: indices.bytes().as_ptr().cast(),
+            indices: column(indices.bytes()).cast(),
             n_indices: indices.len(),
             index_bytes: match indices {
                 Indices::U16(_) => 2,
@@ -139,7 +140,7 @@ impl tree_stream {
         let bytes = stream.data.bytes();
         Ok(Self {
             name: tree_str::of(stream.name),
-            data: bytes.as_ptr().cast(),
+            data: column(bytes).cast(),
             n_bytes: bytes.len(),
             components: stream.components as u32,
             number,
@@ -174,6 +175,8 @@ pub struct tree_packed_columns {
     /// `TREE_LAYOUT_SPEEDTREE9`: `_ST_BranchStretchLimits`, the longest free lengths of branches 1 and 2
     /// in metres, the same for all surfaces of a mesh. Else 0.
     pub stretch_limits: [f32; 2],
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -193,6 +196,7 @@ unsafe impl Versioned for tree_packed_columns {
             n_indices: 0,
             index_bytes: 0,
             stretch_limits: [0.0; 2],
+            reserved: 0,
         }
     }
 }

@@ -5,6 +5,7 @@ use crate::border::{
     Failure, Result, TREE_ERROR_INVALID, TREE_ERROR_PARAMETER, Versioned, call, get, tree_status,
     write,
 };
+use crate::mesh::column;
 use ::tree_mesh::pack::pivot_painter::{Element, Textures};
 
 /// Element of a branch that has none.
@@ -98,10 +99,10 @@ pub unsafe extern "C" fn tree_packed_pivots(
         let found = tree_pivots {
             width: textures.width,
             height: textures.height,
-            position_and_index: textures.position_and_index.as_ptr().cast(),
-            position_and_index_half: held.halves.as_ptr().cast(),
-            axis_and_extent: textures.axis_and_extent.as_ptr().cast(),
-            element_of: held.element_of.as_ptr(),
+            position_and_index: column(&textures.position_and_index).cast(),
+            position_and_index_half: column(&held.halves).cast(),
+            axis_and_extent: column(&textures.axis_and_extent).cast(),
+            element_of: column(&held.element_of),
             n_branches: held.element_of.len(),
             n_elements: report.elements,
             n_merged: report.merged,

@@ -2,6 +2,7 @@
 
 use super::packed::{Content, tree_packed};
 use crate::border::{Failure, TREE_ERROR_INVALID, Versioned, call, get, tree_status, write};
+use crate::mesh::column;
 use ::tree_mesh::pack::vertex::{PackedSurface, PackedVertex};
 use std::mem::offset_of;
 
@@ -47,8 +48,18 @@ pub struct tree_packed_vertex {
 const _: () = {
     assert!(size_of::<tree_packed_vertex>() == size_of::<PackedVertex>());
     assert!(align_of::<tree_packed_vertex>() == align_of::<PackedVertex>());
+    assert!(offset_of!(tree_packed_vertex, position) == offset_of!(PackedVertex, position));
+    assert!(offset_of!(tree_packed_vertex, tangent) == offset_of!(PackedVertex, tangent));
     assert!(offset_of!(tree_packed_vertex, normal) == offset_of!(PackedVertex, normal));
+    assert!(offset_of!(tree_packed_vertex, uv) == offset_of!(PackedVertex, uv));
+    assert!(offset_of!(tree_packed_vertex, uv2) == offset_of!(PackedVertex, uv2));
     assert!(offset_of!(tree_packed_vertex, branch) == offset_of!(PackedVertex, branch));
+    assert!(offset_of!(tree_packed_vertex, reach) == offset_of!(PackedVertex, reach));
+    assert!(offset_of!(tree_packed_vertex, occlusion) == offset_of!(PackedVertex, occlusion));
+    assert!(offset_of!(tree_packed_vertex, flutter) == offset_of!(PackedVertex, flutter));
+    assert!(offset_of!(tree_packed_vertex, phase) == offset_of!(PackedVertex, phase));
+    assert!(offset_of!(tree_packed_vertex, stiffness) == offset_of!(PackedVertex, stiffness));
+    assert!(offset_of!(tree_packed_vertex, level) == offset_of!(PackedVertex, level));
     assert!(offset_of!(tree_packed_vertex, leaf_phase) == offset_of!(PackedVertex, leaf_phase));
 };
 
@@ -96,9 +107,9 @@ impl tree_packed_vertices {
         let [low, high] = packed.uv_range;
         Self {
             struct_size: size_of::<Self>(),
-            vertices: packed.vertices.as_ptr().cast(),
+            vertices: column(&packed.vertices).cast(),
             n_vertices: packed.vertices.len(),
-            anchors: packed.anchors.as_ptr().cast(),
+            anchors: column(&packed.anchors).cast(),
             n_anchors: packed.anchors.len(),
             bounds: [a.x, a.y, a.z, b.x, b.y, b.z],
             uv_range: [low.x, low.y, high.x, high.y],

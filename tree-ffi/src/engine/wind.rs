@@ -29,6 +29,8 @@ const _: () = {
     assert!(size_of::<tree_vertex_wind>() == size_of::<VertexWind>());
     assert!(align_of::<tree_vertex_wind>() == align_of::<VertexWind>());
     assert!(offset_of!(tree_vertex_wind, branch) == offset_of!(VertexWind, branch));
+    assert!(offset_of!(tree_vertex_wind, reach) == offset_of!(VertexWind, reach));
+    assert!(offset_of!(tree_vertex_wind, flutter) == offset_of!(VertexWind, flutter));
     assert!(offset_of!(tree_vertex_wind, leaf_phase) == offset_of!(VertexWind, leaf_phase));
     assert!(offset_of!(tree_vertex_wind, anchor) == offset_of!(VertexWind, anchor));
 };
@@ -64,6 +66,8 @@ pub struct tree_wind {
     pub frequency: f32,
     /// How far leaves turn to and fro at their anchors, in radians, -10 to 10. Default 0.3.
     pub flutter: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -79,6 +83,7 @@ unsafe impl Versioned for tree_wind {
             gusts: default.gusts,
             frequency: default.frequency,
             flutter: default.flutter,
+            reserved: 0,
         }
     }
 }

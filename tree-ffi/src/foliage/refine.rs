@@ -2,6 +2,7 @@
 
 use crate::border::{Handle, call, free, get, out, out_value, tree_status};
 use crate::control::{run, tree_control};
+use crate::mesh::column;
 use crate::skeleton::tree_skeleton;
 use tree_model::foliage::refine;
 
@@ -21,7 +22,7 @@ pub unsafe extern "C" fn tree_rows_view(
 ) -> tree_status {
     call(|| {
         let rows = &unsafe { get(rows, "rows") }?.0;
-        unsafe { out_value(first, rows.as_ptr(), "first") }?;
+        unsafe { out_value(first, column(rows), "first") }?;
         unsafe { out_value(n, rows.len(), "n") }
     })
 }

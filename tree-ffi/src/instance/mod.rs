@@ -10,11 +10,11 @@ use crate::border::{
 };
 use crate::control::{limits, run, tree_control};
 use crate::look::tree_look;
-use crate::mesh::{column, mesh_params, tree_mesh, tree_mesh_params};
+use crate::mesh::{column, copy_size, mesh_params, tree_mesh, tree_mesh_params};
 use crate::tree::tree_tree;
 use ::tree_mesh::instance::{InstancedTree, Twig, twigs};
 use ::tree_mesh::{Look, Mesh};
-use glam::Quat;
+use glam::{Quat, Vec3};
 use std::borrow::Cow;
 use std::sync::Arc;
 use tree_model::tree_core::{Limits, Resource};
@@ -178,23 +178,38 @@ impl tree_twig_instances {
         }
     }
 
-    /// A copy without mesh of row `i`.
-    unsafe fn rust(&self, limits: &Limits, i: usize) -> Result<Twig> {
+    /// Borrows the caller's columns of row `i`.
+    unsafe fn rust<'a>(&self, mesh: &'a Mesh, limits: &Limits, i: usize) -> Result<Row<'a>> {
         let part = |name: &str| format!("instances[{i}].{name}");
         let (n, rows) = (self.n_instances, Resource::Leaves);
         let translations =
             unsafe { vec3s(self.translations, n, limits, rows, &part("translations")) }?;
-        let rotations: &[[f32; 4]] =
+        let rotations =
             unsafe { slice(self.rotations.cast(), n, limits, rows, &part("rotations")) }?;
         let scales = unsafe { vec3s(self.scales, n, limits, rows, &part("scales")) }?;
         let branches = unsafe { slice(self.branches, n, limits, rows, &part("branches")) }?;
-        Ok(Twig {
-            mesh: Mesh::default(),
-            translations: translations.to_vec(),
-            rotations: rotations.iter().copied().map(Quat::from_array).collect(),
-            scales: scales.to_vec(),
-            branches: branches.to_vec(),
-        })
+        Ok(Row { mesh, translations, rotations, scales, branches })
+    }
+}
+
+/// A caller's twig, not copied yet.
+struct Row<'a> {
+    mesh: &'a Mesh,
+    translations: &'a [Vec3],
+    rotations: &'a [[f32; 4]],
+    scales: &'a [Vec3],
+    branches: &'a [u32],
+}
+
+impl Row<'_> {
+    fn copy(&self) -> Twig {
+        Twig {
+            mesh: self.mesh.clone(),
+            translations: self.translations.to_vec(),
+            rotations: self.rotations.iter().copied().map(Quat::from_array).collect(),
+            scales: self.scales.to_vec(),
+            branches: self.branches.to_vec(),
+        }
     }
 }
 
@@ -215,8 +230,8 @@ pub unsafe extern "C" fn tree_twigs_instances(
 /// Makes twigs of parts of your own: a base mesh, and for each of `n_twigs` twigs its mesh, with as many
 /// surfaces as the base, and where it stands. All is copied but the textures, and checked; scales must be
 /// the same along all axes. The report has the sizes; `reach` and `deviation` are 0 in it. `control` may
-/// be NULL; only its limits (instances count as `leaves`) and its pool matter. Free the twigs with
-/// `tree_twigs_free`.
+/// be NULL; of its limits `triangles` caps those of all meshes together, and `leaves` the instances. Free
+/// the twigs with `tree_twigs_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_twigs_from_parts(
     base: *const tree_mesh,
@@ -234,17 +249,26 @@ pub unsafe extern "C" fn tree_twigs_from_parts(
         if n_twigs > 0 && meshes.is_null() {
             return Err(Failure::null("meshes"));
         }
-        let parts = rows
-            .iter()
-            .enumerate()
-            .map(|(i, row)| {
-                // SAFETY: within the caller's array.
-                let mesh = unsafe { meshes.add(i).read_unaligned() };
-                let mesh = unsafe { get(mesh, &format!("meshes[{i}]")) }?.rust();
-                Ok(Twig { mesh: mesh.clone(), ..unsafe { row.rust(&limits, i) }? })
+        // The same mesh and the same places may be given many times: their copies are what counts.
+        let (mut triangles, mut places) = (copy_size(base), 0_u64);
+        let mut parts = Vec::with_capacity(rows.len());
+        for (i, row) in rows.iter().enumerate() {
+            // SAFETY: within the caller's array.
+            let mesh = unsafe { meshes.add(i).read_unaligned() };
+            let mesh = unsafe { get(mesh, &format!("meshes[{i}]")) }?.rust();
+            triangles = triangles.saturating_add(copy_size(mesh));
+            limits.check(Resource::Triangles, triangles)?;
+            places = places.saturating_add(row.n_instances as u64);
+            limits.check(Resource::Leaves, places)?;
+            parts.push(unsafe { row.rust(mesh, &limits, i) }?);
+        }
+        let made = unsafe {
+            run(control, |control| {
+                let copy = |row: &Row<'_>| control.check().map(|()| row.copy());
+                let parts = parts.iter().map(copy).collect::<std::result::Result<_, _>>()?;
+                Ok(InstancedTree::of_parts(base.clone(), parts)?)
             })
-            .collect::<Result<Vec<_>>>()?;
-        let made = unsafe { run(control, |_| Ok(InstancedTree::of_parts(base.clone(), parts)?)) }?;
+        }?;
         place.put(tree_twigs(Arc::new(made)));
         Ok(())
     })

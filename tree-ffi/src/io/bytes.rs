@@ -1,6 +1,7 @@
 //! Files in memory.
 
 use crate::border::{Handle, call, free, get, out_value, tree_status};
+use crate::mesh::column;
 
 /// A file in memory.
 pub struct tree_bytes(Vec<u8>);
@@ -24,7 +25,7 @@ pub unsafe extern "C" fn tree_bytes_view(
 ) -> tree_status {
     call(|| {
         let bytes = &unsafe { get(bytes, "bytes") }?.0;
-        unsafe { out_value(data, bytes.as_ptr(), "data") }?;
+        unsafe { out_value(data, column(bytes), "data") }?;
         unsafe { out_value(len, bytes.len(), "len") }
     })
 }

@@ -57,6 +57,8 @@ pub struct tree_glb_options {
     pub translucency: u32,
     /// What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
     pub occlusion: tree_gltf_occlusion,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -71,6 +73,7 @@ unsafe impl Versioned for tree_glb_options {
             quantize: default.quantize.into(),
             translucency: default.translucency.into(),
             occlusion: occlusion_number(default.occlusion),
+            reserved: 0,
         }
     }
 }
@@ -154,7 +157,8 @@ pub unsafe extern "C" fn tree_mesh_to_glb(
 ///
 /// Several levels, the finest first, become the nodes of one `MSFT_lod` with their coverages; programs
 /// that do not know it draw the finest. Materials that are equal in several levels are written once.
-/// `options` and `control` may be NULL, as in `tree_mesh_write_glb`.
+/// `options` and `control` may be NULL, as in `tree_mesh_write_glb`; of the limits, `leaves` caps the
+/// copies and `triangles` those of the meshes that are drawn many times, all rows together.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_gltf_write_glb(
     levels: *const tree_gltf_level,
@@ -170,8 +174,7 @@ pub unsafe extern "C" fn tree_gltf_write_glb(
         let options = unsafe { read_options(options) }?;
         unsafe {
             run(control, |control| {
-                control.check()?;
-                Ok(gltf::write_glb_levels(&levels.rust(), path, &options)?)
+                levels.with(control, |levels| Ok(gltf::write_glb_levels(levels, path, &options)?))
             })
         }
     })
@@ -192,8 +195,7 @@ pub unsafe extern "C" fn tree_gltf_to_glb(
         let options = unsafe { read_options(options) }?;
         let made = unsafe {
             run(control, |control| {
-                control.check()?;
-                Ok(gltf::to_glb_levels(&levels.rust(), &options)?)
+                levels.with(control, |levels| Ok(gltf::to_glb_levels(levels, &options)?))
             })
         }?;
         place.put(tree_bytes::new(made));
@@ -219,8 +221,7 @@ pub unsafe extern "C" fn tree_gltf_write_files(
         let options = unsafe { read_options(options) }?;
         unsafe {
             run(control, |control| {
-                control.check()?;
-                Ok(gltf::write_gltf(&levels.rust(), path, &options)?)
+                levels.with(control, |levels| Ok(gltf::write_gltf(levels, path, &options)?))
             })
         }
     })

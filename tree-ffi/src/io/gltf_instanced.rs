@@ -2,7 +2,8 @@
 
 use super::tree_gltf_instances;
 use crate::border::{
-    Handle, Result, Versioned, call, free, get, get_opt, out, out_value, tree_status, tree_str,
+    Handle, Versioned, call, free, free_owned, get, get_opt, out_value, out2, register_owned,
+    tree_status, tree_str,
 };
 use crate::control::{run, tree_control};
 use crate::look::tree_look;
@@ -11,7 +12,6 @@ use crate::tree::tree_tree;
 use ::tree_mesh::Look;
 use ::tree_mesh::io::gltf::{self, Instances};
 use std::borrow::Cow;
-use std::ptr::null_mut;
 
 /// Leaves of a tree, one small mesh for each kind and where its copies stand.
 pub struct tree_gltf_leaves {
@@ -30,30 +30,30 @@ impl Handle for tree_gltf_leaves {
 }
 
 impl tree_gltf_leaves {
-    fn new(leaves: Vec<Instances>) -> Result<Self> {
+    fn new(leaves: Vec<Instances>) -> Self {
         let mut all = Self { _held: leaves, rows: Vec::new() };
         for kind in &mut all._held {
-            let mut mesh = null_mut();
-            unsafe { out(&mut mesh, "mesh") }?.put(tree_mesh::new(std::mem::take(&mut kind.mesh)));
+            let mesh = tree_mesh::new(std::mem::take(&mut kind.mesh));
+            let mesh = register_owned::<_, Self>(mesh);
             all.rows.push(tree_gltf_instances {
                 name: tree_str::of(&kind.name),
                 mesh,
                 n: kind.translations.len(),
-                translations: kind.translations.as_ptr().cast(),
-                rotations: kind.rotations.as_ptr().cast(),
-                scales: kind.scales.as_ptr().cast(),
+                translations: column(&kind.translations).cast(),
+                rotations: column(&kind.rotations).cast(),
+                scales: column(&kind.scales).cast(),
                 ..tree_gltf_instances::default_value()
             });
         }
-        Ok(all)
+        all
     }
 }
 
 impl Drop for tree_gltf_leaves {
     fn drop(&mut self) {
         for row in &self.rows {
-            // A caller who freed it against the rules gets no second error.
-            let _ = unsafe { free(row.mesh.cast_mut(), "mesh") };
+            // SAFETY: of `new`, and not freed since: only its owner can.
+            unsafe { free_owned(row.mesh.cast_mut()) };
         }
     }
 }
@@ -72,8 +72,7 @@ pub unsafe extern "C" fn tree_mesh_build_instanced(
     leaves: *mut *mut tree_gltf_leaves,
 ) -> tree_status {
     call(|| {
-        let bark_place = unsafe { out(bark, "bark") }?;
-        let leaves_place = unsafe { out(leaves, "leaves") }?;
+        let (bark_place, leaves_place) = unsafe { out2((bark, "bark"), (leaves, "leaves")) }?;
         let tree = unsafe { get(tree, "tree") }?.rust();
         let params = unsafe { mesh_params(params) }?;
         let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);
@@ -86,14 +85,15 @@ pub unsafe extern "C" fn tree_mesh_build_instanced(
                 Ok(gltf::instanced(tree, &look, &params, control)?)
             })
         }?;
-        leaves_place.put(tree_gltf_leaves::new(made.leaves)?);
+        leaves_place.put(tree_gltf_leaves::new(made.leaves));
         bark_place.put(tree_mesh::new(made.mesh));
         Ok(())
     })
 }
 
 /// Views the leaves, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
-/// kinds there are. Their meshes belong to the leaves: do not free them.
+/// kinds there are. Their meshes belong to the leaves and are freed with them; `tree_mesh_free` of
+/// one is `TREE_ERROR_ORDER`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_gltf_leaves_view(
     leaves: *const tree_gltf_leaves,

@@ -1,18 +1,50 @@
 //! What goes into glTF files besides a mesh: levels, instances, columns of the caller's own.
 
 use super::per_vertex;
-use crate::border::{Failure, Result, Versioned, get, read_rows, slice, tree_str, vec3s};
+use crate::border::{Result, Versioned, get, read_rows, slice, tree_str, vec3s};
 use crate::control::{limits, tree_control};
-use crate::mesh::tree_mesh;
+use crate::mesh::{copy_size, tree_mesh};
 use ::tree_mesh::Mesh;
 use ::tree_mesh::io::gltf::{Attribute, Instances, Level};
-use glam::Quat;
-use tree_model::tree_core::{Limits, Resource};
+use glam::{Quat, Vec3};
+use tree_model::tree_core::{Control, Limits, Resource};
 
 /// Most levels of a file.
 const LEVELS_MAX: usize = 256;
 /// Most rows of instances or attributes of a level.
 const ROWS_MAX: usize = 1 << 16;
+
+/// Most numbers of one attribute for a vertex.
+const VALUES_PER_VERTEX: u64 = 4;
+
+/// What the rows of one call hold together. The same mesh or column may be given many times: it is copied
+/// as often, so the sum is what the limits are for.
+struct Sum<'a> {
+    limits: &'a Limits,
+    triangles: u64,
+    places: u64,
+    values: u64,
+}
+
+impl Sum<'_> {
+    fn add_mesh(&mut self, mesh: &Mesh) -> Result<()> {
+        self.triangles = self.triangles.saturating_add(copy_size(mesh));
+        Ok(self.limits.check(Resource::Triangles, self.triangles)?)
+    }
+
+    fn add_places(&mut self, n: usize) -> Result<()> {
+        self.places = self.places.saturating_add(n as u64);
+        Ok(self.limits.check(Resource::Leaves, self.places)?)
+    }
+
+    /// Numbers, and a name; each counts as one at least.
+    fn add_values(&mut self, n: usize, name: &str) -> Result<()> {
+        let all = n.saturating_add(name.len() / size_of::<f32>()).max(1);
+        self.values = self.values.saturating_add(all as u64);
+        let limits = per_vertex(self.limits, VALUES_PER_VERTEX);
+        Ok(limits.check(Resource::Triangles, self.values)?)
+    }
+}
 
 /// A column of the caller's own, for one surface of a mesh.
 ///
@@ -52,17 +84,38 @@ unsafe impl Versioned for tree_gltf_attribute {
     }
 }
 
+/// A caller's column, not copied yet.
+struct AttributeRow<'a> {
+    surface: usize,
+    name: &'a str,
+    components: usize,
+    values: &'a [f32],
+}
+
+impl AttributeRow<'_> {
+    fn copy(&self) -> Attribute {
+        Attribute {
+            surface: self.surface,
+            name: self.name.to_owned(),
+            components: self.components,
+            values: self.values.to_vec(),
+        }
+    }
+}
+
 impl tree_gltf_attribute {
-    unsafe fn rust(&self, limits: &Limits, name: &str) -> Result<Attribute> {
+    unsafe fn rust<'a>(&self, sum: &mut Sum<'_>, name: &str) -> Result<AttributeRow<'a>> {
         let field = format!("{name}.values");
-        let limits = per_vertex(limits, 4);
+        let own_name = unsafe { self.name.get(&format!("{name}.name")) }?;
+        sum.add_values(self.n_values, own_name)?;
+        let limits = per_vertex(sum.limits, VALUES_PER_VERTEX);
         let values =
             unsafe { slice(self.values, self.n_values, &limits, Resource::Triangles, &field) }?;
-        Ok(Attribute {
+        Ok(AttributeRow {
             surface: self.surface,
-            name: unsafe { self.name.get(&format!("{name}.name")) }?.to_owned(),
+            name: own_name,
             components: self.components,
-            values: values.to_vec(),
+            values,
         })
     }
 }
@@ -104,22 +157,42 @@ unsafe impl Versioned for tree_gltf_instances {
     }
 }
 
+/// A caller's mesh and places, not copied yet.
+struct InstancesRow<'a> {
+    name: &'a str,
+    mesh: &'a Mesh,
+    translations: &'a [Vec3],
+    rotations: &'a [[f32; 4]],
+    scales: &'a [Vec3],
+}
+
+impl InstancesRow<'_> {
+    fn copy(&self) -> Instances {
+        Instances {
+            name: self.name.to_owned(),
+            mesh: self.mesh.clone(),
+            translations: self.translations.to_vec(),
+            rotations: self.rotations.iter().map(|&turn| Quat::from_array(turn)).collect(),
+            scales: self.scales.to_vec(),
+        }
+    }
+}
+
 impl tree_gltf_instances {
-    unsafe fn rust(&self, limits: &Limits, name: &str) -> Result<Instances> {
-        let (n, leaves) = (self.n, Resource::Leaves);
+    unsafe fn rust<'a>(&self, sum: &mut Sum<'_>, name: &str) -> Result<InstancesRow<'a>> {
+        let (n, leaves, limits) = (self.n, Resource::Leaves, sum.limits);
+        sum.add_places(n)?;
         let field = |field: &str| format!("{name}.{field}");
-        let rotations: &[[f32; 4]] =
+        let rotations =
             unsafe { slice(self.rotations.cast(), n, limits, leaves, &field("rotations")) }?;
         let translations =
             unsafe { vec3s(self.translations, n, limits, leaves, &field("translations")) }?;
         let scales = unsafe { vec3s(self.scales, n, limits, leaves, &field("scales")) }?;
-        Ok(Instances {
-            name: unsafe { self.name.get(&field("name")) }?.to_owned(),
-            mesh: unsafe { get(self.mesh, &field("mesh")) }?.rust().clone(),
-            translations: translations.to_vec(),
-            rotations: rotations.iter().map(|&turn| Quat::from_array(turn)).collect(),
-            scales: scales.to_vec(),
-        })
+        let mesh = unsafe { get(self.mesh, &field("mesh")) }?.rust();
+        sum.add_mesh(mesh)?;
+        let name = unsafe { self.name.get(&field("name")) }?;
+        sum.add_values(0, name)?;
+        Ok(InstancesRow { name, mesh, translations, rotations, scales })
     }
 }
 
@@ -142,6 +215,8 @@ pub struct tree_gltf_level {
     /// Share of the screen's height (0 to 1) from which this level is drawn, the finest first. Not used
     /// when there is one level.
     pub coverage: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -157,21 +232,25 @@ unsafe impl Versioned for tree_gltf_level {
             attributes: std::ptr::null(),
             n_attributes: 0,
             coverage: 0.0,
+            reserved: 0,
         }
     }
 }
 
-/// A caller's levels, read.
-pub(super) struct GltfLevels<'a> {
-    empty: Mesh,
-    levels: Vec<GltfLevel<'a>>,
-}
+/// A caller's levels, read and not copied yet.
+pub(super) struct GltfLevels<'a>(Vec<GltfLevel<'a>>);
 
 struct GltfLevel<'a> {
     mesh: Option<&'a Mesh>,
+    instances: Vec<InstancesRow<'a>>,
+    attributes: Vec<AttributeRow<'a>>,
+    coverage: f32,
+}
+
+/// Copies of what a level has besides its mesh.
+struct Copies {
     instances: Vec<Instances>,
     attributes: Vec<Attribute>,
-    coverage: f32,
 }
 
 impl GltfLevels<'_> {
@@ -184,51 +263,64 @@ impl GltfLevels<'_> {
     ) -> Result<Self> {
         let limits = unsafe { limits(control) }?;
         let rows = unsafe { read_rows(levels, n_levels, LEVELS_MAX, "levels") }?;
-        let levels = rows
-            .iter()
-            .enumerate()
-            .map(|(number, row)| unsafe { row.rust(&limits, &format!("levels[{number}]")) })
-            .collect::<Result<_>>()?;
-        Ok(Self { empty: Mesh::default(), levels })
+        let mut sum = Sum { limits: &limits, triangles: 0, places: 0, values: 0 };
+        let level = |(number, row): (usize, &tree_gltf_level)| unsafe {
+            row.rust(&mut sum, &format!("levels[{number}]"))
+        };
+        Ok(Self(rows.iter().enumerate().map(level).collect::<Result<_>>()?))
     }
 
-    pub(super) fn rust(&self) -> Vec<Level<'_>> {
-        self.levels
-            .iter()
-            .map(|level| Level {
-                mesh: level.mesh.unwrap_or(&self.empty),
-                instances: &level.instances,
-                attributes: &level.attributes,
-                coverage: level.coverage,
-            })
-            .collect()
+    /// Does with the levels what `write` says.
+    pub(super) fn with<R>(
+        &self,
+        control: &Control,
+        write: impl FnOnce(&[Level<'_>]) -> Result<R>,
+    ) -> Result<R> {
+        let empty = Mesh::default();
+        let copies: Vec<Copies> =
+            self.0.iter().map(|level| level.copy(control)).collect::<Result<_>>()?;
+        let levels = self.0.iter().zip(&copies).map(|(level, copies)| Level {
+            mesh: level.mesh.unwrap_or(&empty),
+            instances: &copies.instances,
+            attributes: &copies.attributes,
+            coverage: level.coverage,
+        });
+        control.check()?;
+        write(&levels.collect::<Vec<_>>())
+    }
+}
+
+impl GltfLevel<'_> {
+    fn copy(&self, control: &Control) -> Result<Copies> {
+        let instances = self.instances.iter().map(|row| control.check().map(|()| row.copy()));
+        let attributes = self.attributes.iter().map(|row| control.check().map(|()| row.copy()));
+        Ok(Copies {
+            instances: instances.collect::<std::result::Result<_, _>>()?,
+            attributes: attributes.collect::<std::result::Result<_, _>>()?,
+        })
     }
 }
 
 impl tree_gltf_level {
-    unsafe fn rust<'a>(&self, limits: &Limits, name: &str) -> Result<GltfLevel<'a>> {
+    unsafe fn rust<'a>(&self, sum: &mut Sum<'_>, name: &str) -> Result<GltfLevel<'a>> {
         let field = |field: &str| format!("{name}.{field}");
         let mesh = if self.mesh.is_null() && self.n_instances > 0 {
             None
         } else {
             Some(unsafe { get(self.mesh, &field("mesh")) }?.rust())
         };
-        let instances = field("instances");
-        let rows = unsafe { read_rows(self.instances, self.n_instances, ROWS_MAX, &instances) }?;
-        let copies: u64 = rows.iter().fold(0, |sum, row| sum.saturating_add(row.n as u64));
-        limits.check(Resource::Leaves, copies).map_err(Failure::from)?;
-        let instances = rows
-            .iter()
-            .enumerate()
-            .map(|(i, row)| unsafe { row.rust(limits, &format!("{instances}[{i}]")) })
-            .collect::<Result<_>>()?;
-        let attributes = field("attributes");
-        let rows = unsafe { read_rows(self.attributes, self.n_attributes, ROWS_MAX, &attributes) }?;
-        let attributes = rows
-            .iter()
-            .enumerate()
-            .map(|(i, row)| unsafe { row.rust(limits, &format!("{attributes}[{i}]")) })
-            .collect::<Result<_>>()?;
+        let name = field("instances");
+        let rows = unsafe { read_rows(self.instances, self.n_instances, ROWS_MAX, &name) }?;
+        let row = |(i, row): (usize, &tree_gltf_instances)| unsafe {
+            row.rust(sum, &format!("{name}[{i}]"))
+        };
+        let instances = rows.iter().enumerate().map(row).collect::<Result<_>>()?;
+        let name = field("attributes");
+        let rows = unsafe { read_rows(self.attributes, self.n_attributes, ROWS_MAX, &name) }?;
+        let row = |(i, row): (usize, &tree_gltf_attribute)| unsafe {
+            row.rust(sum, &format!("{name}[{i}]"))
+        };
+        let attributes = rows.iter().enumerate().map(row).collect::<Result<_>>()?;
         Ok(GltfLevel { mesh, instances, attributes, coverage: self.coverage })
     }
 }

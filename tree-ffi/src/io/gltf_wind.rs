@@ -29,7 +29,7 @@ impl tree_gltf_attributes {
             surface: attribute.surface,
             name: tree_str::of(&attribute.name),
             components: attribute.components,
-            values: attribute.values.as_ptr(),
+            values: column(&attribute.values),
             n_values: attribute.values.len(),
             ..tree_gltf_attribute::default_value()
         };

@@ -1,7 +1,7 @@
 //! OBJ files, written.
 
 use super::tree_bytes;
-use crate::border::{self, call, get, out, text, tree_status};
+use crate::border::{self, call, get, out2, text, tree_status};
 use crate::control::{run, tree_control};
 use crate::mesh::{ask_for_copies, tree_mesh};
 use ::tree_mesh::io::obj;
@@ -43,8 +43,7 @@ pub unsafe extern "C" fn tree_mesh_to_obj(
     mtl: *mut *mut tree_bytes,
 ) -> tree_status {
     call(|| {
-        let obj_place = unsafe { out(obj, "obj") }?;
-        let mtl_place = unsafe { out(mtl, "mtl") }?;
+        let (obj_place, mtl_place) = unsafe { out2((obj, "obj"), (mtl, "mtl")) }?;
         let mesh = unsafe { get(mesh, "mesh") }?.rust();
         let stem = unsafe { text(stem, stem_len, "stem") }?;
         let (obj, mtl) = unsafe {

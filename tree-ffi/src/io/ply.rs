@@ -16,6 +16,8 @@ pub struct tree_ply_options {
     /// Whether numbers are written as text instead of little-endian binary: five times the size, for
     /// people and old programs. Default 0.
     pub ascii: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -23,7 +25,11 @@ unsafe impl Versioned for tree_ply_options {
     const NAME: &'static str = "tree_ply_options";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self { struct_size: size_of::<Self>(), ascii: PlyOptions::default().ascii.into() }
+        Self {
+            struct_size: size_of::<Self>(),
+            ascii: PlyOptions::default().ascii.into(),
+            reserved: 0,
+        }
     }
 }
 

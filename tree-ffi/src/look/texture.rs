@@ -6,6 +6,7 @@ use crate::border::{
 };
 use crate::control::{limits, run, tree_control};
 use crate::io::tree_bytes;
+use crate::mesh::column;
 use ::tree_mesh::Texture;
 use ::tree_mesh::texture::{self, LeafTexture};
 use std::ffi::c_char;
@@ -247,7 +248,7 @@ pub unsafe extern "C" fn tree_texture_view(
         let texture = unsafe { get(texture, "texture") }?.rust();
         let viewed = tree_texture_pixels {
             name: tree_str::of(&texture.name),
-            pixels: texture.pixels.as_ptr(),
+            pixels: column(&texture.pixels),
             width: texture.width,
             height: texture.height,
             ..tree_texture_pixels::default_value()

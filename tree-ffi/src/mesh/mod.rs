@@ -85,6 +85,14 @@ impl tree_mesh {
     }
 }
 
+/// What a copy of a mesh counts as against the cap on triangles: vertices, branches and materials need
+/// not have any.
+pub(crate) fn copy_size(mesh: &Mesh) -> u64 {
+    let triangles = mesh.n_triangles().max(mesh.n_vertices().div_ceil(3));
+    let few = mesh.branches.len() + mesh.surfaces.len() + mesh.materials.len();
+    triangles.max(few).max(1) as u64
+}
+
 /// Where a column begins; NULL when it is empty.
 pub(crate) fn column<T>(column: &[T]) -> *const T {
     if column.is_empty() { std::ptr::null() } else { column.as_ptr() }

@@ -7,6 +7,8 @@ use crate::border::{
     write,
 };
 use crate::control::{limits, run, tree_control};
+use crate::mesh::column;
+use std::mem::offset_of;
 use tree_model::path::Linking;
 use tree_model::path::graph::{Arc, Graph, Terrain};
 use tree_model::path::search::search;
@@ -32,7 +34,14 @@ pub struct tree_graph_arc {
     /// What it costs, 0 or more.
     pub cost: f32,
 }
-const _: () = assert!(size_of::<tree_graph_arc>() == size_of::<Arc>());
+
+// One is viewed as the other.
+const _: () = {
+    assert!(size_of::<tree_graph_arc>() == size_of::<Arc>());
+    assert!(align_of::<tree_graph_arc>() == align_of::<Arc>());
+    assert!(offset_of!(tree_graph_arc, to) == offset_of!(Arc, to));
+    assert!(offset_of!(tree_graph_arc, cost) == offset_of!(Arc, cost));
+};
 
 /// A view of a graph, as compressed rows: the arcs that leave node `i` are `arcs[starts[i]]` up to, but
 /// not including, `arcs[starts[i + 1]]`.
@@ -136,10 +145,10 @@ pub unsafe extern "C" fn tree_graph_view(
         let graph = &unsafe { get(graph, "graph") }?.0;
         let value = tree_graph_columns {
             n_nodes: graph.len(),
-            positions: graph.positions().as_ptr().cast(),
-            starts: graph.starts().as_ptr(),
+            positions: column(graph.positions()).cast(),
+            starts: column(graph.starts()),
             n_arcs: graph.n_arcs(),
-            arcs: graph.all_arcs().as_ptr().cast(),
+            arcs: column(graph.all_arcs()).cast(),
             ..tree_graph_columns::default_value()
         };
         unsafe { write(columns, "columns", &value) }

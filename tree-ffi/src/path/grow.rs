@@ -2,7 +2,7 @@
 
 use super::params::tree_path_params;
 use super::report::tree_path_report;
-use crate::border::{Result, call, foresee, out, read_or_default, tree_status, view};
+use crate::border::{Result, call, foresee, out, out2, read_or_default, tree_status, view};
 use crate::control::{limits, run, tree_control};
 use crate::io::tree_bytes;
 use crate::tree::tree_tree;
@@ -55,8 +55,7 @@ pub unsafe extern "C" fn tree_path_grow_with_levels(
     tree: *mut *mut tree_tree,
 ) -> tree_status {
     call(|| {
-        let place = unsafe { out(tree, "tree") }?;
-        let levels = unsafe { out(node_levels, "node_levels") }?;
+        let (levels, place) = unsafe { out2((node_levels, "node_levels"), (tree, "tree")) }?;
         let grown = unsafe { grow(params, seed, control, report) }?;
         levels.put(tree_bytes::new(grown.levels));
         place.put(tree_tree::new(grown.tree));

@@ -67,6 +67,8 @@ pub struct tree_path_level {
     pub placing: tree_path_placing,
     /// Whether subgraphs grow round the endpoints of all levels before, not only the last. Default 0.
     pub from_all_levels: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -114,6 +116,7 @@ impl tree_path_level {
             size: level.size.unwrap_or(0.0),
             placing: placing_of(level.placing),
             from_all_levels: level.from_all_levels.into(),
+            reserved: 0,
         }
     }
 

@@ -5,6 +5,7 @@ use crate::border::{
     Handle, Versioned, call, free, get, init, out, read_or_default, tree_status, vec3s, write,
 };
 use crate::control::{limits, run, tree_control};
+use crate::mesh::column;
 use crate::volume::tree_volume;
 use tree_model::path::nodes::{Nodes, strew};
 use tree_model::tree_core::{Resource, Seed};
@@ -82,6 +83,8 @@ pub struct tree_graph_nodes_columns {
     pub forced: *const u32,
     /// No two nodes are closer than this, in metres; forced ones may be.
     pub separation: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -96,6 +99,7 @@ unsafe impl Versioned for tree_graph_nodes_columns {
             n_forced: 0,
             forced: std::ptr::null(),
             separation: 0.0,
+            reserved: 0,
         }
     }
 }
@@ -140,9 +144,9 @@ pub unsafe extern "C" fn tree_graph_nodes_view(
         let nodes = unsafe { get(nodes, "nodes") }?.rust();
         let value = tree_graph_nodes_columns {
             n_nodes: nodes.positions.len(),
-            positions: nodes.positions.as_ptr().cast(),
+            positions: column(&nodes.positions).cast(),
             n_forced: nodes.forced.len(),
-            forced: nodes.forced.as_ptr(),
+            forced: column(&nodes.forced),
             separation: nodes.separation,
             ..tree_graph_nodes_columns::default_value()
         };

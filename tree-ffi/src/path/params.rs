@@ -102,6 +102,8 @@ pub struct tree_path_params {
     pub roots: *const tree_path_params,
     /// Distance to keep from the obstacle in metres, 0 or more. Oak: 0.
     pub clearance: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.

@@ -71,6 +71,7 @@ const EMPTY: tree_path_params = tree_path_params {
     species: null(),
     roots: null(),
     clearance: 0.0,
+    reserved: 0,
 };
 
 /// Parameters in C's form, whose parts live for ever. Cost functions cannot be kept: presets have none.

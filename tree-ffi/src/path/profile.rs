@@ -5,6 +5,7 @@ use crate::border::{
     read_or_default, tree_status, write,
 };
 use crate::control::{limits, run, tree_control};
+use crate::mesh::column;
 use crate::volume::{tree_volume, vec3};
 use std::ffi::c_char;
 use tree_model::path::{Profile, ProfileOptions};
@@ -59,6 +60,8 @@ pub struct tree_profile_columns {
     pub points: *const f32,
     /// Whether it was taken from a closed outline: 1 or 0.
     pub from_outline: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -71,6 +74,7 @@ unsafe impl Versioned for tree_profile_columns {
             n_points: 0,
             points: std::ptr::null(),
             from_outline: 0,
+            reserved: 0,
         }
     }
 }
@@ -122,7 +126,7 @@ pub unsafe extern "C" fn tree_profile_view(
         let profile = &unsafe { get(profile, "profile") }?.0;
         let value = tree_profile_columns {
             n_points: profile.points.len(),
-            points: profile.points.as_ptr().cast(),
+            points: column(&profile.points).cast(),
             from_outline: profile.from_outline.into(),
             ..tree_profile_columns::default_value()
         };

@@ -24,6 +24,8 @@ pub struct tree_paint {
     /// Their cost is multiplied by this, 0 to 1000. Below 1 attracts branches, above 1 repels them.
     /// Default 1, which changes nothing.
     pub factor: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -31,7 +33,7 @@ unsafe impl Versioned for tree_paint {
     const NAME: &'static str = "tree_paint";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self { struct_size: size_of::<Self>(), volume: std::ptr::null(), factor: 1.0 }
+        Self { struct_size: size_of::<Self>(), volume: std::ptr::null(), factor: 1.0, reserved: 0 }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::tree_picture;
 use crate::border::{Handle, Versioned, call, fill, free, get, out, tree_status, write};
+use crate::mesh::column;
 use tree_lod::preview::Mask;
 
 /// How much of each pixel a mesh covers.
@@ -62,7 +63,7 @@ pub unsafe extern "C" fn tree_mask_view(
         let found = tree_mask_columns {
             width: mask.width,
             height: mask.height,
-            coverage: mask.coverage.as_ptr(),
+            coverage: column(&mask.coverage),
             n_pixels: mask.coverage.len(),
             area: mask.area(),
             ..tree_mask_columns::default_value()

@@ -3,6 +3,7 @@
 use crate::border::{self, Handle, Versioned, call, free, get, out, slice, tree_status, write};
 use crate::control::{limits, tree_control};
 use crate::io::tree_bytes;
+use crate::mesh::column;
 use std::ffi::c_char;
 use tree_lod::preview::Picture;
 use tree_model::tree_core::{Limits, Resource};
@@ -85,7 +86,7 @@ pub unsafe extern "C" fn tree_picture_view(
         let found = tree_pixels {
             width: picture.width,
             height: picture.height,
-            pixels: picture.pixels.as_ptr(),
+            pixels: column(&picture.pixels),
             n_bytes: picture.pixels.len(),
             ..tree_pixels::default_value()
         };

@@ -57,6 +57,8 @@ pub struct tree_view {
     pub target: [f32; 3],
     /// Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
     pub up: [f32; 3],
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -86,6 +88,7 @@ impl tree_view {
             eye: [0.0; 3],
             target: [0.0; 3],
             up: Vec3::Y.to_array(),
+            reserved: 0,
         };
         match view.camera {
             Camera::Framed(framing) => flat.frame(&framing),

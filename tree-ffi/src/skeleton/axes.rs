@@ -2,6 +2,7 @@
 
 use super::tree_skeleton;
 use crate::border::{Failure, Handle, Result, Versioned, call, free, get, out, tree_status, write};
+use crate::mesh::column;
 use tree_model::tree_core::{Axes, Continuation};
 
 /// Which child continues the axis at a fork: one of the `TREE_CONTINUATION_` constants. Ties go to the
@@ -85,10 +86,10 @@ impl tree_axis_columns {
         Self {
             n_axes: axes.len(),
             n_nodes: axes.axis_of().len(),
-            orders: axes.orders().as_ptr(),
-            starts: axes.starts().as_ptr(),
-            nodes: axes.nodes().as_ptr(),
-            axis_of: axes.axis_of().as_ptr(),
+            orders: column(axes.orders()),
+            starts: column(axes.starts()),
+            nodes: column(axes.nodes()),
+            axis_of: column(axes.axis_of()),
             ..Self::default_value()
         }
     }

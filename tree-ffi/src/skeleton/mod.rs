@@ -91,9 +91,9 @@ impl tree_skeleton_columns {
     fn of(skeleton: &Skeleton) -> Self {
         Self {
             n_nodes: skeleton.len(),
-            positions: skeleton.positions().as_ptr().cast(),
-            radii: skeleton.radii().as_ptr(),
-            parents: skeleton.parents().as_ptr(),
+            positions: crate::mesh::column(skeleton.positions()).cast(),
+            radii: crate::mesh::column(skeleton.radii()),
+            parents: crate::mesh::column(skeleton.parents()),
             ..Self::default_value()
         }
     }

@@ -7,6 +7,7 @@ use crate::border::{
 };
 use crate::control::{limits, tree_control};
 use crate::io::tree_bytes;
+use crate::mesh::column;
 use std::ffi::c_char;
 use std::sync::Arc;
 use tree_model::tree_core::Skeleton;
@@ -179,8 +180,8 @@ impl tree_swc_contents {
         let report = &swc.report;
         Self {
             n_nodes: swc.ids.len(),
-            types: swc.types.as_ptr(),
-            ids: swc.ids.as_ptr(),
+            types: column(&swc.types),
+            ids: column(&swc.ids),
             comments: tree_str::of(&report.comments),
             n_unknown_radii: report.unknown_radii as u64,
             n_filled_radii: report.filled_radii as u64,

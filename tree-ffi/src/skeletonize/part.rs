@@ -47,6 +47,8 @@ pub struct tree_mesh_part {
     pub alpha_masked: u32,
     /// Whether both faces are drawn. Default 0.
     pub double_sided: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -65,6 +67,7 @@ unsafe impl Versioned for tree_mesh_part {
             hint: TREE_HINT_AUTO,
             alpha_masked: 0,
             double_sided: 0,
+            reserved: 0,
         }
     }
 }

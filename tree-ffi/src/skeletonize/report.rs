@@ -37,6 +37,8 @@ pub struct tree_skeletonize_report {
     pub leaf_widths: [f32; TREE_SKELETONIZE_LEAF_WIDTHS],
     /// Share of the wood's surface that the skeleton stands for, 0 to 1.
     pub covered: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -68,6 +70,7 @@ impl tree_skeletonize_report {
             n_leaf_kinds: report.leaf_widths.len() as u64,
             leaf_widths,
             covered: report.covered,
+            reserved: 0,
         }
     }
 }

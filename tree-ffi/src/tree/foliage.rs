@@ -1,6 +1,7 @@
 //! Leaves in columns.
 
 use crate::border::{Result, Versioned, slice, vec3s};
+use crate::mesh::column;
 use glam::Quat;
 use tree_model::tree_core::{Foliage, Leaf, Limits, Resource};
 
@@ -46,11 +47,11 @@ impl tree_foliage {
     pub(crate) fn of(foliage: &Foliage) -> Self {
         Self {
             n_leaves: foliage.len(),
-            nodes: foliage.nodes().as_ptr(),
-            positions: foliage.positions().as_ptr().cast(),
-            rotations: foliage.rotations().as_ptr().cast(),
-            sizes: foliage.sizes().as_ptr(),
-            kinds: foliage.kinds().as_ptr(),
+            nodes: column(foliage.nodes()),
+            positions: column(foliage.positions()).cast(),
+            rotations: column(foliage.rotations()).cast(),
+            sizes: column(foliage.sizes()),
+            kinds: column(foliage.kinds()),
             ..Self::default_value()
         }
     }

@@ -1,6 +1,7 @@
 //! Names of species, bark and leaves.
 
 use crate::border::{Failure, Result, TREE_ERROR_NULL, TREE_ERROR_PARAMETER, Versioned, tree_str};
+use crate::mesh::column;
 use tree_model::tree_core::Species;
 
 /// Most leaf kinds of a species: what an index of 16 bits reaches.
@@ -83,7 +84,7 @@ impl SpeciesNames {
         tree_species {
             name: tree_str::of(&species.name),
             bark: tree_str::of(&species.bark),
-            leaf_kinds: self.0.as_ptr(),
+            leaf_kinds: column(&self.0),
             n_leaf_kinds: self.0.len(),
             ..tree_species::default_value()
         }

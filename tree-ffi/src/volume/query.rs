@@ -7,10 +7,15 @@ use crate::border::{
 use crate::control::{limits, run, tree_control};
 use glam::Vec3;
 use rayon::prelude::*;
-use tree_model::tree_core::{Control, Resource, Seed, Volume};
+use tree_model::tree_core::{Control, Resource, Rng, Seed, Volume};
+
+/// Steps of questions between looks at the control.
+const STEPS: u64 = 4096;
 
 /// Points that one thread answers for between looks at the control.
-const CHUNK: usize = 4096;
+fn chunk(volume: &Volume) -> usize {
+    (STEPS / volume.cost()).max(1) as usize
+}
 
 /// Asks `volume` about every point; about many in parallel.
 unsafe fn ask<R: Copy + Default + Send>(
@@ -23,7 +28,7 @@ unsafe fn ask<R: Copy + Default + Send>(
     let volume = unsafe { get(volume, "volume") }?.rust();
     let limits = unsafe { limits(control) }?;
     let points = unsafe { vec3s(points, n, &limits, Resource::Nodes, "points") }?;
-    let answer = &answer;
+    let (answer, chunk) = (&answer, chunk(volume));
     let body = |control: &Control| {
         let mut answers = vec![R::default(); points.len()];
         let answer_chunk = |(answers, points): (&mut [R], &[Vec3])| {
@@ -34,10 +39,10 @@ unsafe fn ask<R: Copy + Default + Send>(
             Ok::<_, Failure>(())
         };
         // A few points are not worth waking other threads.
-        if points.len() <= CHUNK {
+        if points.len() <= chunk {
             answer_chunk((&mut answers, points))?;
         } else {
-            let chunks = answers.par_chunks_mut(CHUNK).zip(points.par_chunks(CHUNK));
+            let chunks = answers.par_chunks_mut(chunk).zip(points.par_chunks(chunk));
             chunks.try_for_each(answer_chunk)?;
         }
         Ok(answers)
@@ -192,8 +197,7 @@ fn draw(
     let mut rng = Seed(seed).rng();
     (0..n_points)
         .map(|i| {
-            control.check()?;
-            let point = volume.sample(&mut rng, attempts).ok_or_else(|| {
+            let point = draw_one(volume, attempts, &mut rng, control)?.ok_or_else(|| {
                 let text = format!(
                     "points[{i}]: none of {attempts} attempts lay inside; does the volume have an \
                      end and an inside?"
@@ -203,4 +207,28 @@ fn draw(
             Ok(point.to_array())
         })
         .collect()
+}
+
+/// As [`Volume::sample`], with looks at the control: attempts in parts are the same as in one go.
+fn draw_one(
+    volume: &Volume,
+    attempts: u32,
+    rng: &mut Rng,
+    control: &Control,
+) -> Result<Option<Vec3>> {
+    let bounds = volume.bounds();
+    control.check()?;
+    if bounds.is_empty() || !bounds.is_finite() {
+        return Ok(None);
+    }
+    let mut left = attempts;
+    while left > 0 {
+        let now = left.min(chunk(volume) as u32);
+        if let Some(point) = volume.sample(rng, now) {
+            return Ok(Some(point));
+        }
+        control.check()?;
+        left -= now;
+    }
+    Ok(None)
 }

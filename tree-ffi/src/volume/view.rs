@@ -2,6 +2,7 @@
 
 use super::tree_volume;
 use crate::border::{Failure, TREE_ERROR_PARAMETER, Versioned, call, get, out, tree_status, write};
+use crate::mesh::column;
 use tree_model::tree_core::Volume;
 use tree_model::tree_core::volume::Solid;
 
@@ -123,15 +124,15 @@ impl tree_solid {
                 Self { angle: *angle, ..view.between(TREE_SOLID_SECTOR, *apex, *axis, *radius) }
             }
             Solid::Revolution { base, axis, profile } => Self {
-                points: profile.as_ptr().cast(),
+                points: column(&profile).cast(),
                 n_points: profile.len(),
                 ..view.between(TREE_SOLID_REVOLUTION, *base, *axis, 0.0)
             },
             Solid::Mesh { positions, triangles } => Self {
                 kind: TREE_SOLID_MESH,
-                points: positions.as_ptr().cast(),
+                points: column(&positions).cast(),
                 n_points: positions.len(),
-                indices: triangles.as_ptr().cast(),
+                indices: column(&triangles).cast(),
                 n_triangles: triangles.len(),
                 ..view
             },

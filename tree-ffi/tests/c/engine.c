@@ -224,7 +224,7 @@ static void directions(const tree_mesh *mesh) {
     OK(tree_mesh_pack(mesh, 0, TREE_LAYOUT_VERTEX, NULL, &packed));
     tree_packed_vertices view = {.struct_size = sizeof view};
     OK(tree_packed_vertices_view(packed, &view));
-    CHECK(view.n_anchors == 0 && view.n_vertices == bark.n_vertices);
+    CHECK(view.n_anchors == 0 && view.anchors == NULL && view.n_vertices == bark.n_vertices);
     for (size_t i = 0; i < view.n_vertices; i++) {
         float normal[3], tangent[3];
         unpack(&view.vertices[i], normal, tangent);

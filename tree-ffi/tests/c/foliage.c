@@ -226,6 +226,17 @@ static void test_refine(void) {
     OK(tree_skeleton_view(refined, &columns));
     CHECK(columns.n_nodes == 4);
     OK(tree_skeleton_free(refined));
+    OK(tree_skeleton_refine(fork, 0.1f, 10, NULL, &rows, &refined));
+    OK(tree_skeleton_free(refined));
+    OK(tree_rows_free(rows));
+    FAILS(TREE_ERROR_NULL, "refined", tree_skeleton_refine(fork, 0.1f, 10, NULL, &rows, NULL));
+    CHECK(rows == NULL);
+    /* Columns without rows are NULL. */
+    tree_tree *bare = NULL;
+    OK(tree_tree_new(fork, NULL, NULL, NULL, &bare));
+    tree_foliage none = leaves_of(bare);
+    CHECK(none.n_leaves == 0 && !none.nodes && !none.positions && !none.sizes && !none.kinds);
+    OK(tree_tree_free(bare));
     FAILS(TREE_ERROR_PARAMETER, "spacing", tree_skeleton_refine(fork, 1, 0, NULL, &rows, &refined));
     CHECK(rows == NULL && refined == NULL);
     OK(tree_skeleton_free(fork));

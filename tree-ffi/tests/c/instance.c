@@ -124,6 +124,24 @@ void test_instance(void) {
     bearers[2] = 1000;
     FAILS(TREE_ERROR_INVALID, "branch 1000",
           tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
+    /* What one twig may be, many may not: the sum is what is copied. */
+    bearers[2] = 0;
+    tree_limits limits;
+    tree_control few;
+    OK(tree_limits_init(&limits, sizeof limits));
+    OK(tree_control_init(&few, sizeof few));
+    few.limits = &limits;
+    const tree_mesh *same[] = {twig, twig, twig};
+    tree_twig_instances rows[] = {own, own, own};
+    limits.leaves = 9;
+    OK(tree_twigs_from_parts(base, same, rows, 3, &few, &made));
+    OK(tree_twigs_free(made));
+    limits.leaves = 8;
+    FAILS(TREE_ERROR_LIMIT, "leaves", tree_twigs_from_parts(base, same, rows, 3, &few, &made));
+    limits.leaves = 9;
+    limits.triangles = base_totals.n_triangles + 2 * twig_totals.n_triangles;
+    FAILS(TREE_ERROR_LIMIT, "triangles", tree_twigs_from_parts(base, same, rows, 3, &few, &made));
+    CHECK(made == NULL);
     own.n_instances = (size_t)1 << 60;
     FAILS(TREE_ERROR_LIMIT, "leaves", tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
     meshes[0] = NULL;

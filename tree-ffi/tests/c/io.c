@@ -197,6 +197,31 @@ static void levels(const tree_mesh *mesh) {
     gone("c.gltf");
     gone("c.bin");
 
+    /* What one row may be, many may not: each is a copy. */
+    tree_gltf_instances four[4] = {twice, twice, twice, twice};
+    tree_gltf_level level = {.struct_size = sizeof level, .instances = four, .n_instances = 4};
+    tree_limits limits;
+    tree_control few;
+    OK(tree_limits_init(&limits, sizeof limits));
+    OK(tree_control_init(&few, sizeof few));
+    few.limits = &limits;
+    limits.leaves = 8;
+    limits.triangles = 16;
+    OK(tree_gltf_to_glb(&level, 1, NULL, &few, &bytes));
+    OK(tree_bytes_free(bytes));
+    tree_gltf_level both[2] = {level, level};
+    both[1].n_instances = 1;
+    FAILS(TREE_ERROR_LIMIT, "leaves", tree_gltf_to_glb(both, 2, NULL, &few, &bytes));
+    limits.leaves = 10;
+    FAILS(TREE_ERROR_LIMIT, "triangles", tree_gltf_to_glb(both, 2, NULL, &few, &bytes));
+    tree_gltf_attribute many[32];
+    for (int i = 0; i < 32; i++) {
+        many[i] = own;
+    }
+    level = (tree_gltf_level){.struct_size = sizeof level, .mesh = pyramid, .attributes = many, .n_attributes = 32};
+    limits.triangles = n;
+    FAILS(TREE_ERROR_LIMIT, "triangles", tree_gltf_to_glb(&level, 1, NULL, &few, &bytes));
+
     own.components = 2;
     FAILS(TREE_ERROR_INVALID, "_OWN", tree_gltf_to_glb(rows + 1, 1, NULL, NULL, &bytes));
     own.components = 1;
@@ -236,17 +261,35 @@ static void wind(const tree_mesh *mesh) {
     OK(tree_gltf_attributes_free(wind));
 }
 
+/* Progress that only rises. */
+static int32_t rises(void *user, const char *stage, float fraction) {
+    (void)stage;
+    float *last = user;
+    CHECK(fraction >= *last && fraction <= 1);
+    *last = fraction;
+    return 0;
+}
+
 static void instanced(void) {
     tree_tree *tree = an_oak_twig();
     tree_look *look = NULL;
     OK(tree_look_plain(NULL, &look));
     tree_mesh *bark = NULL;
     tree_gltf_leaves *leaves = NULL;
-    OK(tree_mesh_build_instanced(tree, look, NULL, NULL, &bark, &leaves));
+    float last = 0;
+    tree_control control;
+    OK(tree_control_init(&control, sizeof control));
+    control.progress = rises;
+    control.user = &last;
+    size_t before = tree_live_objects();
+    OK(tree_mesh_build_instanced(tree, look, NULL, &control, &bark, &leaves));
+    CHECK(last == 1 && tree_live_objects() == before + 2);
     tree_gltf_level level = {.struct_size = sizeof level, .mesh = bark};
     OK(tree_gltf_leaves_view(leaves, &level.instances, &level.n_instances));
     CHECK(level.n_instances == 1 && level.instances[0].n == 3);
     CHECK(level.instances[0].translations[1] == 2.5f && level.instances[0].scales[0] == 0.1f);
+    /* The meshes are the leaves' own. */
+    FAILS(TREE_ERROR_ORDER, "tree_gltf_leaves", tree_mesh_free((tree_mesh *)level.instances[0].mesh));
     CHECK(totals_of(level.instances[0].mesh).n_triangles > 0);
     tree_bytes *bytes = NULL;
     OK(tree_gltf_to_glb(&level, 1, NULL, NULL, &bytes));
@@ -254,7 +297,12 @@ static void instanced(void) {
     tree_mesh *read = back(TREE_MESH_FORMAT_GLTF, bytes, &report);
     CHECK(report.n_instances == 3);
     OK(tree_mesh_free(read));
+    const tree_mesh *leaf = level.instances[0].mesh;
     OK(tree_gltf_leaves_free(leaves));
+    FAILS(TREE_ERROR_HANDLE, "freed", tree_mesh_check(leaf));
+    /* Both places are NULL, though the first is an error. */
+    FAILS(TREE_ERROR_NULL, "bark", tree_mesh_build_instanced(tree, look, NULL, NULL, NULL, &leaves));
+    CHECK(leaves == NULL);
     OK(tree_mesh_free(bark));
     tree_mesh_params params;
     OK(tree_mesh_params_init(&params, sizeof params));
@@ -274,6 +322,8 @@ static void obj_and_ply(const tree_mesh *mesh) {
     OK(tree_mesh_to_obj(mesh, "oak", 3, NULL, &obj, &mtl));
     CHECK(has(obj, "mtllib oak.mtl") && has(mtl, "newmtl"));
     OK(tree_bytes_free(mtl));
+    FAILS(TREE_ERROR_NULL, "obj", tree_mesh_to_obj(mesh, "oak", 3, NULL, NULL, &mtl));
+    CHECK(mtl == NULL);
     OK(tree_mesh_free(back(TREE_MESH_FORMAT_OBJ, obj, &report)));
     CHECK(report.n_triangles == n);
     char path[4096];

@@ -77,6 +77,8 @@ static void growing(void) {
     CHECK(len == n_nodes(again) && len == n_nodes(tree));
     CHECK(bytes[0] == 1 && bytes[len - 1] == 2);
     OK(tree_bytes_free(levels));
+    FAILS(TREE_ERROR_NULL, "tree", tree_path_grow_with_levels(&params, 1, NULL, NULL, &levels, NULL));
+    CHECK(levels == NULL);
     OK(tree_tree_free(tree));
     OK(tree_tree_free(again));
 
@@ -222,6 +224,14 @@ static void stages(void) {
     CHECK(strewn.n_nodes > 200 && strewn.n_nodes < 400 && strewn.n_forced == 2);
     CHECK(strewn.separation > 0.05f && strewn.separation < 0.2f);
     CHECK(strewn.positions[3 * strewn.forced[1] + 1] == 0.9f);
+    /* Columns without rows are NULL. */
+    strew.n_forced = 0;
+    tree_graph_nodes *free_nodes;
+    OK(tree_graph_strew(box, &strew, 3, NULL, &free_nodes));
+    tree_graph_nodes_columns unforced = {.struct_size = sizeof unforced};
+    OK(tree_graph_nodes_view(free_nodes, &unforced));
+    CHECK(unforced.n_forced == 0 && unforced.forced == NULL && unforced.positions);
+    OK(tree_graph_nodes_free(free_nodes));
 
     tree_link_params link;
     OK(tree_link_params_init(&link, sizeof link));

@@ -153,6 +153,23 @@ static void stage_by_stage(const tree_mesh_part parts[2]) {
     OK(tree_pieces_free(pieces));
     const tree_skeleton *const own[] = {piece};
     OK(tree_pieces_new(own, &row, 1, NULL, &copies));
+    /* The nodes of all pieces together are capped, not the number of pieces. */
+    const tree_skeleton *const twice[] = {piece, piece};
+    const tree_piece rows[] = {row, row};
+    tree_skeleton_columns columns = {.struct_size = sizeof columns};
+    OK(tree_skeleton_view(piece, &columns));
+    tree_limits limits;
+    tree_control few;
+    OK(tree_limits_init(&limits, sizeof limits));
+    OK(tree_control_init(&few, sizeof few));
+    few.limits = &limits;
+    limits.nodes = 2 * columns.n_nodes;
+    tree_pieces *two;
+    OK(tree_pieces_new(twice, rows, 2, &few, &two));
+    OK(tree_pieces_free(two));
+    limits.nodes--;
+    FAILS(TREE_ERROR_LIMIT, "nodes", tree_pieces_new(twice, rows, 2, &few, &two));
+    CHECK(two == NULL);
     OK(tree_skeleton_free(piece));
     uint8_t reached = 9;
     OK(tree_pieces_link(copies, NULL, NULL, &reached, 1, &linked));

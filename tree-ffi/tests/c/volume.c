@@ -1,5 +1,8 @@
+#define _POSIX_C_SOURCE 200809L
 #include "check.h"
 #include <math.h>
+#include <pthread.h>
+#include <time.h>
 
 static const float origin[3] = {0, 0, 0};
 static const float up[3] = {0, 1, 0};
@@ -172,7 +175,57 @@ static void questions(void) {
     FAILS(TREE_ERROR_HANDLE, "freed", tree_volume_bounds(ball, &box));
 }
 
+static void *set_in_a_moment(void *cancel) {
+    const struct timespec moment = {0, 20 * 1000 * 1000};
+    nanosleep(&moment, NULL);
+    OK(tree_cancel_set(cancel));
+    return NULL;
+}
+
+/* Long questions are cancelled while they run. */
+static void cancelled_soon(void) {
+    tree_volume *ball, *nothing, *costly;
+    OK(tree_volume_sphere(origin, 1, &ball));
+    OK(tree_volume_difference(ball, ball, &nothing));
+    OK(tree_volume_difference(ball, ball, &costly));
+    for (int i = 0; i < 17; i++) {
+        tree_volume *next;
+        OK(tree_volume_difference(costly, costly, &next));
+        OK(tree_volume_free(costly));
+        costly = next;
+    }
+    float *points = calloc(3 * 4096, sizeof *points), *distances = calloc(4096, sizeof *distances);
+    for (int what = 0; what < 2; what++) {
+        tree_cancel *cancel;
+        OK(tree_cancel_new(&cancel));
+        tree_control control;
+        OK(tree_control_init(&control, sizeof control));
+        control.cancel = cancel;
+        pthread_t thread;
+        CHECK(pthread_create(&thread, NULL, set_in_a_moment, cancel) == 0);
+        if (what == 0) {
+            /* Points of the bounds, none of which lies inside. */
+            FAILS(TREE_ERROR_CANCELLED, "cancel",
+                  tree_volume_sample(nothing, 1, UINT32_MAX, 7, &control, points));
+        } else {
+            FAILS(TREE_ERROR_CANCELLED, "cancel",
+                  tree_volume_distance(costly, points, 4096, &control, distances));
+        }
+        pthread_join(thread, NULL);
+        OK(tree_cancel_free(cancel));
+    }
+    free(points);
+    free(distances);
+    /* More attempts than are drawn between two looks at the control. */
+    FAILS(TREE_ERROR_NO_RESULT, "10000 attempts",
+          tree_volume_sample(nothing, 1, 10000, 7, NULL, (float[3]){0}));
+    OK(tree_volume_free(costly));
+    OK(tree_volume_free(nothing));
+    OK(tree_volume_free(ball));
+}
+
 void test_volume(void) {
+    cancelled_soon();
     plain_solids();
     combinations();
     questions();

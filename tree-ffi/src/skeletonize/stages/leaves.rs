@@ -3,6 +3,7 @@
 use super::separation::tree_separation;
 use crate::border::{Handle, Versioned, call, free, get, out, tree_status, tree_str, write};
 use crate::control::{run, tree_control};
+use crate::mesh::column;
 use crate::skeleton::tree_skeleton;
 use crate::tree::tree_foliage;
 use tree_model::skeletonize::stages::Leaves;
@@ -95,8 +96,8 @@ pub unsafe extern "C" fn tree_found_leaves_view(
         let leaves = unsafe { get(leaves, "leaves") }?;
         let value = tree_leaf_kinds {
             n_kinds: leaves.names.0.len(),
-            names: leaves.names.0.as_ptr(),
-            widths: leaves.leaves.widths.as_ptr(),
+            names: column(&leaves.names.0),
+            widths: column(&leaves.leaves.widths),
             ..tree_leaf_kinds::default_value()
         };
         unsafe { write(kinds, "kinds", &value) }

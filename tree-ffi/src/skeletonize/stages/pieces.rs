@@ -10,7 +10,7 @@ use crate::skeleton::tree_skeleton;
 use crate::skeletonize::params::tree_skeletonize_params;
 use bytemuck::{Pod, Zeroable};
 use tree_model::skeletonize::stages::{Piece, link};
-use tree_model::tree_core::Resource;
+use tree_model::tree_core::{Control, Resource};
 
 /// Connected pieces of wood, each followed from its base.
 pub struct tree_pieces(Vec<Piece>);
@@ -52,7 +52,8 @@ pub unsafe extern "C" fn tree_separation_follow(
 }
 
 /// Makes pieces of `n_pieces` skeletons, which are copied, and of what they stand for: for pieces that were
-/// changed, or come from elsewhere. `control` may be NULL; only its limits matter.
+/// changed, or come from elsewhere. `control` may be NULL; `nodes` of its limits caps those of all
+/// skeletons together.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_pieces_new(
     skeletons: *const *const tree_skeleton,
@@ -68,14 +69,26 @@ pub unsafe extern "C" fn tree_pieces_new(
         if skeletons.is_null() && n_pieces > 0 {
             return Err(Failure::null("skeletons"));
         }
-        let made = rows.iter().enumerate().map(|(i, row)| {
+        let mut n_nodes = 0_u64;
+        let mut given = Vec::with_capacity(n_pieces);
+        for (i, row) in rows.iter().enumerate() {
             // SAFETY: within the caller's array.
             let skeleton = unsafe { skeletons.add(i).read_unaligned() };
-            let skeleton = unsafe { get(skeleton, &format!("skeletons[{i}]")) }?.rust().clone();
-            let (n_bumps, n_cut) = (row.n_bumps as usize, row.n_cut as usize);
-            Ok(Piece { skeleton, area: row.area, n_bumps, n_cut })
-        });
-        place.put(tree_pieces(made.collect::<Result<_>>()?));
+            let skeleton = unsafe { get(skeleton, &format!("skeletons[{i}]")) }?.rust();
+            // One skeleton may be given many times: its copies are what counts.
+            n_nodes = n_nodes.saturating_add(skeleton.len() as u64);
+            limits.check(Resource::Nodes, n_nodes)?;
+            given.push((skeleton, row));
+        }
+        let copy = |control: &Control| {
+            let copied = given.iter().map(|&(skeleton, row)| {
+                control.check()?;
+                let (n_bumps, n_cut) = (row.n_bumps as usize, row.n_cut as usize);
+                Ok(Piece { skeleton: skeleton.clone(), area: row.area, n_bumps, n_cut })
+            });
+            copied.collect::<Result<_>>()
+        };
+        place.put(tree_pieces(unsafe { run(control, copy) }?));
         Ok(())
     })
 }

@@ -5,6 +5,7 @@ use crate::border::{
     slice, tree_status, write,
 };
 use crate::control::{limits, run, tree_control};
+use crate::mesh::column;
 use crate::mesh::tree_mesh;
 use crate::skeleton::tree_skeleton;
 use crate::skeletonize::params::tree_skeletonize_params;
@@ -237,10 +238,10 @@ pub unsafe extern "C" fn tree_separation_view(
         let kept = &separation.kept;
         let value = tree_separation_columns {
             n_components: separation.classes.len(),
-            classes: separation.classes.as_ptr(),
-            starts: kept.starts.as_ptr(),
+            classes: column(&separation.classes),
+            starts: column(&kept.starts),
             n_triangles: kept.sources.len(),
-            triangles: kept.sources.as_ptr().cast(),
+            triangles: column(&kept.sources).cast(),
             ..tree_separation_columns::default_value()
         };
         unsafe { write(columns, "columns", &value) }

@@ -61,6 +61,9 @@ pub struct Instanced {
     pub leaves: Vec<Instances>,
 }
 
+/// Share of the progress that is for the bark.
+const BARK_SHARE: f32 = 0.9;
+
 /// Builds a tree with one mesh for each kind of leaf instead of a copy for each leaf.
 ///
 /// Normals of instanced leaves are those of the leaf itself: [`MeshParams`] cannot turn them towards
@@ -79,11 +82,14 @@ pub fn instanced(
 ) -> Result<Instanced> {
     let (skeleton, species) = (tree.skeleton(), tree.species());
     let bare = Tree::bare(skeleton.clone(), species.clone());
-    let mut mesh = build(&bare, look, params, control)?.mesh;
+    // Bark is by far the most work: a leaf of each kind is made once.
+    let mut mesh = build(&bare, look, params, &control.part(0.0, BARK_SHARE))?.mesh;
     mesh.surfaces.retain(|surface| surface.n_triangles() > 0);
     let foliage = tree.foliage();
     let mut leaves = Vec::new();
-    for kind in 0..look.leaves.len() {
+    let n_kinds = look.leaves.len();
+    let done = |kinds: usize| BARK_SHARE + (1.0 - BARK_SHARE) * kinds as f32 / n_kinds as f32;
+    for kind in 0..n_kinds {
         let rows: Vec<Leaf> = foliage
             .iter()
             .filter(|leaf| usize::from(leaf.kind) == kind && leaf.size > 0.0)
@@ -92,14 +98,16 @@ pub fn instanced(
         if rows.is_empty() {
             continue;
         }
+        let part = control.part(done(kind), done(kind + 1));
         leaves.push(Instances {
             name: species.leaf_kinds.get(kind).cloned().unwrap_or_default(),
-            mesh: prototype(tree, look, params, kind, control)?,
+            mesh: prototype(tree, look, params, kind, &part)?,
             translations: rows.iter().map(|leaf| leaf.position).collect(),
             rotations: rows.iter().map(|leaf| leaf.rotation).collect(),
             scales: rows.iter().map(|leaf| Vec3::splat(leaf.size)).collect(),
         });
     }
+    control.report("done", 1.0)?;
     Ok(Instanced { mesh, leaves })
 }
 
