@@ -2394,6 +2394,8 @@ typedef struct tree_pool_options {
     size_t struct_size;
     // Number of threads, at most 1024. Default 0: one for each core.
     uint32_t n_threads;
+    // 0.
+    uint32_t reserved;
     // Bytes of stack of each thread that the library starts. Default 0: the system's.
     size_t stack_size;
     // Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
@@ -3535,7 +3537,9 @@ void tree_memory_reset_peak(void);
 // Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
 // at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
 // or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
-// once may all be told so. Small calls, such as looking at a mesh, never fail.
+// once may all be told so. Calls that take no memory, such as looking at a mesh, never are. An eighth of
+// the budget is kept for what is taken between two looks at it; a call that went beyond all the same fails
+// at its end.
 void tree_memory_set_budget(uint64_t bytes);
 
 // The budget in bytes; 0 when there is none.
@@ -3894,7 +3898,8 @@ tree_status tree_pool_new(const struct tree_pool_options *options, struct tree_p
 // Number of threads of a pool.
 tree_status tree_pool_threads(const struct tree_pool *pool, uint32_t *n_threads);
 
-// Frees a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
+// Frees a pool, and returns when its threads have left its work. A host that unloads the library joins
+// threads of its own first: what the library keeps for each thread goes when the thread ends. `TREE_ERROR_ORDER`, and the
 // pool lives on, while a call is at work on it.
 tree_status tree_pool_free(struct tree_pool *pool);
 

@@ -3398,6 +3398,10 @@ namespace TreeFamily.Native
         /// </summary>
         public uint n_threads;
         /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
         /// Bytes of stack of each thread that the library starts. Default 0: the system's.
         /// </summary>
         public UIntPtr stack_size;
@@ -5846,7 +5850,9 @@ namespace TreeFamily.Native
         /// Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
         /// at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
         /// or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
-        /// once may all be told so. Small calls, such as looking at a mesh, never fail.
+        /// once may all be told so. Calls that take no memory, such as looking at a mesh, never are. An eighth of
+        /// the budget is kept for what is taken between two looks at it; a call that went beyond all the same fails
+        /// at its end.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern void tree_memory_set_budget(ulong bytes);
@@ -6295,7 +6301,8 @@ namespace TreeFamily.Native
         public static extern int tree_pool_threads(tree_pool* pool, uint* n_threads);
 
         /// <summary>
-        /// Frees a pool, and returns when its threads are out of the library's code. `TREE_ERROR_ORDER`, and the
+        /// Frees a pool, and returns when its threads have left its work. A host that unloads the library joins
+        /// threads of its own first: what the library keeps for each thread goes when the thread ends. `TREE_ERROR_ORDER`, and the
         /// pool lives on, while a call is at work on it.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

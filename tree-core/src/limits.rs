@@ -59,8 +59,8 @@ const ARC_BYTES: u64 = 16;
 const LEAF_BYTES: u64 = 96;
 /// Bytes of a cell: a grid of f64 and a copy.
 const VOXEL_BYTES: u64 = 16;
-/// Bytes of a supersample while a picture is drawn.
-const PIXEL_BYTES: u64 = 48;
+/// Bytes of a supersample, or of a texel of a shadow map, while a picture is drawn.
+const PIXEL_BYTES: u64 = 4;
 /// Bytes of a triangle with every column there is: two vertices (leaf cards) and three indices.
 const TRIANGLE_BYTES: u64 = 160;
 /// Memory that a byte of a file may come to when it is read.

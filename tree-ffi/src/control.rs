@@ -235,14 +235,22 @@ pub(crate) unsafe fn run<R: Send>(
         Some(pool) => pool.install(|| body(&rust)),
         None => body(&rust),
     };
-    result.map_err(|failure| match over.load(Ordering::Relaxed) {
-        used if used > 0 && failure.status == TREE_ERROR_CANCELLED => {
-            let budget = memory::budget();
-            let text = format!("{used} bytes are in use, the memory budget is {budget}");
-            Failure::new(TREE_ERROR_MEMORY, text)
-        }
-        _ => failure,
-    })
+    let beyond = |used: u64| {
+        let budget = memory::budget();
+        let text = format!("{used} bytes are in use, the memory budget is {budget}");
+        Err(Failure::new(TREE_ERROR_MEMORY, text))
+    };
+    match (result, over.load(Ordering::Relaxed)) {
+        (Err(failure), used) if used > 0 && failure.status == TREE_ERROR_CANCELLED => beyond(used),
+        (Ok(made), _) => match memory::exceeded() {
+            Some(used) => {
+                drop(made);
+                beyond(used)
+            }
+            None => Ok(made),
+        },
+        (failed, _) => failed,
+    }
 }
 
 /// `refused` is set when the callback says so. The caller's own flag stays as it is: it may be for other

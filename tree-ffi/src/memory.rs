@@ -32,6 +32,8 @@ const SHARES: usize = 16;
 /// Blocks from this size on move the peak at once; smaller ones with the next such block, or when it is
 /// asked for.
 const LARGE: usize = 4096;
+/// Work of so many bytes is not refused beforehand, however little of the budget is left.
+const SMALL: u64 = 1 << 20;
 /// Part of the budget that is kept for what is taken between two checks: one in so many.
 const RESERVE: u64 = 8;
 
@@ -83,7 +85,9 @@ pub extern "C" fn tree_memory_reset_peak() {
 /// Sets how many bytes the library may have in use, all calls and objects together; 0 for no budget, as
 /// at the start. A call that would need more fails with `TREE_ERROR_LIMIT` before it takes the memory,
 /// or with `TREE_ERROR_MEMORY` while it works; what it had taken is free again then. Several calls at
-/// once may all be told so. Small calls, such as looking at a mesh, never fail.
+/// once may all be told so. Calls that take no memory, such as looking at a mesh, never are. An eighth of
+/// the budget is kept for what is taken between two looks at it; a call that went beyond all the same fails
+/// at its end.
 #[unsafe(no_mangle)]
 pub extern "C" fn tree_memory_set_budget(bytes: u64) {
     BUDGET.store(if bytes == 0 { NO_BUDGET } else { bytes }, Ordering::Relaxed);
@@ -155,7 +159,10 @@ pub unsafe extern "C" fn tree_memory_set_allocator(
             return Err(Failure::new(TREE_ERROR_ORDER, text));
         }
         if used > 0 || HOST.set(allocator).is_err() {
-            let text = format!("{used} bytes are in use: set the allocator first, and once");
+            let text = format!(
+                "{used} bytes are in use: set the allocator first, and once (an error text counts, until \
+                 tree_error_clear)"
+            );
             return Err(Failure::new(TREE_ERROR_ORDER, text));
         }
         Ok(())
@@ -177,6 +184,12 @@ pub(crate) fn over_budget() -> Option<u64> {
     (used > budget - budget / RESERVE).then_some(used)
 }
 
+/// Whether work that is done has gone beyond the budget.
+pub(crate) fn exceeded() -> Option<u64> {
+    let used = used();
+    (used > budget()).then_some(used)
+}
+
 /// Asks for about `bytes` for work that cannot be stopped on the way.
 pub(crate) fn ask(bytes: u64) -> Result<()> {
     let (budget, used) = (budget(), used());
@@ -193,7 +206,7 @@ pub(crate) fn ask(bytes: u64) -> Result<()> {
 pub(crate) fn limits(own: &Limits) -> Limits {
     match budget() {
         NO_BUDGET => *own,
-        bytes => own.min(&Limits::for_memory(bytes.saturating_sub(used()))),
+        bytes => own.min(&Limits::for_memory(bytes.saturating_sub(used()).max(SMALL))),
     }
 }
 

@@ -155,14 +155,14 @@ static const float fork_radii[] = {0.1f, 0.08f, 0.01f, 0.01f};
 static const uint32_t fork_parents[] = {TREE_NO_PARENT, 0, 1, 1};
 static const tree_skeleton_columns fork_columns = {sizeof fork_columns, 4, fork_positions,
                                                    fork_radii, fork_parents};
-static const tree_pool_options one_thread = {sizeof one_thread, 1, 0, NULL, NULL};
+static const tree_pool_options one_thread = {sizeof one_thread, 1, 0, 0, NULL, NULL};
 
 static const float origin[3];
 static const uint8_t pixel[4];
 static const char svg[] = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 10 10\">"
                           "<path d=\"M5 10 L9 5 L5 0\"/></svg>";
 static const uint32_t fork_edges[] = {0, 1, 1, 2, 1, 3};
-static const uint8_t swc[] = "1 1 0 0 0 1 -1\n2 1 0 1 0 1 1\n";
+static const char swc[] = "1 1 0 0 0 1 -1\n2 1 0 1 0 1 1\n";
 static const uint32_t leaf_nodes[] = {2, 3};
 static const float leaf_positions[] = {0.5f, 2.5f, 0, -0.5f, 2, 0};
 static const float leaf_rotations[] = {0, 0, 0, 1, 0.6f, 0, 0.8f, 0};

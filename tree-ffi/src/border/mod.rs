@@ -18,7 +18,7 @@ mod text;
 
 pub(crate) use failure::{Failure, Result};
 pub(crate) use handle::{Handle, free, get, get_opt, n_live, out, register_for_ever};
-pub(crate) use sized::{Versioned, init, read, read_or_default, read_rows, view, write};
+pub(crate) use sized::{Versioned, foresee, init, read, read_or_default, read_rows, view, write};
 pub(crate) use slice::{fill, floats, out_value, slice, vec2s, vec3s};
 pub(crate) use text::{bytes, path, text};
 

@@ -22,8 +22,9 @@ pub(crate) unsafe trait Versioned: Copy {
     fn default_value() -> Self;
 }
 
-/// Most bytes a struct may claim: far beyond what any version will have.
-const SIZE_MAX: usize = 1 << 16;
+/// Most bytes a struct may claim: beyond what any version will have, and not so many that an accidental
+/// number often passes.
+const SIZE_MAX: usize = 1 << 13;
 
 unsafe fn size_of_at<T: Versioned>(place: *const T, argument: &str) -> Result<usize> {
     if place.is_null() {
@@ -122,6 +123,14 @@ pub(crate) unsafe fn write<T: Versioned>(place: *mut T, argument: &str, value: &
     let size = unsafe { size_of_at(place.cast_const(), argument) }?;
     unsafe { write_sized(place, size, value) };
     Ok(())
+}
+
+/// Looks at the size of a report before the work that it tells of, so that no work is done in vain.
+///
+/// # Safety
+/// `place` is NULL or points at a struct of the size it states.
+pub(crate) unsafe fn foresee<T: Versioned>(place: *const T, argument: &str) -> Result<()> {
+    if place.is_null() { Ok(()) } else { unsafe { size_of_at(place, argument) }.map(drop) }
 }
 
 /// As [`write`]; nothing is written to NULL.

@@ -1,7 +1,7 @@
 //! Collision capsules.
 
 use crate::border::{
-    Failure, Handle, Result, Versioned, call, floats, free, get, init, out, out_value,
+    Failure, Handle, Result, Versioned, call, floats, foresee, free, get, init, out, out_value,
     read_or_default, tree_status, view,
 };
 use crate::control::{run, tree_control};
@@ -149,6 +149,7 @@ pub unsafe extern "C" fn tree_skeleton_capsules(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(capsules, "capsules") }?;
+        unsafe { foresee(report, "report") }?;
         let skeleton = unsafe { get(skeleton, "skeleton") }?.rust();
         let params = unsafe { read_or_default(params, "params") }?.rust()?;
         let made =

@@ -4,7 +4,7 @@ use super::packed::tree_packed;
 use super::pivots::Pivots;
 use crate::border::{Failure, Result, call, get, out, tree_status};
 use crate::control::{run, tree_control};
-use crate::mesh::tree_mesh;
+use crate::mesh::{ask_for_copies, tree_mesh};
 use ::tree_mesh::Mesh;
 use ::tree_mesh::pack::{
     gltf_wind, godot, pivot_painter, speedtree8, speedtree9, tree_creator, vertex,
@@ -101,6 +101,7 @@ pub unsafe extern "C" fn tree_mesh_pack(
         let made = unsafe {
             run(control, |control| {
                 control.check()?;
+                ask_for_copies(mesh, 2)?;
                 pack(mesh, surface, layout)
             })
         }?;

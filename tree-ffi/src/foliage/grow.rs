@@ -3,7 +3,7 @@
 use super::leaf_params::tree_leaf_params;
 use super::report::{tree_leaf_report, tree_twig_report};
 use super::twig_params::tree_twig_params;
-use crate::border::{Result, call, get, out, read_or_default, tree_status, view};
+use crate::border::{Result, call, foresee, get, out, read_or_default, tree_status, view};
 use crate::control::{User, run, tree_control};
 use crate::tree::tree_tree;
 use glam::Vec3;
@@ -60,6 +60,7 @@ pub unsafe extern "C" fn tree_tree_grow_leaves(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(grown, "grown") }?;
+        unsafe { foresee(report, "report") }?;
         let tree = unsafe { get(tree, "tree") }?.rust();
         let params = unsafe { read_or_default(params, "params") }?.rust()?;
         params.validate(tree.species().leaf_kinds.len())?;
@@ -113,6 +114,7 @@ pub unsafe extern "C" fn tree_tree_grow_twigs(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(grown, "grown") }?;
+        unsafe { foresee(report, "report") }?;
         let tree = unsafe { get(tree, "tree") }?.rust();
         let params = unsafe { read_or_default(params, "params") }?.rust()?;
         let density = field(density, User(user));

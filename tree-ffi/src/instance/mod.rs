@@ -5,7 +5,7 @@ mod params;
 pub use params::*;
 
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, free, get, get_opt, out,
+    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, foresee, free, get, get_opt, out,
     out_value, read_or_default, read_rows, slice, tree_status, vec3s, view, write,
 };
 use crate::control::{limits, run, tree_control};
@@ -55,6 +55,7 @@ pub unsafe extern "C" fn tree_twigs_build(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(twigs, "twigs") }?;
+        unsafe { foresee(report, "report") }?;
         let tree = unsafe { get(tree, "tree") }?.rust();
         let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);
         let mesh_params = unsafe { self::mesh_params(mesh_params) }?;

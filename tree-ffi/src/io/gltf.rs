@@ -5,7 +5,7 @@ use crate::border::{
     self, Failure, Result, Versioned, call, get, init, out, read_or_default, tree_status, tree_str,
 };
 use crate::control::{run, tree_control};
-use crate::mesh::tree_mesh;
+use crate::mesh::{ask_for_copies, tree_mesh};
 use ::tree_mesh::io::gltf::{self, GlbOptions, OcclusionAs};
 use std::ffi::c_char;
 
@@ -119,6 +119,7 @@ pub unsafe extern "C" fn tree_mesh_write_glb(
         unsafe {
             run(control, |control| {
                 control.check()?;
+                ask_for_copies(mesh, 3)?;
                 Ok(gltf::write_glb(mesh, path, &options)?)
             })
         }
@@ -140,6 +141,7 @@ pub unsafe extern "C" fn tree_mesh_to_glb(
         let made = unsafe {
             run(control, |control| {
                 control.check()?;
+                ask_for_copies(mesh, 3)?;
                 Ok(gltf::to_glb(mesh, &options)?)
             })
         }?;

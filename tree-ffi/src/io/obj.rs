@@ -3,7 +3,7 @@
 use super::tree_bytes;
 use crate::border::{self, call, get, out, text, tree_status};
 use crate::control::{run, tree_control};
-use crate::mesh::tree_mesh;
+use crate::mesh::{ask_for_copies, tree_mesh};
 use ::tree_mesh::io::obj;
 use std::ffi::c_char;
 
@@ -24,6 +24,7 @@ pub unsafe extern "C" fn tree_mesh_write_obj(
         unsafe {
             run(control, |control| {
                 control.check()?;
+                ask_for_copies(mesh, 5)?;
                 Ok(obj::write_obj(mesh, path)?)
             })
         }
@@ -49,6 +50,7 @@ pub unsafe extern "C" fn tree_mesh_to_obj(
         let (obj, mtl) = unsafe {
             run(control, |control| {
                 control.check()?;
+                ask_for_copies(mesh, 5)?;
                 Ok(obj::to_strings(mesh, stem)?)
             })
         }?;

@@ -3,7 +3,7 @@
 use super::tree_bytes;
 use crate::border::{self, Versioned, call, get, init, out, read_or_default, tree_status};
 use crate::control::{run, tree_control};
-use crate::mesh::tree_mesh;
+use crate::mesh::{ask_for_copies, tree_mesh};
 use ::tree_mesh::io::ply::{self, PlyOptions};
 use std::ffi::c_char;
 
@@ -60,6 +60,7 @@ pub unsafe extern "C" fn tree_mesh_write_ply(
         unsafe {
             run(control, |control| {
                 control.check()?;
+                ask_for_copies(mesh, 2)?;
                 Ok(ply::write_ply(mesh, path, &options)?)
             })
         }
@@ -81,6 +82,7 @@ pub unsafe extern "C" fn tree_mesh_to_ply(
         let made = unsafe {
             run(control, |control| {
                 control.check()?;
+                ask_for_copies(mesh, 2)?;
                 Ok(ply::to_bytes(mesh, &options)?)
             })
         }?;

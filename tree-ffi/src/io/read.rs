@@ -2,7 +2,7 @@
 
 use super::tree_import_report;
 use crate::border::{
-    self, Failure, Result, TREE_ERROR_PARAMETER, Versioned, bytes, call, init, out,
+    self, Failure, Result, TREE_ERROR_PARAMETER, Versioned, bytes, call, foresee, init, out,
     read_or_default, tree_status, view,
 };
 use crate::control::{limits, run, tree_control};
@@ -82,6 +82,7 @@ pub unsafe extern "C" fn tree_mesh_read(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(mesh, "mesh") }?;
+        unsafe { foresee(report, "report") }?;
         let path = unsafe { border::path(path, path_len, "path") }?;
         let given = unsafe { read_or_default(options, "options") }?;
         let options = given.rust();
@@ -119,6 +120,7 @@ pub unsafe extern "C" fn tree_mesh_from_bytes(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(mesh, "mesh") }?;
+        unsafe { foresee(report, "report") }?;
         let limits = unsafe { limits(control) }?;
         let data = unsafe { bytes(data, len, &limits, "data") }?;
         let mtl = if mtl.is_null() {

@@ -2,7 +2,7 @@
 
 use super::tree_look;
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, free, get, out, slice,
+    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, foresee, free, get, out, slice,
     tree_status, vec2s, vec3s, view, write,
 };
 use crate::control::{run, tree_control};
@@ -164,6 +164,7 @@ pub unsafe extern "C" fn tree_look_leaf_model(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(model, "model") }?;
+        unsafe { foresee(report, "report") }?;
         let leaf = leaf_of(unsafe { get(look, "look") }?, kind)?;
         let made = unsafe { run(control, |_| Ok(leaf.model()?)) }?;
         unsafe { view(report, "report", &tree_leaf_model_report::of(&made)) }?;

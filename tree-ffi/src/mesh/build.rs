@@ -1,7 +1,7 @@
 //! From a tree to a mesh.
 
 use super::{mesh_params, tree_mesh, tree_mesh_params};
-use crate::border::{Versioned, call, get, get_opt, out, tree_status, view};
+use crate::border::{Versioned, call, foresee, get, get_opt, out, tree_status, view};
 use crate::control::{run, tree_control};
 use crate::look::tree_look;
 use crate::tree::tree_tree;
@@ -84,6 +84,7 @@ pub unsafe extern "C" fn tree_mesh_build(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(mesh, "mesh") }?;
+        unsafe { foresee(report, "report") }?;
         let tree = unsafe { get(tree, "tree") }?.rust();
         let params = unsafe { mesh_params(params) }?;
         let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);

@@ -1,6 +1,6 @@
 //! Finishing: meshes made of meshes, smoother, rougher, darker, welded.
 
-use super::tree_mesh;
+use super::{ask_for_copies, tree_mesh};
 use crate::border::{Result, Versioned, call, get, init, out, read_or_default, tree_status};
 use crate::control::{run, tree_control};
 use ::tree_mesh::displace::{Displacement, displace};
@@ -79,6 +79,7 @@ pub unsafe extern "C" fn tree_mesh_subdivide(
         let surface = mesh.surface(number)?;
         let made = unsafe {
             run(control, |control| {
+                ask_for_copies(mesh, 1)?;
                 let new = subdivide(surface, &params, control)?;
                 Ok(with_surface(mesh, number, new))
             })
@@ -175,6 +176,7 @@ pub unsafe extern "C" fn tree_mesh_displace(
         let place = unsafe { out(displaced, "displaced") }?;
         let mesh = unsafe { get(mesh, "mesh") }?.rust();
         let params = unsafe { read_or_default(params, "params") }?.rust(seed);
+        ask_for_copies(mesh, 2)?;
         let mut surface = mesh.surface(number)?.clone();
         let made = unsafe {
             run(control, move |control| {
@@ -249,6 +251,7 @@ pub unsafe extern "C" fn tree_mesh_bake_occlusion(
         params.validate()?;
         let made = unsafe {
             run(control, |control| -> Result<Mesh> {
+                ask_for_copies(mesh, 1)?;
                 let mut made = mesh.clone();
                 bake(&mut made, &params, control)?;
                 Ok(made)
@@ -276,7 +279,12 @@ pub unsafe extern "C" fn tree_mesh_weld(
         let place = unsafe { out(welded, "welded") }?;
         let mesh = unsafe { get(mesh, "mesh") }?.rust();
         let surface = mesh.surface(number)?;
-        let made = unsafe { run(control, |_| Ok(with_surface(mesh, number, weld(surface)?))) }?;
+        let made = unsafe {
+            run(control, |_| {
+                ask_for_copies(mesh, 3)?;
+                Ok(with_surface(mesh, number, weld(surface)?))
+            })
+        }?;
         place.put(tree_mesh::new(made));
         Ok(())
     })

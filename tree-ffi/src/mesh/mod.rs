@@ -18,7 +18,8 @@ pub use params::*;
 pub use topology::*;
 pub use view::*;
 
-use crate::border::{Handle, call, free, tree_status};
+use crate::border::{Handle, Result, call, free, tree_status};
+use crate::memory::ask;
 use ::tree_mesh::Mesh;
 use ::tree_mesh::instance::InstancedTree;
 use std::sync::Arc;
@@ -87,6 +88,28 @@ impl tree_mesh {
 /// Where a column begins; NULL when it is empty.
 pub(crate) fn column<T>(column: &[T]) -> *const T {
     if column.is_empty() { std::ptr::null() } else { column.as_ptr() }
+}
+
+/// Asks the memory budget for work that takes as much as `times` copies of a mesh's columns and that
+/// cannot be stopped on the way.
+pub(crate) fn ask_for_copies(mesh: &Mesh, times: u64) -> Result<()> {
+    let bytes: usize = mesh
+        .surfaces
+        .iter()
+        .map(|surface| {
+            size_of_val(surface.positions.as_slice())
+                + size_of_val(surface.normals.as_slice())
+                + size_of_val(surface.uvs.as_slice())
+                + size_of_val(surface.tangents.as_slice())
+                + size_of_val(surface.uvs2.as_slice())
+                + size_of_val(surface.branches.as_slice())
+                + size_of_val(surface.occlusion.as_slice())
+                + size_of_val(surface.welds.as_slice())
+                + size_of_val(surface.anchors.as_slice())
+                + size_of_val(surface.indices.as_slice())
+        })
+        .sum();
+    ask(times.saturating_mul(bytes as u64))
 }
 
 /// Frees a mesh, and with it all views of it.

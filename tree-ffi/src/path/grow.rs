@@ -2,7 +2,7 @@
 
 use super::params::tree_path_params;
 use super::report::tree_path_report;
-use crate::border::{Result, call, out, read_or_default, tree_status, view};
+use crate::border::{Result, call, foresee, out, read_or_default, tree_status, view};
 use crate::control::{limits, run, tree_control};
 use crate::io::tree_bytes;
 use crate::tree::tree_tree;
@@ -15,6 +15,7 @@ unsafe fn grow(
     control: *const tree_control,
     report: *mut tree_path_report,
 ) -> Result<PathTree> {
+    unsafe { foresee(report, "report") }?;
     let params = unsafe { read_or_default(params, "params") }?;
     let params = unsafe { params.rust(&limits(control)?, "params") }?;
     let grown = unsafe { run(control, move |control| Ok(params.grow(Seed(seed), control)?)) }?;

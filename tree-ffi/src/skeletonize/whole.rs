@@ -3,7 +3,7 @@
 use super::params::tree_skeletonize_params;
 use super::part::{parts_of_mesh, read_parts, tree_hint, tree_mesh_part};
 use super::report::tree_skeletonize_report;
-use crate::border::{Result, call, out, read_or_default, tree_status, view};
+use crate::border::{Result, call, foresee, out, read_or_default, tree_status, view};
 use crate::control::{limits, run, tree_control};
 use crate::mesh::tree_mesh;
 use crate::tree::tree_tree;
@@ -16,6 +16,7 @@ unsafe fn make(
     control: *const tree_control,
     report: *mut tree_skeletonize_report,
 ) -> Result<Tree> {
+    unsafe { foresee(report, "report") }?;
     let params = unsafe { read_or_default(params, "params") }?.rust();
     let made = unsafe { run(control, |control| Ok(skeletonize(parts, &params, control)?)) }?;
     unsafe { view(report, "report", &tree_skeletonize_report::of(&made.report)) }?;

@@ -311,8 +311,28 @@ static void drawings(void) {
           tree_volume_from_svg(svg, TREE_NUL_TERMINATED, &options, origin, NULL, &first));
 }
 
+static int32_t never(void *user, const char *stage, float fraction) {
+    (void)stage, (void)fraction;
+    *(int *)user = 1;
+    return 0;
+}
+
+/* A report that cannot be written is found before the work is done. */
+static void reports_are_foreseen(void) {
+    int begun = 0;
+    tree_control control;
+    OK(tree_control_init(&control, sizeof control));
+    control.progress = never;
+    control.user = &begun;
+    tree_path_report report = {.struct_size = 0};
+    tree_tree *tree = NULL;
+    FAILS(TREE_ERROR_STRUCT_SIZE, "report", tree_path_grow(NULL, 1, &control, &report, &tree));
+    CHECK(tree == NULL && !begun);
+}
+
 void test_path(void) {
     presets();
+    reports_are_foreseen();
     growing();
     stages();
     drawings();

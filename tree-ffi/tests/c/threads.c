@@ -36,7 +36,11 @@ static uint64_t hash_of(uint64_t seed, const tree_control *control) {
     tree_mesh *mesh = NULL;
     if (a_small_oak(seed, control, &tree)) return 0;
     OK(tree_look_of_tree(tree, 1, &look));
-    OK(tree_mesh_build(tree, look, NULL, control, NULL, &mesh));
+    if (tree_mesh_build(tree, look, NULL, control, NULL, &mesh)) {
+        OK(tree_look_free(look));
+        OK(tree_tree_free(tree));
+        return 0;
+    }
     size_t n = 0;
     OK(tree_mesh_surface_count(mesh, &n));
     for (size_t i = 0; i < n; i++) {
@@ -78,7 +82,7 @@ static void pools_do_not_change_results(void) {
     OK(tree_pool_threads(pool, &has));
     CHECK(has >= 1);
     OK(tree_pool_free(pool));
-    tree_pool_options many = {sizeof many, 1025, 0, NULL, NULL};
+    tree_pool_options many = {sizeof many, 1025, 0, 0, NULL, NULL};
     FAILS(TREE_ERROR_PARAMETER, "n_threads", tree_pool_new(&many, &pool));
     CHECK(pool == NULL);
 }
@@ -117,7 +121,7 @@ static int32_t spawn(void *user, tree_worker_fn run, void *worker) {
 
 static void hosts_bring_their_threads(void) {
     host us = {.n_most = 3};
-    tree_pool_options options = {sizeof options, 3, 0, spawn, &us};
+    tree_pool_options options = {sizeof options, 3, 0, 0, spawn, &us};
     tree_pool *pool = NULL;
     OK(tree_pool_new(&options, &pool));
     CHECK(us.n_threads == 3);
@@ -158,7 +162,7 @@ static int32_t watch(void *user, const char *stage, float fraction) {
 
 static void progress_is_told(void) {
     watcher us = {.freed = TREE_OK};
-    tree_pool_options one = {sizeof one, 1, 0, NULL, NULL};
+    tree_pool_options one = {sizeof one, 1, 0, 0, NULL, NULL};
     tree_control control;
     OK(tree_control_init(&control, sizeof control));
     control.progress = watch;
@@ -210,7 +214,7 @@ static int32_t begin_to_cancel(void *user, const char *stage, float fraction) {
 static void another_thread_cancels(void) {
     tree_cancel *cancel = NULL;
     OK(tree_cancel_new(&cancel));
-    tree_pool_options one = {sizeof one, 1, 0, NULL, NULL};
+    tree_pool_options one = {sizeof one, 1, 0, 0, NULL, NULL};
     tree_pool *pool = NULL;
     OK(tree_pool_new(&one, &pool));
     void *both[] = {cancel, NULL};
@@ -242,7 +246,7 @@ static void *grow_two(void *user) {
 }
 
 static void threads_at_once_make_the_same(void) {
-    tree_pool_options two = {sizeof two, 2, 0, NULL, NULL};
+    tree_pool_options two = {sizeof two, 2, 0, 0, NULL, NULL};
     tree_pool *pool = NULL;
     OK(tree_pool_new(&two, &pool));
     tree_control control;

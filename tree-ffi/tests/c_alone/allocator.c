@@ -43,7 +43,7 @@ int main(void) {
     CHECK(tree_memory_used() == 0);
     OK(tree_memory_set_allocator(&allocator));
 
-    tree_pool_options two = {sizeof two, 2, 0, NULL, NULL};
+    tree_pool_options two = {sizeof two, 2, 0, 0, NULL, NULL};
     tree_pool *pool = NULL;
     OK(tree_pool_new(&two, &pool));
     tree_control control;
