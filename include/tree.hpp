@@ -1057,8 +1057,8 @@ public:
     WindBranches wind_branches(tree_continuation continuation) const;
     Capsules capsules(Ref<tree_capsule_params> params = nullptr, Ref<tree_control> control = nullptr, tree_capsule_report *report = nullptr) const;
     std::tuple<Rows, Skeleton> refine(float bearing, float spacing, Ref<tree_control> control = nullptr) const;
-    static Skeleton from_columns(Ref<tree_skeleton_columns> columns = nullptr, Ref<tree_control> control = nullptr);
-    static std::tuple<std::vector<uint32_t>, Skeleton> from_unordered(Ref<tree_skeleton_columns> columns = nullptr, Ref<tree_control> control = nullptr);
+    static Skeleton from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
+    static std::tuple<std::vector<uint32_t>, Skeleton> from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static Skeleton from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, Span<uint32_t> rows);
     SkeletonColumns view() const &;
     SkeletonColumns view() const && = delete;
@@ -1097,7 +1097,7 @@ public:
     using Object::Object;
     static Texture bark_with(Ref<tree_bark_style> style, uint32_t size, Ref<tree_control> control = nullptr);
     static std::tuple<LeafCard, Texture> leaf_with(Ref<tree_leaf_shape> shape, uint32_t size, Ref<tree_control> control = nullptr);
-    static Texture from_pixels(Ref<tree_texture_pixels> pixels = nullptr, Ref<tree_control> control = nullptr);
+    static Texture from_pixels(Ref<tree_texture_pixels> pixels, Ref<tree_control> control = nullptr);
     static Texture from_bytes(std::string_view name, Span<const uint8_t> data, Ref<tree_control> control = nullptr);
     static Texture read(std::string_view path, Ref<tree_control> control = nullptr);
     static Texture bark(std::string_view name, uint32_t size, Ref<tree_control> control = nullptr);

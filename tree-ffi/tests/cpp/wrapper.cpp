@@ -64,7 +64,7 @@ static tree_status failure(F call) {
 #endif
 }
 
-static tree::Skeleton fork() {
+static tree::Skeleton a_fork() {
     static const float positions[] = {0, 0, 0, 0, 1, 0, 0.5f, 2.5f, 0, -0.5f, 2, 0};
     static const float radii[] = {0.1f, 0.08f, 0.01f, 0.01f};
     static const std::uint32_t parents[] = {TREE_NO_PARENT, 0, 1, 1};
@@ -79,11 +79,11 @@ static tree::Skeleton fork() {
 static void objects_move_and_end() {
     std::size_t before = tree::live_objects();
     {
-        tree::Skeleton a = fork(), b;
+        tree::Skeleton a = a_fork(), b;
         CHECK(a && !b && tree::live_objects() == before + 1);
         b = std::move(a);
         CHECK(!a && b.view().n_nodes == 4 && b.bounds()[4] == 2.5f);
-        b = fork();
+        b = a_fork();
         CHECK(tree::live_objects() == before + 1);
         tree_skeleton *raw = b.release();
         CHECK(!b && tree_skeleton_free(raw) == TREE_OK);
@@ -93,7 +93,7 @@ static void objects_move_and_end() {
 }
 
 static void meshes_come_of_trees() {
-    tree::Tree twig = tree::Tree::make(fork());
+    tree::Tree twig = tree::Tree::make(a_fork());
     tree::MeshParams params;
     CHECK(params.struct_size == sizeof(tree_mesh_params) && params.sides_max > 3);
     params.sides_max = params.sides_min;
@@ -135,7 +135,7 @@ static tree::Tree oak_twig() {
     species.bark = tree::str("oak");
     species.leaf_kinds = &leaf;
     species.n_leaf_kinds = 1;
-    return tree::Tree::make(fork(), foliage, species);
+    return tree::Tree::make(a_fork(), foliage, species);
 }
 
 static void arrays_of_objects_are_taken() {
@@ -157,7 +157,7 @@ static void arrays_of_objects_are_taken() {
     CHECK(failure([&] { return tree::Twigs::from_parts(base, {small, base}, rows); }) == TREE_ERROR_BUFFER);
 
     std::vector<tree::Skeleton> skeletons;
-    skeletons.push_back(fork());
+    skeletons.push_back(a_fork());
     std::vector<tree_piece> pieces{{1, 0, 0}};
     tree::Pieces made = tree::Pieces::make(skeletons, pieces);
     auto [row, skeleton] = made.piece(0);
@@ -269,7 +269,7 @@ static void volumes_combine() {
 }
 
 static void arrays_come_back() {
-    tree::Skeleton skeleton = fork();
+    tree::Skeleton skeleton = a_fork();
     CHECK(skeleton.segment_lengths().size() == 4 && skeleton.segment_lengths()[1] == 1);
     std::vector<float> radii = skeleton.radii(), own(4);
     CHECK(skeleton.radii(nullptr, own) && own == radii);

@@ -25,6 +25,11 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
         || (function, argument) == ("tree_packed_unpack", "mesh")
 }
 
+/// Structs that have no default.
+pub(crate) fn is_required(argument: &str) -> bool {
+    matches!(argument, "columns" | "pixels")
+}
+
 /// Arrays that have one count with those after them.
 pub(crate) fn shares_count(argument: &str) -> bool {
     argument == "edges"

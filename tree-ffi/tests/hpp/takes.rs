@@ -15,7 +15,7 @@ impl Method<'_> {
             return self.text(&one.name);
         }
         if let Some(n) = arrays_in(header, left) {
-            return self.arrays_in(header, &left[..n], &left[n]);
+            return self.arrays_in(header, &left[..n]);
         }
         if facts::is_field(header, kind) {
             self.take("const Field &", &one.name, None);
@@ -54,7 +54,7 @@ impl Method<'_> {
     }
 
     /// Arrays with one count after them.
-    fn arrays_in(&mut self, header: &Header, arrays: &[Named], _count: &Named) -> usize {
+    fn arrays_in(&mut self, header: &Header, arrays: &[Named]) -> usize {
         let function = self.function.name.clone();
         let length = |one: &Named| match facts::width(&function, &one.name) {
             1 => format!("{}.size()", one.name),
@@ -110,7 +110,8 @@ impl Method<'_> {
                 self.pass(&format!("{name}.get()"));
             }
         } else if header.is_sized(inner) {
-            self.take(&format!("Ref<{inner}> "), name, Some("nullptr"));
+            let default = (!facts::is_required(name)).then_some("nullptr");
+            self.take(&format!("Ref<{inner}> "), name, default);
             self.pass(name);
             if calls_back(header, inner) {
                 self.calls_back.push(name.clone());
