@@ -731,6 +731,8 @@ typedef struct tree_branch_motion {
     float frequency;
     // The direction it swings in: a unit vector square to the axis, another one for each phase.
     float swing[3];
+    // 0.
+    uint32_t reserved;
 } tree_branch_motion;
 
 // Which child continues the axis at a fork: one of the `TREE_CONTINUATION_` constants. Ties go to the
@@ -889,6 +891,8 @@ typedef struct tree_packed_columns {
     // `TREE_LAYOUT_SPEEDTREE9`: `_ST_BranchStretchLimits`, the longest free lengths of branches 1 and 2
     // in metres, the same for all surfaces of a mesh. Else 0.
     float stretch_limits[2];
+    // 0.
+    uint32_t reserved;
 } tree_packed_columns;
 
 // The textures of `TREE_LAYOUT_PIVOT_PAINTER`, the same for all surfaces of a mesh. Elements lie in rows
@@ -1072,6 +1076,8 @@ typedef struct tree_wind {
     float frequency;
     // How far leaves turn to and fro at their anchors, in radians, -10 to 10. Default 0.3.
     float flutter;
+    // 0.
+    uint32_t reserved;
 } tree_wind;
 
 // How leaves or twigs stand along a shoot: one of the `TREE_PHYLLOTAXIS_` constants.
@@ -1448,6 +1454,8 @@ typedef struct tree_glb_options {
     uint32_t translucency;
     // What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
     tree_gltf_occlusion occlusion;
+    // 0.
+    uint32_t reserved;
 } tree_glb_options;
 
 // A mesh and where its copies stand: scaled, turned, then moved.
@@ -1505,6 +1513,8 @@ typedef struct tree_gltf_level {
     // Share of the screen's height (0 to 1) from which this level is drawn, the finest first. Not used
     // when there is one level.
     float coverage;
+    // 0.
+    uint32_t reserved;
 } tree_gltf_level;
 
 // Something a reader left out or changed: one of the `TREE_NOTE_` constants.
@@ -1517,6 +1527,8 @@ typedef struct tree_ply_options {
     // Whether numbers are written as text instead of little-endian binary: five times the size, for
     // people and old programs. Default 0.
     uint32_t ascii;
+    // 0.
+    uint32_t reserved;
 } tree_ply_options;
 
 // Format of a file with a mesh in it: one of the `TREE_MESH_FORMAT_` constants.
@@ -2106,6 +2118,8 @@ typedef struct tree_paint {
     // Their cost is multiplied by this, 0 to 1000. Below 1 attracts branches, above 1 repels them.
     // Default 1, which changes nothing.
     float factor;
+    // 0.
+    uint32_t reserved;
 } tree_paint;
 
 // A cost factor for a point in space, three floats in metres: finite and 0 or more, or the call fails
@@ -2202,6 +2216,8 @@ typedef struct tree_path_level {
     tree_path_placing placing;
     // Whether subgraphs grow round the endpoints of all levels before, not only the last. Default 0.
     uint32_t from_all_levels;
+    // 0.
+    uint32_t reserved;
 } tree_path_level;
 
 // How many levels a branch goes on for: one of the `TREE_PATH_LIFESPAN_` constants.
@@ -2283,6 +2299,8 @@ typedef struct tree_path_params {
     const struct tree_path_params *roots;
     // Distance to keep from the obstacle in metres, 0 or more. Oak: 0.
     float clearance;
+    // 0.
+    uint32_t reserved;
 } tree_path_params;
 
 // What one level took, and what it left out.
@@ -2357,6 +2375,8 @@ typedef struct tree_graph_nodes_columns {
     const uint32_t *forced;
     // No two nodes are closer than this, in metres; forced ones may be.
     float separation;
+    // 0.
+    uint32_t reserved;
 } tree_graph_nodes_columns;
 
 // How a drawing becomes a profile. Begin with `tree_profile_options_init`.
@@ -2379,6 +2399,8 @@ typedef struct tree_profile_columns {
     const float *points;
     // Whether it was taken from a closed outline: 1 or 0.
     uint32_t from_outline;
+    // 0.
+    uint32_t reserved;
 } tree_profile_columns;
 
 // What the host runs on one of its threads: `run(worker)`, once. It returns when the pool is freed.
@@ -2473,6 +2495,8 @@ typedef struct tree_view {
     float target[3];
     // Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
     float up[3];
+    // 0.
+    uint32_t reserved;
 } tree_view;
 
 // What is behind the mesh, and the light that comes from there: one of the `TREE_BACKDROP_` constants.
@@ -2647,6 +2671,8 @@ typedef struct tree_mesh_part {
     uint32_t alpha_masked;
     // Whether both faces are drawn. Default 0.
     uint32_t double_sided;
+    // 0.
+    uint32_t reserved;
 } tree_mesh_part;
 
 // Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
@@ -2739,6 +2765,8 @@ typedef struct tree_skeletonize_report {
     float leaf_widths[TREE_SKELETONIZE_LEAF_WIDTHS];
     // Share of the wood's surface that the skeleton stands for, 0 to 1.
     float covered;
+    // 0.
+    uint32_t reserved;
 } tree_skeletonize_report;
 
 // What kind of solid a volume is: one of the `TREE_SOLID_` constants.
@@ -3164,8 +3192,8 @@ tree_status tree_twigs_instances(const struct tree_twigs *twigs,
 // Makes twigs of parts of your own: a base mesh, and for each of `n_twigs` twigs its mesh, with as many
 // surfaces as the base, and where it stands. All is copied but the textures, and checked; scales must be
 // the same along all axes. The report has the sizes; `reach` and `deviation` are 0 in it. `control` may
-// be NULL; only its limits (instances count as `leaves`) and its pool matter. Free the twigs with
-// `tree_twigs_free`.
+// be NULL; of its limits `triangles` caps those of all meshes together, and `leaves` the instances. Free
+// the twigs with `tree_twigs_free`.
 tree_status tree_twigs_from_parts(const struct tree_mesh *base,
                                   const struct tree_mesh *const *meshes,
                                   const struct tree_twig_instances *instances,
@@ -3215,7 +3243,8 @@ tree_status tree_mesh_to_glb(const struct tree_mesh *mesh,
 //
 // Several levels, the finest first, become the nodes of one `MSFT_lod` with their coverages; programs
 // that do not know it draw the finest. Materials that are equal in several levels are written once.
-// `options` and `control` may be NULL, as in `tree_mesh_write_glb`.
+// `options` and `control` may be NULL, as in `tree_mesh_write_glb`; of the limits, `leaves` caps the
+// copies and `triangles` those of the meshes that are drawn many times, all rows together.
 tree_status tree_gltf_write_glb(const struct tree_gltf_level *levels,
                                 size_t n_levels,
                                 const char *path,
@@ -3252,7 +3281,8 @@ tree_status tree_mesh_build_instanced(const struct tree_tree *tree,
                                       struct tree_gltf_leaves **leaves);
 
 // Views the leaves, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
-// kinds there are. Their meshes belong to the leaves: do not free them.
+// kinds there are. Their meshes belong to the leaves and are freed with them; `tree_mesh_free` of
+// one is `TREE_ERROR_ORDER`.
 tree_status tree_gltf_leaves_view(const struct tree_gltf_leaves *leaves,
                                   const struct tree_gltf_instances **rows,
                                   size_t *n);
@@ -3714,7 +3744,8 @@ tree_status tree_mesh_surface_bounds(const struct tree_mesh *mesh,
 tree_status tree_mesh_bounds(const struct tree_mesh *mesh, struct tree_bounds *bounds);
 
 // Checks that a mesh can be drawn and written: columns of equal length, finite numbers, indices and
-// materials that exist, looks within their ranges, textures filled. Meshes of this library pass.
+// materials that exist, looks within their ranges, textures filled, branches after those that carry them.
+// Meshes of this library pass.
 tree_status tree_mesh_check(const struct tree_mesh *mesh);
 
 // As `tree_mesh_check`, of the columns of surface `number` only.
@@ -4149,7 +4180,8 @@ tree_status tree_separation_follow(const struct tree_separation *separation,
                                    struct tree_pieces **pieces);
 
 // Makes pieces of `n_pieces` skeletons, which are copied, and of what they stand for: for pieces that were
-// changed, or come from elsewhere. `control` may be NULL; only its limits matter.
+// changed, or come from elsewhere. `control` may be NULL; `nodes` of its limits caps those of all
+// skeletons together.
 tree_status tree_pieces_new(const struct tree_skeleton *const *skeletons,
                             const struct tree_piece *rows,
                             size_t n_pieces,

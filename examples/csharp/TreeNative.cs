@@ -380,6 +380,10 @@ namespace TreeFamily.Native
         /// The direction it swings in: a unit vector square to the axis, another one for each phase.
         /// </summary>
         public fixed float swing[3];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -637,6 +641,10 @@ namespace TreeFamily.Native
         /// in metres, the same for all surfaces of a mesh. Else 0.
         /// </summary>
         public fixed float stretch_limits[2];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -992,6 +1000,10 @@ namespace TreeFamily.Native
         /// How far leaves turn to and fro at their anchors, in radians, -10 to 10. Default 0.3.
         /// </summary>
         public float flutter;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -1653,6 +1665,10 @@ namespace TreeFamily.Native
         /// What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
         /// </summary>
         public uint occlusion; // tree_gltf_occlusion
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -1762,6 +1778,10 @@ namespace TreeFamily.Native
         /// when there is one level.
         /// </summary>
         public float coverage;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -1779,6 +1799,10 @@ namespace TreeFamily.Native
         /// people and old programs. Default 0.
         /// </summary>
         public uint ascii;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -2889,6 +2913,10 @@ namespace TreeFamily.Native
         /// Default 1, which changes nothing.
         /// </summary>
         public float factor;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -3049,6 +3077,10 @@ namespace TreeFamily.Native
         /// Whether subgraphs grow round the endpoints of all levels before, not only the last. Default 0.
         /// </summary>
         public uint from_all_levels;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -3191,6 +3223,10 @@ namespace TreeFamily.Native
         /// Distance to keep from the obstacle in metres, 0 or more. Oak: 0.
         /// </summary>
         public float clearance;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -3337,6 +3373,10 @@ namespace TreeFamily.Native
         /// No two nodes are closer than this, in metres; forced ones may be.
         /// </summary>
         public float separation;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -3381,6 +3421,10 @@ namespace TreeFamily.Native
         /// Whether it was taken from a closed outline: 1 or 0.
         /// </summary>
         public uint from_outline;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -3540,6 +3584,10 @@ namespace TreeFamily.Native
         /// Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
         /// </summary>
         public fixed float up[3];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -3848,6 +3896,10 @@ namespace TreeFamily.Native
         /// Whether both faces are drawn. Default 0.
         /// </summary>
         public uint double_sided;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -4023,6 +4075,10 @@ namespace TreeFamily.Native
         /// Share of the wood's surface that the skeleton stands for, 0 to 1.
         /// </summary>
         public float covered;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -5403,8 +5459,8 @@ namespace TreeFamily.Native
         /// Makes twigs of parts of your own: a base mesh, and for each of `n_twigs` twigs its mesh, with as many
         /// surfaces as the base, and where it stands. All is copied but the textures, and checked; scales must be
         /// the same along all axes. The report has the sizes; `reach` and `deviation` are 0 in it. `control` may
-        /// be NULL; only its limits (instances count as `leaves`) and its pool matter. Free the twigs with
-        /// `tree_twigs_free`.
+        /// be NULL; of its limits `triangles` caps those of all meshes together, and `leaves` the instances. Free
+        /// the twigs with `tree_twigs_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_twigs_from_parts(tree_mesh* @base, tree_mesh** meshes, tree_twig_instances* instances, UIntPtr n_twigs, tree_control* control, tree_twigs** twigs);
@@ -5467,7 +5523,8 @@ namespace TreeFamily.Native
         ///
         /// Several levels, the finest first, become the nodes of one `MSFT_lod` with their coverages; programs
         /// that do not know it draw the finest. Materials that are equal in several levels are written once.
-        /// `options` and `control` may be NULL, as in `tree_mesh_write_glb`.
+        /// `options` and `control` may be NULL, as in `tree_mesh_write_glb`; of the limits, `leaves` caps the
+        /// copies and `triangles` those of the meshes that are drawn many times, all rows together.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_gltf_write_glb(tree_gltf_level* levels, UIntPtr n_levels, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
@@ -5497,7 +5554,8 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// Views the leaves, as a `tree_gltf_level` takes them: where they begin, NULL for none, and how many
-        /// kinds there are. Their meshes belong to the leaves: do not free them.
+        /// kinds there are. Their meshes belong to the leaves and are freed with them; `tree_mesh_free` of
+        /// one is `TREE_ERROR_ORDER`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_gltf_leaves_view(tree_gltf_leaves* leaves, tree_gltf_instances** rows, UIntPtr* n);
@@ -6064,7 +6122,8 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// Checks that a mesh can be drawn and written: columns of equal length, finite numbers, indices and
-        /// materials that exist, looks within their ranges, textures filled. Meshes of this library pass.
+        /// materials that exist, looks within their ranges, textures filled, branches after those that carry them.
+        /// Meshes of this library pass.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_check(tree_mesh* mesh);
@@ -6626,7 +6685,8 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// Makes pieces of `n_pieces` skeletons, which are copied, and of what they stand for: for pieces that were
-        /// changed, or come from elsewhere. `control` may be NULL; only its limits matter.
+        /// changed, or come from elsewhere. `control` may be NULL; `nodes` of its limits caps those of all
+        /// skeletons together.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_pieces_new(tree_skeleton** skeletons, tree_piece* rows, UIntPtr n_pieces, tree_control* control, tree_pieces** pieces);
