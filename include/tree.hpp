@@ -1,14 +1,18 @@
 // The tree family for C++17, over tree.h. Header only. Licence: MIT OR Apache-2.0.
 // Made of tree.h by tests/hpp.rs in tree-ffi: do not edit.
 //
-// * Objects (tree::Mesh and so on) are moved, never copied, and free themselves. They convert to the C
-//   pointers, so C functions take them too.
+// * Objects (tree::Mesh and so on) are moved, never copied, and free themselves. get() is the C pointer, for
+//   C functions; what was moved from is empty, and refused wherever an object is needed.
 // * Parameters (tree::MeshParams and so on) are C's structs with the defaults filled in. A call takes them
 //   by value or as pointers; `nullptr` and nothing at all mean the defaults.
 // * Views (tree::Surface and so on, tree::Span, std::string_view) point into the object that they were
-//   asked of and live as long as it.
-// * A call that fails throws tree::Error. Without exceptions (-fno-exceptions) it returns something empty
-//   instead; tree::status() and tree::error_text() say what was wrong, tree::clear_error() forgets it.
+//   asked of and live as long as it; asking a temporary for one does not compile.
+// * Arrays come back as std::vector, or are written into a Span of your own. Arrays of points and the like
+//   are taken as Spans of all their numbers: three floats for each point.
+// * Functions of yours (tree::Control, tree::Field) may throw: the call ends, and throws the same on.
+// * A call that fails throws tree::Error. Without exceptions (-fno-exceptions) it returns false, or
+//   something empty: objects, arrays, numbers that are 0, structs that the next call refuses.
+//   tree::status() and tree::error_text() say what was wrong, until tree::clear_error() forgets it.
 // * What a function does is said at the C function of its name in tree.h.
 
 #ifndef TREE_HPP
@@ -16,13 +20,20 @@
 
 #include "tree.h"
 #include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <functional>
 #include <initializer_list>
-#include <memory>
+#include <iterator>
+#include <limits>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,10 +45,32 @@
 
 namespace tree {
 
+namespace detail {
+
+// What these classes refused by themselves, which the library knows nothing of.
+struct Refusal {
+    tree_status code = TREE_OK;
+    const char *text = "";
+};
+inline Refusal &refusal() noexcept {
+    static thread_local Refusal refusal;
+    return refusal;
+}
+
+} // namespace detail
+
 // What this thread's last call that failed says; `TREE_OK` and nothing before any did.
-inline tree_status status() noexcept { return tree_error_status(); }
-inline std::string_view error_text() noexcept { return tree_error_text(); }
-inline void clear_error() noexcept { tree_error_clear(); }
+inline tree_status status() noexcept {
+    tree_status own = detail::refusal().code;
+    return own == TREE_OK ? tree_error_status() : own;
+}
+inline std::string_view error_text() noexcept {
+    return detail::refusal().code == TREE_OK ? tree_error_text() : detail::refusal().text;
+}
+inline void clear_error() noexcept {
+    detail::refusal() = {};
+    tree_error_clear();
+}
 
 // What a call that failed throws.
 class Error : public std::runtime_error {
@@ -53,10 +86,13 @@ private:
 
 // Whether a call went well. Throws when it did not, where exceptions are there.
 inline bool check(tree_status code) {
+    if (code == TREE_OK) return true;
+    detail::refusal() = {};
 #if TREE_THROWS
-    if (code != TREE_OK) throw Error(code, tree_error_text());
+    throw Error(code, tree_error_text());
+#else
+    return false;
 #endif
-    return code == TREE_OK;
 }
 
 // A view of an array.
@@ -70,6 +106,8 @@ public:
     // Anything with data() and size().
     template <class C, class = decltype(static_cast<T *>(std::declval<const C &>().data()))>
     constexpr Span(const C &container) noexcept : data_(container.data()), size_(container.size()) {}
+    template <class C, class = decltype(static_cast<T *>(std::declval<C &>().data()))>
+    constexpr Span(C &container) noexcept : data_(container.data()), size_(container.size()) {}
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Winit-list-lifetime"
@@ -101,9 +139,27 @@ public:
     constexpr Ref(const T *pointer) noexcept : pointer_(pointer) {}
     constexpr Ref(const T &value) noexcept : pointer_(&value) {}
     constexpr operator const T *() const noexcept { return pointer_; }
+    constexpr const T *operator->() const noexcept { return pointer_; }
 
 private:
     const T *pointer_ = nullptr;
+};
+
+// `N` floats: an array, or one by one in braces.
+template <std::size_t N>
+class Floats {
+public:
+    constexpr Floats(const float *array) noexcept : pointer_(array) {}
+    constexpr Floats(const std::array<float, N> &array) noexcept : pointer_(array.data()) {}
+    template <class... A, class = std::enable_if_t<sizeof...(A) == N && (std::is_arithmetic_v<A> && ...)>>
+    constexpr Floats(A... each) noexcept : own_{static_cast<float>(each)...}, pointer_(own_) {}
+    Floats(const Floats &) = delete;
+    Floats &operator=(const Floats &) = delete;
+    constexpr operator const float *() const noexcept { return pointer_; }
+
+private:
+    float own_[N] = {};
+    const float *pointer_;
 };
 
 namespace detail {
@@ -125,9 +181,15 @@ public:
     }
     ~Object() { reset(); }
 
-    T *get() const noexcept { return object_; }
-    operator T *() const noexcept { return object_; }
+    // The C pointer, which lives as long as this.
+    T *get() const & noexcept { return object_; }
+    T *get() const && = delete;
     explicit operator bool() const noexcept { return object_ != nullptr; }
+    // Where a C function puts an object that is to be owned. Frees the one before.
+    T **place() & noexcept {
+        reset();
+        return &object_;
+    }
     // Frees the object, and owns another. TREE_OK, or what the library says.
     tree_status reset(T *owned = nullptr) noexcept {
         tree_status freed = Free(object_);
@@ -141,10 +203,153 @@ private:
     T *object_ = nullptr;
 };
 
+// An object's pointer, for as long as the call.
+template <class T>
+class Borrowed {
+public:
+    Borrowed(const T *pointer) noexcept : pointer_(pointer) {}
+    template <tree_status (*Free)(T *)>
+    Borrowed(const Object<T, Free> &object) noexcept : pointer_(object.get()) {}
+    operator const T *() const noexcept { return pointer_; }
+
+private:
+    const T *pointer_;
+};
+
+// Whether all is as the library cannot see for itself.
+inline bool expect(bool holds, tree_status code, const char *text) {
+    if (holds) return true;
+    refusal() = {code, text};
+#if TREE_THROWS
+    throw Error(code, text);
+#else
+    return false;
+#endif
+}
+
+// How long arrays are that share one length: the shortest of those that are there.
+struct Length {
+    const void *data;
+    std::size_t n;
+};
+inline std::size_t shortest(std::initializer_list<Length> arrays) noexcept {
+    const Length *found = nullptr;
+    for (const Length &array : arrays)
+        if (array.data && (!found || array.n < found->n)) found = &array;
+    return found ? found->n : 0;
+}
+
+// Keeps the first thing that functions of the caller's threw, for the call to throw on.
+class Thrown {
+public:
+    template <class R, class F>
+    R guard(R otherwise, F function) noexcept {
+#if TREE_THROWS
+        if (is_there_.load(std::memory_order_acquire)) return otherwise;
+        try {
+            return function();
+        } catch (...) {
+            std::lock_guard<std::mutex> lock(mutex_);
+            if (!first_) first_ = std::current_exception();
+            is_there_.store(true, std::memory_order_release);
+            return otherwise;
+        }
+#else
+        static_cast<void>(otherwise);
+        return function();
+#endif
+    }
+    void rethrow() {
+#if TREE_THROWS
+        if (!is_there_.load(std::memory_order_acquire)) return;
+        std::unique_lock<std::mutex> lock(mutex_);
+        std::exception_ptr first = std::exchange(first_, nullptr);
+        is_there_.store(false, std::memory_order_release);
+        lock.unlock();
+        if (first) std::rethrow_exception(first);
+#endif
+    }
+
+#if TREE_THROWS
+private:
+    std::atomic<bool> is_there_{false};
+    std::mutex mutex_;
+    std::exception_ptr first_;
+#endif
+};
+
 } // namespace detail
 
 // Text for a C struct; `text` must live as long as the struct is used.
 inline tree_str str(std::string_view text) noexcept { return {text.data(), text.size()}; }
+
+// An object that may be left out: one, a pointer to one, or `nullptr`. An empty one is refused.
+template <class T>
+class Maybe {
+public:
+    Maybe(std::nullptr_t = nullptr) noexcept {}
+    Maybe(const T *pointer) noexcept : pointer_(pointer) {}
+    template <tree_status (*Free)(T *)>
+    Maybe(const detail::Object<T, Free> &object) noexcept : pointer_(object.get()), fits_(pointer_) {}
+    template <tree_status (*Free)(T *)>
+    Maybe(const detail::Object<T, Free> *object) noexcept
+        : pointer_(object ? object->get() : nullptr), fits_(!object || pointer_) {}
+    operator const T *() const noexcept { return pointer_; }
+    // Whether it is there or was left out on purpose.
+    bool fits() const noexcept { return fits_; }
+
+private:
+    const T *pointer_ = nullptr;
+    bool fits_ = true;
+};
+
+// Objects in a row: a container of them or of their pointers, or one by one in braces.
+template <class T>
+class Handles {
+public:
+    Handles(std::initializer_list<detail::Borrowed<T>> list) : list_(list.begin(), list.end()) {}
+    template <class C, class = decltype(std::begin(std::declval<const C &>()))>
+    Handles(const C &container) {
+        for (const auto &one : container) list_.push_back(detail::Borrowed<T>(one));
+    }
+    const T *const *data() const noexcept { return list_.data(); }
+    std::size_t size() const noexcept { return list_.size(); }
+
+private:
+    std::vector<const T *> list_;
+};
+
+// A function of a place in space, three floats in metres: how densely leaves stand, what paths cost. Called
+// from any thread, by several at once. What it throws ends the call, as far as the library can, and is
+// thrown on by it.
+class Field {
+public:
+    Field(std::nullptr_t = nullptr) noexcept {}
+    template <class F, class = std::enable_if_t<std::is_invocable_r_v<float, F &, std::array<float, 3>>>>
+    Field(F function) : function_(std::move(function)) {}
+    Field(const Field &) = delete;
+    Field &operator=(const Field &) = delete;
+    explicit operator bool() const noexcept { return static_cast<bool>(function_); }
+
+    // For C: the function, or NULL, and what to hand to it.
+    using Function = float (*)(void *, const float *);
+    Function function() const noexcept { return function_ ? call : nullptr; }
+    void *user() const noexcept { return const_cast<Field *>(this); }
+
+    // Throws what the function threw, if it did; calls do so by themselves.
+    void rethrow() const { thrown_.rethrow(); }
+
+    static float call(void *self, const float *place) noexcept {
+        const Field &field = *static_cast<const Field *>(self);
+        return field.thrown_.guard(std::numeric_limits<float>::quiet_NaN(), [&] {
+            return field.function_({place[0], place[1], place[2]});
+        });
+    }
+
+private:
+    std::function<float(std::array<float, 3>)> function_;
+    mutable detail::Thrown thrown_;
+};
 
 // How a call is done, with a function for progress.
 struct Control : tree_control {
@@ -152,29 +357,38 @@ struct Control : tree_control {
     Control(const Control &) = delete;
     Control &operator=(const Control &) = delete;
 
-    // `told(stage, fraction)` returns whether to go on. Called from whichever thread does the work; what
-    // it throws cancels the call.
+    // `told(stage, fraction)` returns whether to go on. Called from whichever thread does the work. What it
+    // throws cancels the call, and is thrown on by it.
     template <class F>
     Control &on_progress(F told) {
         told_ = std::move(told);
         user = this;
-        progress = [](void *self, const char *stage, float fraction) noexcept -> int32_t {
-#if TREE_THROWS
-            try {
-                return static_cast<Control *>(self)->told_(stage, fraction) ? 0 : 1;
-            } catch (...) {
-                return 1;
-            }
-#else
-            return static_cast<Control *>(self)->told_(stage, fraction) ? 0 : 1;
-#endif
-        };
+        progress = tell;
         return *this;
+    }
+
+    // Throws what the function threw, if it did; calls do so by themselves.
+    void rethrow() { thrown_.rethrow(); }
+
+    static std::int32_t tell(void *self, const char *stage, float fraction) noexcept {
+        Control &control = *static_cast<Control *>(self);
+        return control.thrown_.guard(1, [&] { return control.told_(stage, fraction) ? 0 : 1; });
     }
 
 private:
     std::function<bool(std::string_view, float)> told_;
+    detail::Thrown thrown_;
 };
+
+namespace detail {
+
+// Throws on what the functions in a struct threw.
+inline void rethrow(const tree_control *control) {
+    if (control && control->progress == Control::tell) static_cast<Control *>(control->user)->rethrow();
+}
+inline void rethrow(const Field &field) { field.rethrow(); }
+
+} // namespace detail
 
 class Axes;
 class Bytes;
@@ -393,7 +607,7 @@ struct LeafModelReport : tree_leaf_model_report {
 
 struct LeafParams : tree_leaf_params {
     LeafParams() : tree_leaf_params{} { tree_leaf_params_init(this, sizeof(tree_leaf_params)); }
-    void check(size_t n_kinds) const;
+    bool check(size_t n_kinds) const;
 };
 
 struct LeafReport : tree_leaf_report {
@@ -402,7 +616,7 @@ struct LeafReport : tree_leaf_report {
 
 struct LeafShape : tree_leaf_shape {
     LeafShape() : tree_leaf_shape{} { tree_leaf_shape_init(this, sizeof(tree_leaf_shape)); }
-    void autumn(float progress);
+    bool autumn(float progress);
 };
 
 struct Limits : tree_limits {
@@ -412,6 +626,13 @@ struct Limits : tree_limits {
 
 struct LinkParams : tree_link_params {
     LinkParams() : tree_link_params{} { tree_link_params_init(this, sizeof(tree_link_params)); }
+    // `cost` must live as long as this is used.
+    LinkParams &set_cost(const Field &function) {
+        this->cost = function.function();
+        this->cost_user = function.user();
+        return *this;
+    }
+    LinkParams &set_cost(const Field &&) = delete;
 };
 
 struct MaskColumns : tree_mask_columns {
@@ -424,7 +645,7 @@ struct Material : tree_material {
 
 struct MeshParams : tree_mesh_params {
     MeshParams() : tree_mesh_params{} { tree_mesh_params_init(this, sizeof(tree_mesh_params)); }
-    void check() const;
+    bool check() const;
     float error() const;
 };
 
@@ -462,6 +683,13 @@ struct PathLevel : tree_path_level {
 
 struct PathParams : tree_path_params {
     PathParams() : tree_path_params{} { tree_path_params_init(this, sizeof(tree_path_params)); }
+    // `cost` must live as long as this is used.
+    PathParams &set_cost(const Field &function) {
+        this->cost = function.function();
+        this->cost_user = function.user();
+        return *this;
+    }
+    PathParams &set_cost(const Field &&) = delete;
 };
 
 struct PathReport : tree_path_report {
@@ -498,7 +726,7 @@ struct ProfileOptions : tree_profile_options {
 
 struct RadiusRule : tree_radius_rule {
     RadiusRule() : tree_radius_rule{} { tree_radius_rule_init(this, sizeof(tree_radius_rule)); }
-    void check() const;
+    bool check() const;
 };
 
 struct SeparationColumns : tree_separation_columns {
@@ -564,7 +792,7 @@ struct TwigInstances : tree_twig_instances {
 
 struct TwigParams : tree_twig_params {
     TwigParams() : tree_twig_params{} { tree_twig_params_init(this, sizeof(tree_twig_params)); }
-    void check() const;
+    bool check() const;
 };
 
 struct TwigReport : tree_twig_report {
@@ -577,7 +805,7 @@ struct UnpackedColumns : tree_unpacked_columns {
 
 struct View : tree_view {
     View() : tree_view{} { tree_view_init(this, sizeof(tree_view)); }
-    View place(const struct tree_mesh *mesh) const;
+    View place(const Mesh &mesh) const;
 };
 
 struct Wind : tree_wind {
@@ -587,72 +815,84 @@ struct Wind : tree_wind {
 class Axes : public detail::Object<tree_axes, tree_axes_free> {
 public:
     using Object::Object;
-    AxisColumns view() const;
+    AxisColumns view() const &;
+    AxisColumns view() const && = delete;
 };
 
 class Bytes : public detail::Object<tree_bytes, tree_bytes_free> {
 public:
     using Object::Object;
-    Span<const uint8_t> view() const;
+    Span<const uint8_t> view() const &;
+    Span<const uint8_t> view() const && = delete;
 };
 
 class Cancel : public detail::Object<tree_cancel, tree_cancel_free> {
 public:
     using Object::Object;
     static Cancel make();
-    void set() const;
+    bool set() const;
 };
 
 class Capsules : public detail::Object<tree_capsules, tree_capsules_free> {
 public:
     using Object::Object;
-    Span<const tree_capsule> view() const;
+    Span<const tree_capsule> view() const &;
+    Span<const tree_capsule> view() const && = delete;
 };
 
 class Crossings : public detail::Object<tree_crossings, tree_crossings_free> {
 public:
     using Object::Object;
-    CrossingPairs view() const;
+    CrossingPairs view() const &;
+    CrossingPairs view() const && = delete;
 };
 
 class FoundLeaves : public detail::Object<tree_found_leaves, tree_found_leaves_free> {
 public:
     using Object::Object;
-    Foliage foliage() const;
-    LeafKinds view() const;
+    Foliage foliage() const &;
+    Foliage foliage() const && = delete;
+    LeafKinds view() const &;
+    LeafKinds view() const && = delete;
 };
 
 class GltfAttributes : public detail::Object<tree_gltf_attributes, tree_gltf_attributes_free> {
 public:
     using Object::Object;
-    Span<const tree_gltf_attribute> view() const;
+    Span<const tree_gltf_attribute> view() const &;
+    Span<const tree_gltf_attribute> view() const && = delete;
 };
 
 class GltfLeaves : public detail::Object<tree_gltf_leaves, tree_gltf_leaves_free> {
 public:
     using Object::Object;
-    Span<const tree_gltf_instances> view() const;
+    Span<const tree_gltf_instances> view() const &;
+    Span<const tree_gltf_instances> view() const && = delete;
 };
 
 class Graph : public detail::Object<tree_graph, tree_graph_free> {
 public:
     using Object::Object;
-    static Graph link(const struct tree_graph_nodes *nodes, Ref<tree_link_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
-    static Graph from_edges(const float *positions, size_t n_nodes, const uint32_t *edges, const float *costs, size_t n_edges, Ref<tree_control> control = nullptr);
-    GraphColumns view() const;
-    void search(uint32_t root, Ref<tree_control> control, float *costs, uint32_t *predecessors, size_t capacity) const;
+    static Graph link(const GraphNodes &nodes, Ref<tree_link_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    static Graph from_edges(Span<const float> positions, Span<const uint32_t> edges, Span<const float> costs, Ref<tree_control> control = nullptr);
+    GraphColumns view() const &;
+    GraphColumns view() const && = delete;
+    std::tuple<std::vector<float>, std::vector<uint32_t>> search(uint32_t root, Ref<tree_control> control = nullptr) const;
+    bool search(uint32_t root, Ref<tree_control> control, Span<float> costs, Span<uint32_t> predecessors) const;
 };
 
 class GraphNodes : public detail::Object<tree_graph_nodes, tree_graph_nodes_free> {
 public:
     using Object::Object;
-    GraphNodesColumns view() const;
+    GraphNodesColumns view() const &;
+    GraphNodesColumns view() const && = delete;
 };
 
 class LeafModel : public detail::Object<tree_leaf_model, tree_leaf_model_free> {
 public:
     using Object::Object;
-    LeafMesh view() const;
+    LeafMesh view() const &;
+    LeafMesh view() const && = delete;
 };
 
 class Look : public detail::Object<tree_look, tree_look_free> {
@@ -660,22 +900,27 @@ public:
     using Object::Object;
     static Look built_in(Ref<tree_species> species = nullptr);
     static Look plain(Ref<tree_species> species = nullptr);
-    static Look of_tree(const struct tree_tree *tree, uint32_t plain);
+    static Look of_tree(const Tree &tree, bool plain);
     static Look make(Ref<tree_material> bark, Span<const tree_leaf_look> leaves, Ref<tree_control> control = nullptr);
     size_t leaf_count() const;
-    Material material(size_t number) const;
+    Material material(size_t number) const &;
+    Material material(size_t number) const && = delete;
     Texture texture(size_t number) const;
-    LeafLook leaf(size_t kind) const;
-    void check(Ref<tree_species> species = nullptr) const;
+    LeafLook leaf(size_t kind) const &;
+    LeafLook leaf(size_t kind) const && = delete;
+    bool check(Ref<tree_species> species = nullptr) const;
     LeafModel leaf_model(size_t kind, Ref<tree_control> control = nullptr, tree_leaf_model_report *report = nullptr) const;
-    LeafMesh leaf_mesh(size_t kind) const;
+    LeafMesh leaf_mesh(size_t kind) const &;
+    LeafMesh leaf_mesh(size_t kind) const && = delete;
 };
 
 class Mask : public detail::Object<tree_mask, tree_mask_free> {
 public:
     using Object::Object;
-    MaskColumns view() const;
-    void bits(uint8_t *bits, size_t capacity) const;
+    MaskColumns view() const &;
+    MaskColumns view() const && = delete;
+    std::vector<uint8_t> bits() const;
+    bool bits(Span<uint8_t> bits) const;
     Picture picture() const;
 };
 
@@ -683,73 +928,84 @@ class Mesh : public detail::Object<tree_mesh, tree_mesh_free> {
 public:
     using Object::Object;
     BranchMotion branch_motion(size_t branch) const;
-    float branch_reach(size_t branch, const float *point) const;
+    float branch_reach(size_t branch, const Floats<3> &point) const;
     Packed pack(size_t surface, tree_layout layout, Ref<tree_control> control = nullptr) const;
-    void wind(size_t surface, struct tree_vertex_wind *rows, size_t capacity) const;
-    void bend(Ref<tree_wind> wind, float seconds, size_t surface, float *positions, size_t capacity) const;
-    void write_glb(std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    std::vector<tree_vertex_wind> wind(size_t surface) const;
+    bool wind(size_t surface, Span<tree_vertex_wind> rows) const;
+    std::vector<float> bend(Ref<tree_wind> wind, float seconds, size_t surface) const;
+    bool bend(Ref<tree_wind> wind, float seconds, size_t surface, Span<float> positions) const;
+    bool write_glb(std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     Bytes to_glb(Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
-    static std::tuple<Mesh, GltfLeaves> build_instanced(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static std::tuple<Mesh, GltfLeaves> build_instanced(const Tree &tree, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr);
     GltfAttributes gltf_wind(Ref<tree_control> control = nullptr) const;
-    void write_obj(std::string_view path, Ref<tree_control> control = nullptr) const;
+    bool write_obj(std::string_view path, Ref<tree_control> control = nullptr) const;
     std::tuple<Bytes, Bytes> to_obj(std::string_view stem, Ref<tree_control> control = nullptr) const;
-    void write_ply(std::string_view path, Ref<tree_ply_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_ply(std::string_view path, Ref<tree_ply_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     Bytes to_ply(Ref<tree_ply_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     static Mesh read(std::string_view path, Ref<tree_import_options> options = nullptr, Ref<tree_control> control = nullptr, tree_import_report *report = nullptr);
-    static Mesh from_bytes(tree_mesh_format format, Span<const uint8_t> data, Span<const uint8_t> mtl, Ref<tree_control> control = nullptr, tree_import_report *report = nullptr);
-    Span<const tree_wind_branch> branches() const;
-    static Mesh build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr, tree_mesh_report *report = nullptr);
+    static Mesh from_bytes(tree_mesh_format format, Span<const uint8_t> data, Span<const uint8_t> mtl = {}, Ref<tree_control> control = nullptr, tree_import_report *report = nullptr);
+    Span<const tree_wind_branch> branches() const &;
+    Span<const tree_wind_branch> branches() const && = delete;
+    static Mesh build(const Tree &tree, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr, tree_mesh_report *report = nullptr);
     Mesh subdivide(size_t number, Ref<tree_subdivide_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     Mesh displace(size_t number, Ref<tree_displace_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
     Mesh bake_occlusion(Ref<tree_occlusion_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     Mesh weld(size_t number, Ref<tree_control> control = nullptr) const;
-    static Mesh from_surfaces(Span<const tree_surface> surfaces, Span<const tree_material> materials, Span<const tree_wind_branch> branches, Ref<tree_control> control = nullptr);
-    Material material(size_t number) const;
+    static Mesh from_surfaces(Span<const tree_surface> surfaces, Span<const tree_material> materials, Span<const tree_wind_branch> branches = {}, Ref<tree_control> control = nullptr);
+    Material material(size_t number) const &;
+    Material material(size_t number) const && = delete;
     Texture texture(size_t number) const;
     Topology examine(size_t number, Ref<tree_control> control = nullptr) const;
-    size_t points(size_t number, uint32_t *of_vertex, size_t of_vertex_capacity, uint32_t *first, size_t first_capacity) const;
+    std::tuple<std::vector<uint32_t>, std::vector<uint32_t>, size_t> points(size_t number) const;
+    size_t points(size_t number, Span<uint32_t> of_vertex, Span<uint32_t> first) const;
     Crossings crossings(size_t number, Ref<tree_control> control = nullptr) const;
     MeshTotals count() const;
     size_t surface_count() const;
-    Surface surface(size_t number) const;
+    Surface surface(size_t number) const &;
+    Surface surface(size_t number) const && = delete;
     Bounds surface_bounds(size_t number) const;
     Bounds bounds() const;
-    void check() const;
-    void check_surface(size_t number) const;
-    void check_colors() const;
-    void check_normals() const;
+    bool check() const;
+    bool check_surface(size_t number) const;
+    bool check_colors() const;
+    bool check_normals() const;
     Picture render(Ref<tree_view> view = nullptr, Ref<tree_style> style = nullptr, Ref<tree_control> control = nullptr) const;
     Mask render_mask(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
     Picture render_silhouette(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
-    Tree skeletonize_mesh(const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr) const;
+    Tree skeletonize_mesh(Span<const tree_hint> hints = {}, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr) const;
 };
 
 class Packed : public detail::Object<tree_packed, tree_packed_free> {
 public:
     using Object::Object;
-    PackedColumns view() const;
-    Pivots pivots() const;
+    PackedColumns view() const &;
+    PackedColumns view() const && = delete;
+    Pivots pivots() const &;
+    Pivots pivots() const && = delete;
     PivotElement pivot_element(uint32_t number) const;
-    Unpacked unpack(const struct tree_mesh *mesh) const;
-    PackedVertices vertices_view() const;
+    Unpacked unpack(Maybe<tree_mesh> mesh = nullptr) const;
+    PackedVertices vertices_view() const &;
+    PackedVertices vertices_view() const && = delete;
 };
 
 class Picture : public detail::Object<tree_picture, tree_picture_free> {
 public:
     using Object::Object;
     static Picture from_pixels(uint32_t width, uint32_t height, Span<const uint8_t> pixels, Ref<tree_control> control = nullptr);
-    Pixels view() const;
-    void write_png(std::string_view path) const;
+    Pixels view() const &;
+    Pixels view() const && = delete;
+    bool write_png(std::string_view path) const;
     Bytes to_png() const;
 };
 
 class Pieces : public detail::Object<tree_pieces, tree_pieces_free> {
 public:
     using Object::Object;
-    static std::tuple<Skeleton, Pieces> make(Span<const tree_piece> rows, Ref<tree_control> control = nullptr);
+    static Pieces make(const Handles<tree_skeleton> &skeletons, Span<const tree_piece> rows, Ref<tree_control> control = nullptr);
     size_t count() const;
     std::tuple<tree_piece, Skeleton> piece(size_t index) const;
-    Skeleton link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached, size_t capacity) const;
+    std::tuple<std::vector<uint8_t>, Skeleton> link(Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    Skeleton link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, Span<uint8_t> reached) const;
 };
 
 class Pool : public detail::Object<tree_pool, tree_pool_free> {
@@ -763,52 +1019,66 @@ class Profile : public detail::Object<tree_profile, tree_profile_free> {
 public:
     using Object::Object;
     static Profile from_svg(std::string_view svg, Ref<tree_profile_options> options = nullptr, Ref<tree_control> control = nullptr);
-    ProfileColumns view() const;
-    Volume volume(const float *base) const;
+    ProfileColumns view() const &;
+    ProfileColumns view() const && = delete;
+    Volume volume(const Floats<3> &base) const;
 };
 
 class Rows : public detail::Object<tree_rows, tree_rows_free> {
 public:
     using Object::Object;
-    Span<const uint32_t> view() const;
+    Span<const uint32_t> view() const &;
+    Span<const uint32_t> view() const && = delete;
 };
 
 class Separation : public detail::Object<tree_separation, tree_separation_free> {
 public:
     using Object::Object;
-    FoundLeaves leaves(const struct tree_skeleton *skeleton, Ref<tree_control> control = nullptr) const;
+    FoundLeaves leaves(const Skeleton &skeleton, Ref<tree_control> control = nullptr) const;
     Pieces follow(Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     static Separation make(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr);
-    static Separation of_mesh(const struct tree_mesh *mesh, const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr);
-    SeparationColumns view() const;
-    Separation with_classes(const tree_class *classes, size_t n_classes) const;
-    Skeleton outward(const struct tree_skeleton *skeleton) const;
+    static Separation of_mesh(const Mesh &mesh, Span<const tree_hint> hints = {}, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr);
+    SeparationColumns view() const &;
+    SeparationColumns view() const && = delete;
+    Separation with_classes(Span<const tree_class> classes) const;
+    Skeleton outward(const Skeleton &skeleton) const;
 };
 
 class Skeleton : public detail::Object<tree_skeleton, tree_skeleton_free> {
 public:
     using Object::Object;
-    void radii(Ref<tree_radius_rule> rule, float *radii, size_t capacity) const;
+    std::vector<float> radii(Ref<tree_radius_rule> rule = nullptr) const;
+    bool radii(Ref<tree_radius_rule> rule, Span<float> radii) const;
     Skeleton by_rule(Ref<tree_radius_rule> rule = nullptr) const;
-    void radii_at_levels(const uint32_t *levels, size_t n_levels, Ref<tree_radius_rule> rule, float *radii, size_t capacity) const;
-    void strands(Ref<tree_radius_rule> rule, uint64_t *strands, size_t capacity) const;
+    std::vector<float> radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule = nullptr) const;
+    bool radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule, Span<float> radii) const;
+    std::vector<uint64_t> strands(Ref<tree_radius_rule> rule = nullptr) const;
+    bool strands(Ref<tree_radius_rule> rule, Span<uint64_t> strands) const;
     WindBranches wind_branches(tree_continuation continuation) const;
     Capsules capsules(Ref<tree_capsule_params> params = nullptr, Ref<tree_control> control = nullptr, tree_capsule_report *report = nullptr) const;
     std::tuple<Rows, Skeleton> refine(float bearing, float spacing, Ref<tree_control> control = nullptr) const;
-    static Skeleton from_columns(Ref<tree_skeleton_columns> columns = nullptr, Ref<tree_control> control = nullptr);
-    static Skeleton from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, uint32_t *rows);
-    SkeletonColumns view() const;
+    static Skeleton from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
+    static std::tuple<std::vector<uint32_t>, Skeleton> from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
+    static Skeleton from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, Span<uint32_t> rows);
+    SkeletonColumns view() const &;
+    SkeletonColumns view() const && = delete;
     std::array<float, 6> bounds() const;
     Axes axes(tree_continuation rule) const;
-    Skeleton with_radii(const float *radii, size_t n) const;
-    Skeleton with_positions(const float *positions, size_t n) const;
-    void segment_lengths(float *lengths, size_t capacity) const;
-    void distances_to_root(float *distances, size_t capacity) const;
-    void distances_to_tip(float *distances, size_t capacity) const;
-    void subtree_sizes(uint32_t *sizes, size_t capacity) const;
-    void tip_counts(uint32_t *counts, size_t capacity) const;
-    void children(uint32_t *starts, size_t starts_capacity, uint32_t *nodes, size_t nodes_capacity) const;
-    void write_swc(std::string_view path, Ref<tree_swc_options> options = nullptr) const;
+    Skeleton with_radii(Span<const float> radii) const;
+    Skeleton with_positions(Span<const float> positions) const;
+    std::vector<float> segment_lengths() const;
+    bool segment_lengths(Span<float> lengths) const;
+    std::vector<float> distances_to_root() const;
+    bool distances_to_root(Span<float> distances) const;
+    std::vector<float> distances_to_tip() const;
+    bool distances_to_tip(Span<float> distances) const;
+    std::vector<uint32_t> subtree_sizes() const;
+    bool subtree_sizes(Span<uint32_t> sizes) const;
+    std::vector<uint32_t> tip_counts() const;
+    bool tip_counts(Span<uint32_t> counts) const;
+    std::tuple<std::vector<uint32_t>, std::vector<uint32_t>> children() const;
+    bool children(Span<uint32_t> starts, Span<uint32_t> nodes) const;
+    bool write_swc(std::string_view path, Ref<tree_swc_options> options = nullptr) const;
     Bytes to_swc(Ref<tree_swc_options> options = nullptr) const;
 };
 
@@ -818,7 +1088,8 @@ public:
     static Swc read(std::string_view path, Ref<tree_swc_options> options = nullptr, Ref<tree_control> control = nullptr);
     static Swc from_text(std::string_view text, Ref<tree_swc_options> options = nullptr, Ref<tree_control> control = nullptr);
     Skeleton skeleton() const;
-    SwcContents view() const;
+    SwcContents view() const &;
+    SwcContents view() const && = delete;
 };
 
 class Texture : public detail::Object<tree_texture, tree_texture_free> {
@@ -826,105 +1097,120 @@ public:
     using Object::Object;
     static Texture bark_with(Ref<tree_bark_style> style, uint32_t size, Ref<tree_control> control = nullptr);
     static std::tuple<LeafCard, Texture> leaf_with(Ref<tree_leaf_shape> shape, uint32_t size, Ref<tree_control> control = nullptr);
-    static Texture from_pixels(Ref<tree_texture_pixels> pixels = nullptr, Ref<tree_control> control = nullptr);
+    static Texture from_pixels(Ref<tree_texture_pixels> pixels, Ref<tree_control> control = nullptr);
     static Texture from_bytes(std::string_view name, Span<const uint8_t> data, Ref<tree_control> control = nullptr);
     static Texture read(std::string_view path, Ref<tree_control> control = nullptr);
     static Texture bark(std::string_view name, uint32_t size, Ref<tree_control> control = nullptr);
     static std::tuple<LeafCard, Texture> leaf(std::string_view name, uint32_t size, Ref<tree_control> control = nullptr);
-    TexturePixels view() const;
+    TexturePixels view() const &;
+    TexturePixels view() const && = delete;
     Bytes to_png() const;
-    void write_png(std::string_view path) const;
+    bool write_png(std::string_view path) const;
 };
 
 class Tree : public detail::Object<tree_tree, tree_tree_free> {
 public:
     using Object::Object;
-    Tree grow_leaves(Ref<tree_leaf_params> params, tree_density_fn density, void *user, uint32_t with_stalks, uint64_t seed, Ref<tree_control> control = nullptr, tree_leaf_report *report = nullptr) const;
-    Tree grow_twigs(Ref<tree_twig_params> params, tree_density_fn density, void *user, uint64_t seed, Ref<tree_control> control = nullptr, tree_twig_report *report = nullptr) const;
-    static Tree make(const struct tree_skeleton *skeleton, Ref<tree_foliage> foliage = nullptr, Ref<tree_species> species = nullptr, Ref<tree_control> control = nullptr);
+    Tree grow_leaves(Ref<tree_leaf_params> params, const Field &density, bool with_stalks, uint64_t seed, Ref<tree_control> control = nullptr, tree_leaf_report *report = nullptr) const;
+    Tree grow_twigs(Ref<tree_twig_params> params, const Field &density, uint64_t seed, Ref<tree_control> control = nullptr, tree_twig_report *report = nullptr) const;
+    static Tree make(const Skeleton &skeleton, Ref<tree_foliage> foliage = nullptr, Ref<tree_species> species = nullptr, Ref<tree_control> control = nullptr);
     Skeleton skeleton() const;
-    Foliage foliage() const;
-    Species species() const;
+    Foliage foliage() const &;
+    Foliage foliage() const && = delete;
+    Species species() const &;
+    Species species() const && = delete;
 };
 
 class Twigs : public detail::Object<tree_twigs, tree_twigs_free> {
 public:
     using Object::Object;
-    static Twigs build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_instancing_report *report = nullptr);
+    static Twigs build(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_instancing_report *report = nullptr);
     size_t count() const;
     InstancingReport report() const;
     Mesh base() const;
     Mesh mesh(size_t number) const;
-    TwigInstances instances(size_t number) const;
-    static std::tuple<Mesh, Twigs> from_parts(const struct tree_mesh *base, Span<const tree_twig_instances> instances, Ref<tree_control> control = nullptr);
+    TwigInstances instances(size_t number) const &;
+    TwigInstances instances(size_t number) const && = delete;
+    static Twigs from_parts(const Mesh &base, const Handles<tree_mesh> &meshes, Span<const tree_twig_instances> instances, Ref<tree_control> control = nullptr);
     Mesh flatten(Ref<tree_control> control = nullptr) const;
 };
 
 class Unpacked : public detail::Object<tree_unpacked, tree_unpacked_free> {
 public:
     using Object::Object;
-    UnpackedColumns view() const;
+    UnpackedColumns view() const &;
+    UnpackedColumns view() const && = delete;
 };
 
 class Volume : public detail::Object<tree_volume, tree_volume_free> {
 public:
     using Object::Object;
     GraphNodes graph_strew(Ref<tree_strew_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
-    static Volume from_svg(std::string_view svg, Ref<tree_profile_options> options, const float *base, Ref<tree_control> control = nullptr);
-    bool obstacle_is_free(float clearance, const float *a, const float *b) const;
-    static Volume union_(Span<const tree_volume *const> volumes);
-    static Volume intersection(Span<const tree_volume *const> volumes);
-    Volume difference(const struct tree_volume *without) const;
-    Volume transformed(const float *columns) const;
-    void contains(const float *points, size_t n_points, Ref<tree_control> control, uint8_t *inside) const;
-    void distance(const float *points, size_t n_points, Ref<tree_control> control, float *distances) const;
+    static Volume from_svg(std::string_view svg, Ref<tree_profile_options> options, const Floats<3> &base, Ref<tree_control> control = nullptr);
+    bool obstacle_is_free(float clearance, const Floats<3> &a, const Floats<3> &b) const;
+    static Volume union_(const Handles<tree_volume> &volumes);
+    static Volume intersection(const Handles<tree_volume> &volumes);
+    Volume difference(const Volume &without) const;
+    Volume transformed(const Floats<12> &columns) const;
+    std::vector<uint8_t> contains(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool contains(Span<const float> points, Ref<tree_control> control, Span<uint8_t> inside) const;
+    std::vector<float> distance(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool distance(Span<const float> points, Ref<tree_control> control, Span<float> distances) const;
     bool distance_is_exact() const;
     std::array<float, 6> bounds() const;
     bool is_bounded() const;
     float measure() const;
     float estimate_measure(uint32_t n_samples, Ref<tree_control> control = nullptr) const;
-    void sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control, float *points) const;
-    static Volume sphere(const float *center, float radius);
-    static Volume ellipsoid(const float *center, const float *radii);
-    static Volume cylinder(const float *base, const float *top, float radius);
-    static Volume frustum(const float *base, const float *top, float base_radius, float top_radius);
-    static Volume cone(const float *base, const float *apex, float base_radius);
-    static Volume capsule(const float *start, const float *end, float radius);
-    static Volume box(const float *min, const float *max);
-    static Volume half_space(const float *point, const float *normal);
-    static Volume sector(const float *apex, const float *axis, float angle, float radius);
-    static Volume revolution(const float *base, const float *axis, const float *profile, size_t n_points, Ref<tree_control> control = nullptr);
-    static Volume closed_mesh(const float *positions, size_t n_positions, const uint32_t *indices, size_t n_triangles, Ref<tree_control> control = nullptr);
-    Solid view() const;
+    std::vector<float> sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    bool sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control, Span<float> points) const;
+    static Volume sphere(const Floats<3> &center, float radius);
+    static Volume ellipsoid(const Floats<3> &center, const Floats<3> &radii);
+    static Volume cylinder(const Floats<3> &base, const Floats<3> &top, float radius);
+    static Volume frustum(const Floats<3> &base, const Floats<3> &top, float base_radius, float top_radius);
+    static Volume cone(const Floats<3> &base, const Floats<3> &apex, float base_radius);
+    static Volume capsule(const Floats<3> &start, const Floats<3> &end, float radius);
+    static Volume box(const Floats<3> &min, const Floats<3> &max);
+    static Volume half_space(const Floats<3> &point, const Floats<3> &normal);
+    static Volume sector(const Floats<3> &apex, const Floats<3> &axis, float angle, float radius);
+    static Volume revolution(const Floats<3> &base, const Floats<3> &axis, Span<const float> profile, Ref<tree_control> control = nullptr);
+    static Volume closed_mesh(Span<const float> positions, Span<const uint32_t> indices, Ref<tree_control> control = nullptr);
+    Solid view() const &;
+    Solid view() const && = delete;
     Volume part(size_t index) const;
 };
 
 class WindBranches : public detail::Object<tree_wind_branches, tree_wind_branches_free> {
 public:
     using Object::Object;
-    Span<const tree_wind_branch> view() const;
+    Span<const tree_wind_branch> view() const &;
+    Span<const tree_wind_branch> view() const && = delete;
 };
 
 std::array<float, 2> murray_angles(float r0, float r1, float r2);
 std::array<float, 2> pipe_angles(float exponent, float r1, float r2);
 std::array<float, 2> strand_angles(uint64_t s1, uint64_t s2, float sum);
 std::string_view status_name(tree_status status);
-void capsule_contains(const struct tree_capsule *capsule, const float *point, uint32_t *inside);
-double capsule_volume(const struct tree_capsule *capsule);
+bool capsule_contains(const tree_capsule &capsule, const Floats<3> &point);
+double capsule_volume(const tree_capsule &capsule);
 ConventionTraits convention_view(tree_convention convention);
-void convert_positions(tree_convention convention, tree_convert way, const float *from, size_t n, float *to);
-void convert_directions(tree_convention convention, tree_convert way, const float *from, size_t n, float *to);
-void convert_tangents(tree_convention convention, tree_convert way, const float *from, size_t n, float *to);
-void convert_uvs(tree_convention convention, const float *from, size_t n, float *to);
-void convert_triangles(tree_convention convention, const uint32_t *from, size_t n_triangles, uint32_t *to);
+std::vector<float> convert_positions(tree_convention convention, tree_convert way, Span<const float> from);
+bool convert_positions(tree_convention convention, tree_convert way, Span<const float> from, Span<float> to);
+std::vector<float> convert_directions(tree_convention convention, tree_convert way, Span<const float> from);
+bool convert_directions(tree_convention convention, tree_convert way, Span<const float> from, Span<float> to);
+std::vector<float> convert_tangents(tree_convention convention, tree_convert way, Span<const float> from);
+bool convert_tangents(tree_convention convention, tree_convert way, Span<const float> from, Span<float> to);
+std::vector<float> convert_uvs(tree_convention convention, Span<const float> from);
+bool convert_uvs(tree_convention convention, Span<const float> from, Span<float> to);
+std::vector<uint32_t> convert_triangles(tree_convention convention, Span<const uint32_t> from);
+bool convert_triangles(tree_convention convention, Span<const uint32_t> from, Span<uint32_t> to);
 float wind_sway(float reach);
 float wind_leaf_phase(uint32_t leaf);
 size_t foliage_species_count();
 std::string_view foliage_species_name(size_t index);
 std::tuple<LeafParams, TwigParams, std::string_view> foliage_preset(std::string_view name);
-void gltf_write_glb(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
+bool gltf_write_glb(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
 Bytes gltf_to_glb(Span<const tree_gltf_level> levels, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
-void gltf_write_files(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
+bool gltf_write_files(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
 std::string_view note_text(tree_note note);
 BarkStyle bark_style_of(std::string_view name);
 LeafShape leaf_shape_of(std::string_view name);
@@ -935,10 +1221,10 @@ uint64_t memory_peak();
 void memory_reset_peak();
 void memory_set_budget(uint64_t bytes);
 uint64_t memory_budget();
-void memory_set_allocator(Ref<tree_allocator> allocator = nullptr);
+bool memory_set_allocator(Ref<tree_allocator> allocator = nullptr);
 Tree path_grow(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
 std::tuple<Bytes, Tree> path_grow_with_levels(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
-void path_check(Ref<tree_path_params> params = nullptr, Ref<tree_control> control = nullptr);
+bool path_check(Ref<tree_path_params> params = nullptr, Ref<tree_control> control = nullptr);
 float path_level_radius(Ref<tree_path_params> params, size_t index);
 size_t path_preset_count();
 std::tuple<std::string_view, std::string_view> path_preset_name(size_t index);
@@ -949,445 +1235,552 @@ uint32_t abi_version();
 std::string_view version();
 size_t live_objects();
 
+namespace detail {
+
+inline void rethrow(const tree_link_params *params) {
+    if (!params) return;
+    if (params->cost == Field::call) static_cast<Field *>(params->cost_user)->rethrow();
+}
+inline void rethrow(const tree_path_params *params) {
+    if (!params) return;
+    if (params->cost == Field::call) static_cast<Field *>(params->cost_user)->rethrow();
+    rethrow(params->roots);
+}
+
+// What every call ends with: whether it went well.
+template <class... With>
+bool done(tree_status code, const With &...with) {
+    (rethrow(with), ...);
+    return tree::check(code);
+}
+
+} // namespace detail
+
 inline std::array<float, 2> murray_angles(float r0, float r1, float r2) {
     std::array<float, 2> angles{};
-    tree::check(tree_murray_angles(r0, r1, r2, reinterpret_cast<float(*)[2]>(angles.data())));
+    detail::done(tree_murray_angles(r0, r1, r2, reinterpret_cast<float(*)[2]>(angles.data())));
     return angles;
 }
 inline std::array<float, 2> pipe_angles(float exponent, float r1, float r2) {
     std::array<float, 2> angles{};
-    tree::check(tree_pipe_angles(exponent, r1, r2, reinterpret_cast<float(*)[2]>(angles.data())));
+    detail::done(tree_pipe_angles(exponent, r1, r2, reinterpret_cast<float(*)[2]>(angles.data())));
     return angles;
 }
 inline std::array<float, 2> strand_angles(uint64_t s1, uint64_t s2, float sum) {
     std::array<float, 2> angles{};
-    tree::check(tree_strand_angles(s1, s2, sum, reinterpret_cast<float(*)[2]>(angles.data())));
+    detail::done(tree_strand_angles(s1, s2, sum, reinterpret_cast<float(*)[2]>(angles.data())));
     return angles;
 }
-inline void Skeleton::radii(Ref<tree_radius_rule> rule, float *radii, size_t capacity) const {
-    tree::check(tree_skeleton_radii(get(), rule, radii, capacity));
+inline std::vector<float> Skeleton::radii(Ref<tree_radius_rule> rule) const {
+    std::vector<float> radii(view().n_nodes);
+    if (!(detail::done(tree_skeleton_radii(get(), rule, radii.data(), radii.size())))) { radii.clear(); }
+    return radii;
+}
+inline bool Skeleton::radii(Ref<tree_radius_rule> rule, Span<float> radii) const {
+    return detail::done(tree_skeleton_radii(get(), rule, radii.data(), radii.size()));
 }
 inline Skeleton Skeleton::by_rule(Ref<tree_radius_rule> rule) const {
-    tree_skeleton *changed = nullptr;
-    tree::check(tree_skeleton_by_rule(get(), rule, &changed));
-    return Skeleton(changed);
+    Skeleton changed;
+    detail::done(tree_skeleton_by_rule(get(), rule, changed.place()));
+    return changed;
 }
-inline void Skeleton::radii_at_levels(const uint32_t *levels, size_t n_levels, Ref<tree_radius_rule> rule, float *radii, size_t capacity) const {
-    tree::check(tree_skeleton_radii_at_levels(get(), levels, n_levels, rule, radii, capacity));
+inline std::vector<float> Skeleton::radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule) const {
+    std::vector<float> radii(view().n_nodes);
+    if (!(detail::done(tree_skeleton_radii_at_levels(get(), levels.data(), levels.size(), rule, radii.data(), radii.size())))) { radii.clear(); }
+    return radii;
 }
-inline void Skeleton::strands(Ref<tree_radius_rule> rule, uint64_t *strands, size_t capacity) const {
-    tree::check(tree_skeleton_strands(get(), rule, strands, capacity));
+inline bool Skeleton::radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule, Span<float> radii) const {
+    return detail::done(tree_skeleton_radii_at_levels(get(), levels.data(), levels.size(), rule, radii.data(), radii.size()));
 }
-inline void RadiusRule::check() const {
-    tree::check(tree_radius_rule_check(this));
+inline std::vector<uint64_t> Skeleton::strands(Ref<tree_radius_rule> rule) const {
+    std::vector<uint64_t> strands(view().n_nodes);
+    if (!(detail::done(tree_skeleton_strands(get(), rule, strands.data(), strands.size())))) { strands.clear(); }
+    return strands;
+}
+inline bool Skeleton::strands(Ref<tree_radius_rule> rule, Span<uint64_t> strands) const {
+    return detail::done(tree_skeleton_strands(get(), rule, strands.data(), strands.size()));
+}
+inline bool RadiusRule::check() const {
+    return detail::done(tree_radius_rule_check(this));
 }
 inline std::string_view status_name(tree_status status) {
     return tree_status_name(status);
 }
 inline Limits Limits::for_memory(uint64_t bytes) {
     Limits limits;
-    tree::check(tree_limits_for_memory(&limits, sizeof(tree_limits), bytes));
+    if (!(detail::done(tree_limits_for_memory(&limits, sizeof(tree_limits), bytes)))) { limits.struct_size = 0; }
     return limits;
 }
 inline Cancel Cancel::make() {
-    tree_cancel *cancel = nullptr;
-    tree::check(tree_cancel_new(&cancel));
-    return Cancel(cancel);
+    Cancel cancel;
+    detail::done(tree_cancel_new(cancel.place()));
+    return cancel;
 }
-inline void Cancel::set() const {
-    tree::check(tree_cancel_set(get()));
+inline bool Cancel::set() const {
+    return detail::done(tree_cancel_set(get()));
 }
 inline BranchMotion Mesh::branch_motion(size_t branch) const {
     BranchMotion motion;
-    tree::check(tree_mesh_branch_motion(get(), branch, &motion));
+    if (!(detail::done(tree_mesh_branch_motion(get(), branch, &motion)))) { motion.struct_size = 0; }
     return motion;
 }
-inline float Mesh::branch_reach(size_t branch, const float *point) const {
-    float reach = 0;
-    tree::check(tree_mesh_branch_reach(get(), branch, point, &reach));
+inline float Mesh::branch_reach(size_t branch, const Floats<3> &point) const {
+    float reach{};
+    detail::done(tree_mesh_branch_reach(get(), branch, point, &reach));
     return reach;
 }
 inline WindBranches Skeleton::wind_branches(tree_continuation continuation) const {
-    tree_wind_branches *branches = nullptr;
-    tree::check(tree_skeleton_wind_branches(get(), continuation, &branches));
-    return WindBranches(branches);
+    WindBranches branches;
+    detail::done(tree_skeleton_wind_branches(get(), continuation, branches.place()));
+    return branches;
 }
-inline Span<const tree_wind_branch> WindBranches::view() const {
-    const tree_wind_branch *rows = nullptr; size_t n = 0;
-    tree::check(tree_wind_branches_view(get(), &rows, &n));
+inline Span<const tree_wind_branch> WindBranches::view() const & {
+    const tree_wind_branch *rows = nullptr;
+    size_t n = 0;
+    detail::done(tree_wind_branches_view(get(), &rows, &n));
     return Span<const tree_wind_branch>(rows, n);
 }
 inline Capsules Skeleton::capsules(Ref<tree_capsule_params> params, Ref<tree_control> control, tree_capsule_report *report) const {
-    tree_capsules *capsules = nullptr;
-    tree::check(tree_skeleton_capsules(get(), params, control, report, &capsules));
-    return Capsules(capsules);
+    Capsules capsules;
+    detail::done(tree_skeleton_capsules(get(), params, control, report, capsules.place()), control);
+    return capsules;
 }
-inline Span<const tree_capsule> Capsules::view() const {
-    const tree_capsule *rows = nullptr; size_t n = 0;
-    tree::check(tree_capsules_view(get(), &rows, &n));
+inline Span<const tree_capsule> Capsules::view() const & {
+    const tree_capsule *rows = nullptr;
+    size_t n = 0;
+    detail::done(tree_capsules_view(get(), &rows, &n));
     return Span<const tree_capsule>(rows, n);
 }
-inline void capsule_contains(const struct tree_capsule *capsule, const float *point, uint32_t *inside) {
-    tree::check(tree_capsule_contains(capsule, point, inside));
+inline bool capsule_contains(const tree_capsule &capsule, const Floats<3> &point) {
+    uint32_t inside = 0;
+    detail::done(tree_capsule_contains(&capsule, point, &inside));
+    return inside != 0;
 }
-inline double capsule_volume(const struct tree_capsule *capsule) {
-    double volume = 0;
-    tree::check(tree_capsule_volume(capsule, &volume));
+inline double capsule_volume(const tree_capsule &capsule) {
+    double volume{};
+    detail::done(tree_capsule_volume(&capsule, &volume));
     return volume;
 }
 inline ConventionTraits convention_view(tree_convention convention) {
     ConventionTraits traits;
-    tree::check(tree_convention_view(convention, &traits));
+    if (!(detail::done(tree_convention_view(convention, &traits)))) { traits.struct_size = 0; }
     return traits;
 }
-inline void convert_positions(tree_convention convention, tree_convert way, const float *from, size_t n, float *to) {
-    tree::check(tree_convert_positions(convention, way, from, n, to));
+inline std::vector<float> convert_positions(tree_convention convention, tree_convert way, Span<const float> from) {
+    std::vector<float> to(from.size());
+    if (!(detail::expect(from.size() % 3 == 0, TREE_ERROR_BUFFER, "from: must have 3 numbers for each item")
+        && detail::done(tree_convert_positions(convention, way, from.data(), from.size() / 3, to.data())))) { to.clear(); }
+    return to;
 }
-inline void convert_directions(tree_convention convention, tree_convert way, const float *from, size_t n, float *to) {
-    tree::check(tree_convert_directions(convention, way, from, n, to));
+inline bool convert_positions(tree_convention convention, tree_convert way, Span<const float> from, Span<float> to) {
+    return detail::expect(from.size() % 3 == 0, TREE_ERROR_BUFFER, "from: must have 3 numbers for each item")
+        && detail::expect((!to.data() || to.size() >= (from.size())), TREE_ERROR_BUFFER, "to: not room enough")
+        && detail::done(tree_convert_positions(convention, way, from.data(), from.size() / 3, to.data()));
 }
-inline void convert_tangents(tree_convention convention, tree_convert way, const float *from, size_t n, float *to) {
-    tree::check(tree_convert_tangents(convention, way, from, n, to));
+inline std::vector<float> convert_directions(tree_convention convention, tree_convert way, Span<const float> from) {
+    std::vector<float> to(from.size());
+    if (!(detail::expect(from.size() % 3 == 0, TREE_ERROR_BUFFER, "from: must have 3 numbers for each item")
+        && detail::done(tree_convert_directions(convention, way, from.data(), from.size() / 3, to.data())))) { to.clear(); }
+    return to;
 }
-inline void convert_uvs(tree_convention convention, const float *from, size_t n, float *to) {
-    tree::check(tree_convert_uvs(convention, from, n, to));
+inline bool convert_directions(tree_convention convention, tree_convert way, Span<const float> from, Span<float> to) {
+    return detail::expect(from.size() % 3 == 0, TREE_ERROR_BUFFER, "from: must have 3 numbers for each item")
+        && detail::expect((!to.data() || to.size() >= (from.size())), TREE_ERROR_BUFFER, "to: not room enough")
+        && detail::done(tree_convert_directions(convention, way, from.data(), from.size() / 3, to.data()));
 }
-inline void convert_triangles(tree_convention convention, const uint32_t *from, size_t n_triangles, uint32_t *to) {
-    tree::check(tree_convert_triangles(convention, from, n_triangles, to));
+inline std::vector<float> convert_tangents(tree_convention convention, tree_convert way, Span<const float> from) {
+    std::vector<float> to(from.size());
+    if (!(detail::expect(from.size() % 4 == 0, TREE_ERROR_BUFFER, "from: must have 4 numbers for each item")
+        && detail::done(tree_convert_tangents(convention, way, from.data(), from.size() / 4, to.data())))) { to.clear(); }
+    return to;
+}
+inline bool convert_tangents(tree_convention convention, tree_convert way, Span<const float> from, Span<float> to) {
+    return detail::expect(from.size() % 4 == 0, TREE_ERROR_BUFFER, "from: must have 4 numbers for each item")
+        && detail::expect((!to.data() || to.size() >= (from.size())), TREE_ERROR_BUFFER, "to: not room enough")
+        && detail::done(tree_convert_tangents(convention, way, from.data(), from.size() / 4, to.data()));
+}
+inline std::vector<float> convert_uvs(tree_convention convention, Span<const float> from) {
+    std::vector<float> to(from.size());
+    if (!(detail::expect(from.size() % 2 == 0, TREE_ERROR_BUFFER, "from: must have 2 numbers for each item")
+        && detail::done(tree_convert_uvs(convention, from.data(), from.size() / 2, to.data())))) { to.clear(); }
+    return to;
+}
+inline bool convert_uvs(tree_convention convention, Span<const float> from, Span<float> to) {
+    return detail::expect(from.size() % 2 == 0, TREE_ERROR_BUFFER, "from: must have 2 numbers for each item")
+        && detail::expect((!to.data() || to.size() >= (from.size())), TREE_ERROR_BUFFER, "to: not room enough")
+        && detail::done(tree_convert_uvs(convention, from.data(), from.size() / 2, to.data()));
+}
+inline std::vector<uint32_t> convert_triangles(tree_convention convention, Span<const uint32_t> from) {
+    std::vector<uint32_t> to(from.size());
+    if (!(detail::expect(from.size() % 3 == 0, TREE_ERROR_BUFFER, "from: must have 3 numbers for each item")
+        && detail::done(tree_convert_triangles(convention, from.data(), from.size() / 3, to.data())))) { to.clear(); }
+    return to;
+}
+inline bool convert_triangles(tree_convention convention, Span<const uint32_t> from, Span<uint32_t> to) {
+    return detail::expect(from.size() % 3 == 0, TREE_ERROR_BUFFER, "from: must have 3 numbers for each item")
+        && detail::expect((!to.data() || to.size() >= (from.size())), TREE_ERROR_BUFFER, "to: not room enough")
+        && detail::done(tree_convert_triangles(convention, from.data(), from.size() / 3, to.data()));
 }
 inline Packed Mesh::pack(size_t surface, tree_layout layout, Ref<tree_control> control) const {
-    tree_packed *packed = nullptr;
-    tree::check(tree_mesh_pack(get(), surface, layout, control, &packed));
-    return Packed(packed);
+    Packed packed;
+    detail::done(tree_mesh_pack(get(), surface, layout, control, packed.place()), control);
+    return packed;
 }
-inline PackedColumns Packed::view() const {
+inline PackedColumns Packed::view() const & {
     PackedColumns columns;
-    tree::check(tree_packed_view(get(), &columns));
+    if (!(detail::done(tree_packed_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline Pivots Packed::pivots() const {
+inline Pivots Packed::pivots() const & {
     Pivots pivots;
-    tree::check(tree_packed_pivots(get(), &pivots));
+    if (!(detail::done(tree_packed_pivots(get(), &pivots)))) { pivots.struct_size = 0; }
     return pivots;
 }
 inline PivotElement Packed::pivot_element(uint32_t number) const {
     PivotElement element;
-    tree::check(tree_packed_pivot_element(get(), number, &element));
+    if (!(detail::done(tree_packed_pivot_element(get(), number, &element)))) { element.struct_size = 0; }
     return element;
 }
-inline Unpacked Packed::unpack(const struct tree_mesh *mesh) const {
-    tree_unpacked *unpacked = nullptr;
-    tree::check(tree_packed_unpack(get(), mesh, &unpacked));
-    return Unpacked(unpacked);
+inline Unpacked Packed::unpack(Maybe<tree_mesh> mesh) const {
+    Unpacked unpacked;
+    static_cast<void>(detail::expect(mesh.fits(), TREE_ERROR_NULL, "mesh: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_packed_unpack(get(), mesh, unpacked.place())));
+    return unpacked;
 }
-inline UnpackedColumns Unpacked::view() const {
+inline UnpackedColumns Unpacked::view() const & {
     UnpackedColumns columns;
-    tree::check(tree_unpacked_view(get(), &columns));
+    if (!(detail::done(tree_unpacked_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline PackedVertices Packed::vertices_view() const {
+inline PackedVertices Packed::vertices_view() const & {
     PackedVertices vertices;
-    tree::check(tree_packed_vertices_view(get(), &vertices));
+    if (!(detail::done(tree_packed_vertices_view(get(), &vertices)))) { vertices.struct_size = 0; }
     return vertices;
 }
-inline void Mesh::wind(size_t surface, struct tree_vertex_wind *rows, size_t capacity) const {
-    tree::check(tree_mesh_wind(get(), surface, rows, capacity));
+inline std::vector<tree_vertex_wind> Mesh::wind(size_t surface) const {
+    std::vector<tree_vertex_wind> rows(this->surface(surface).n_vertices);
+    if (!(detail::done(tree_mesh_wind(get(), surface, rows.data(), rows.size())))) { rows.clear(); }
+    return rows;
 }
-inline void Mesh::bend(Ref<tree_wind> wind, float seconds, size_t surface, float *positions, size_t capacity) const {
-    tree::check(tree_mesh_bend(get(), wind, seconds, surface, positions, capacity));
+inline bool Mesh::wind(size_t surface, Span<tree_vertex_wind> rows) const {
+    return detail::done(tree_mesh_wind(get(), surface, rows.data(), rows.size()));
+}
+inline std::vector<float> Mesh::bend(Ref<tree_wind> wind, float seconds, size_t surface) const {
+    std::vector<float> positions(3 * this->surface(surface).n_vertices);
+    if (!(detail::done(tree_mesh_bend(get(), wind, seconds, surface, positions.data(), positions.size())))) { positions.clear(); }
+    return positions;
+}
+inline bool Mesh::bend(Ref<tree_wind> wind, float seconds, size_t surface, Span<float> positions) const {
+    return detail::done(tree_mesh_bend(get(), wind, seconds, surface, positions.data(), positions.size()));
 }
 inline float wind_sway(float reach) {
-    float sway = 0;
-    tree::check(tree_wind_sway(reach, &sway));
+    float sway{};
+    detail::done(tree_wind_sway(reach, &sway));
     return sway;
 }
 inline float wind_leaf_phase(uint32_t leaf) {
-    float phase = 0;
-    tree::check(tree_wind_leaf_phase(leaf, &phase));
+    float phase{};
+    detail::done(tree_wind_leaf_phase(leaf, &phase));
     return phase;
 }
-inline Tree Tree::grow_leaves(Ref<tree_leaf_params> params, tree_density_fn density, void *user, uint32_t with_stalks, uint64_t seed, Ref<tree_control> control, tree_leaf_report *report) const {
-    tree_tree *grown = nullptr;
-    tree::check(tree_tree_grow_leaves(get(), params, density, user, with_stalks, seed, control, report, &grown));
-    return Tree(grown);
+inline Tree Tree::grow_leaves(Ref<tree_leaf_params> params, const Field &density, bool with_stalks, uint64_t seed, Ref<tree_control> control, tree_leaf_report *report) const {
+    Tree grown;
+    detail::done(tree_tree_grow_leaves(get(), params, density.function(), density.user(), with_stalks ? 1u : 0u, seed, control, report, grown.place()), density, control);
+    return grown;
 }
-inline Tree Tree::grow_twigs(Ref<tree_twig_params> params, tree_density_fn density, void *user, uint64_t seed, Ref<tree_control> control, tree_twig_report *report) const {
-    tree_tree *grown = nullptr;
-    tree::check(tree_tree_grow_twigs(get(), params, density, user, seed, control, report, &grown));
-    return Tree(grown);
+inline Tree Tree::grow_twigs(Ref<tree_twig_params> params, const Field &density, uint64_t seed, Ref<tree_control> control, tree_twig_report *report) const {
+    Tree grown;
+    detail::done(tree_tree_grow_twigs(get(), params, density.function(), density.user(), seed, control, report, grown.place()), density, control);
+    return grown;
 }
-inline void LeafParams::check(size_t n_kinds) const {
-    tree::check(tree_leaf_params_check(this, n_kinds));
+inline bool LeafParams::check(size_t n_kinds) const {
+    return detail::done(tree_leaf_params_check(this, n_kinds));
 }
 inline size_t foliage_species_count() {
     return tree_foliage_species_count();
 }
 inline std::string_view foliage_species_name(size_t index) {
     tree_str name{};
-    tree::check(tree_foliage_species_name(index, &name));
+    detail::done(tree_foliage_species_name(index, &name));
     return detail::text(name);
 }
 inline std::tuple<LeafParams, TwigParams, std::string_view> foliage_preset(std::string_view name) {
-    LeafParams leaves; TwigParams twigs; tree_str leaf_kind{};
-    tree::check(tree_foliage_preset(name.data() ? name.data() : "", name.size(), &leaves, &twigs, &leaf_kind));
-    return {leaves, twigs, detail::text(leaf_kind)};
+    LeafParams leaves;
+    TwigParams twigs;
+    tree_str leaf_kind{};
+    if (!(detail::done(tree_foliage_preset(name.data() ? name.data() : "", name.size(), &leaves, &twigs, &leaf_kind)))) { leaves.struct_size = 0; twigs.struct_size = 0; }
+    return {std::move(leaves), std::move(twigs), detail::text(leaf_kind)};
 }
-inline Span<const uint32_t> Rows::view() const {
-    const uint32_t *first = nullptr; size_t n = 0;
-    tree::check(tree_rows_view(get(), &first, &n));
+inline Span<const uint32_t> Rows::view() const & {
+    const uint32_t *first = nullptr;
+    size_t n = 0;
+    detail::done(tree_rows_view(get(), &first, &n));
     return Span<const uint32_t>(first, n);
 }
 inline std::tuple<Rows, Skeleton> Skeleton::refine(float bearing, float spacing, Ref<tree_control> control) const {
-    tree_rows *rows = nullptr; tree_skeleton *refined = nullptr;
-    tree::check(tree_skeleton_refine(get(), bearing, spacing, control, &rows, &refined));
-    return {Rows(rows), Skeleton(refined)};
+    Rows rows;
+    Skeleton refined;
+    detail::done(tree_skeleton_refine(get(), bearing, spacing, control, rows.place(), refined.place()), control);
+    return {std::move(rows), std::move(refined)};
 }
-inline void TwigParams::check() const {
-    tree::check(tree_twig_params_check(this));
+inline bool TwigParams::check() const {
+    return detail::done(tree_twig_params_check(this));
 }
-inline Twigs Twigs::build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control, tree_instancing_report *report) {
-    tree_twigs *twigs = nullptr;
-    tree::check(tree_twigs_build(tree, look, mesh_params, params, seed, control, report, &twigs));
-    return Twigs(twigs);
+inline Twigs Twigs::build(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control, tree_instancing_report *report) {
+    Twigs twigs;
+    static_cast<void>(detail::expect(look.fits(), TREE_ERROR_NULL, "look: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_twigs_build(tree.get(), look, mesh_params, params, seed, control, report, twigs.place()), control));
+    return twigs;
 }
 inline size_t Twigs::count() const {
-    size_t n_twigs = 0;
-    tree::check(tree_twigs_count(get(), &n_twigs));
+    size_t n_twigs{};
+    detail::done(tree_twigs_count(get(), &n_twigs));
     return n_twigs;
 }
 inline InstancingReport Twigs::report() const {
     InstancingReport report;
-    tree::check(tree_twigs_report(get(), &report));
+    if (!(detail::done(tree_twigs_report(get(), &report)))) { report.struct_size = 0; }
     return report;
 }
 inline Mesh Twigs::base() const {
-    tree_mesh *base = nullptr;
-    tree::check(tree_twigs_base(get(), &base));
-    return Mesh(base);
+    Mesh base;
+    detail::done(tree_twigs_base(get(), base.place()));
+    return base;
 }
 inline Mesh Twigs::mesh(size_t number) const {
-    tree_mesh *mesh = nullptr;
-    tree::check(tree_twigs_mesh(get(), number, &mesh));
-    return Mesh(mesh);
+    Mesh mesh;
+    detail::done(tree_twigs_mesh(get(), number, mesh.place()));
+    return mesh;
 }
-inline TwigInstances Twigs::instances(size_t number) const {
+inline TwigInstances Twigs::instances(size_t number) const & {
     TwigInstances instances;
-    tree::check(tree_twigs_instances(get(), number, &instances));
+    if (!(detail::done(tree_twigs_instances(get(), number, &instances)))) { instances.struct_size = 0; }
     return instances;
 }
-inline std::tuple<Mesh, Twigs> Twigs::from_parts(const struct tree_mesh *base, Span<const tree_twig_instances> instances, Ref<tree_control> control) {
-    tree_mesh *meshes = nullptr; tree_twigs *twigs = nullptr;
-    tree::check(tree_twigs_from_parts(base, &meshes, instances.data(), instances.size(), control, &twigs));
-    return {Mesh(meshes), Twigs(twigs)};
+inline Twigs Twigs::from_parts(const Mesh &base, const Handles<tree_mesh> &meshes, Span<const tree_twig_instances> instances, Ref<tree_control> control) {
+    Twigs twigs;
+    static_cast<void>(detail::expect(meshes.size() == instances.size(), TREE_ERROR_BUFFER, "meshes and instances must be of one length")
+        && detail::done(tree_twigs_from_parts(base.get(), meshes.data(), instances.data(), meshes.size(), control, twigs.place()), control));
+    return twigs;
 }
 inline Mesh Twigs::flatten(Ref<tree_control> control) const {
-    tree_mesh *mesh = nullptr;
-    tree::check(tree_twigs_flatten(get(), control, &mesh));
-    return Mesh(mesh);
+    Mesh mesh;
+    detail::done(tree_twigs_flatten(get(), control, mesh.place()), control);
+    return mesh;
 }
-inline Span<const uint8_t> Bytes::view() const {
-    const uint8_t *data = nullptr; size_t len = 0;
-    tree::check(tree_bytes_view(get(), &data, &len));
+inline Span<const uint8_t> Bytes::view() const & {
+    const uint8_t *data = nullptr;
+    size_t len = 0;
+    detail::done(tree_bytes_view(get(), &data, &len));
     return Span<const uint8_t>(data, len);
 }
-inline void Mesh::write_glb(std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
-    tree::check(tree_mesh_write_glb(get(), path.data() ? path.data() : "", path.size(), options, control));
+inline bool Mesh::write_glb(std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_mesh_write_glb(get(), path.data() ? path.data() : "", path.size(), options, control), control);
 }
 inline Bytes Mesh::to_glb(Ref<tree_glb_options> options, Ref<tree_control> control) const {
-    tree_bytes *bytes = nullptr;
-    tree::check(tree_mesh_to_glb(get(), options, control, &bytes));
-    return Bytes(bytes);
+    Bytes bytes;
+    detail::done(tree_mesh_to_glb(get(), options, control, bytes.place()), control);
+    return bytes;
 }
-inline void gltf_write_glb(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) {
-    tree::check(tree_gltf_write_glb(levels.data(), levels.size(), path.data() ? path.data() : "", path.size(), options, control));
+inline bool gltf_write_glb(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) {
+    return detail::done(tree_gltf_write_glb(levels.data(), levels.size(), path.data() ? path.data() : "", path.size(), options, control), control);
 }
 inline Bytes gltf_to_glb(Span<const tree_gltf_level> levels, Ref<tree_glb_options> options, Ref<tree_control> control) {
-    tree_bytes *bytes = nullptr;
-    tree::check(tree_gltf_to_glb(levels.data(), levels.size(), options, control, &bytes));
-    return Bytes(bytes);
+    Bytes bytes;
+    detail::done(tree_gltf_to_glb(levels.data(), levels.size(), options, control, bytes.place()), control);
+    return bytes;
 }
-inline void gltf_write_files(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) {
-    tree::check(tree_gltf_write_files(levels.data(), levels.size(), path.data() ? path.data() : "", path.size(), options, control));
+inline bool gltf_write_files(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) {
+    return detail::done(tree_gltf_write_files(levels.data(), levels.size(), path.data() ? path.data() : "", path.size(), options, control), control);
 }
-inline std::tuple<Mesh, GltfLeaves> Mesh::build_instanced(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> params, Ref<tree_control> control) {
-    tree_mesh *bark = nullptr; tree_gltf_leaves *leaves = nullptr;
-    tree::check(tree_mesh_build_instanced(tree, look, params, control, &bark, &leaves));
-    return {Mesh(bark), GltfLeaves(leaves)};
+inline std::tuple<Mesh, GltfLeaves> Mesh::build_instanced(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_params> params, Ref<tree_control> control) {
+    Mesh bark;
+    GltfLeaves leaves;
+    static_cast<void>(detail::expect(look.fits(), TREE_ERROR_NULL, "look: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_mesh_build_instanced(tree.get(), look, params, control, bark.place(), leaves.place()), control));
+    return {std::move(bark), std::move(leaves)};
 }
-inline Span<const tree_gltf_instances> GltfLeaves::view() const {
-    const tree_gltf_instances *rows = nullptr; size_t n = 0;
-    tree::check(tree_gltf_leaves_view(get(), &rows, &n));
+inline Span<const tree_gltf_instances> GltfLeaves::view() const & {
+    const tree_gltf_instances *rows = nullptr;
+    size_t n = 0;
+    detail::done(tree_gltf_leaves_view(get(), &rows, &n));
     return Span<const tree_gltf_instances>(rows, n);
 }
 inline GltfAttributes Mesh::gltf_wind(Ref<tree_control> control) const {
-    tree_gltf_attributes *attributes = nullptr;
-    tree::check(tree_mesh_gltf_wind(get(), control, &attributes));
-    return GltfAttributes(attributes);
+    GltfAttributes attributes;
+    detail::done(tree_mesh_gltf_wind(get(), control, attributes.place()), control);
+    return attributes;
 }
-inline Span<const tree_gltf_attribute> GltfAttributes::view() const {
-    const tree_gltf_attribute *rows = nullptr; size_t n = 0;
-    tree::check(tree_gltf_attributes_view(get(), &rows, &n));
+inline Span<const tree_gltf_attribute> GltfAttributes::view() const & {
+    const tree_gltf_attribute *rows = nullptr;
+    size_t n = 0;
+    detail::done(tree_gltf_attributes_view(get(), &rows, &n));
     return Span<const tree_gltf_attribute>(rows, n);
 }
 inline std::string_view note_text(tree_note note) {
     tree_str text{};
-    tree::check(tree_note_text(note, &text));
+    detail::done(tree_note_text(note, &text));
     return detail::text(text);
 }
-inline void Mesh::write_obj(std::string_view path, Ref<tree_control> control) const {
-    tree::check(tree_mesh_write_obj(get(), path.data() ? path.data() : "", path.size(), control));
+inline bool Mesh::write_obj(std::string_view path, Ref<tree_control> control) const {
+    return detail::done(tree_mesh_write_obj(get(), path.data() ? path.data() : "", path.size(), control), control);
 }
 inline std::tuple<Bytes, Bytes> Mesh::to_obj(std::string_view stem, Ref<tree_control> control) const {
-    tree_bytes *obj = nullptr; tree_bytes *mtl = nullptr;
-    tree::check(tree_mesh_to_obj(get(), stem.data() ? stem.data() : "", stem.size(), control, &obj, &mtl));
-    return {Bytes(obj), Bytes(mtl)};
+    Bytes obj;
+    Bytes mtl;
+    detail::done(tree_mesh_to_obj(get(), stem.data() ? stem.data() : "", stem.size(), control, obj.place(), mtl.place()), control);
+    return {std::move(obj), std::move(mtl)};
 }
-inline void Mesh::write_ply(std::string_view path, Ref<tree_ply_options> options, Ref<tree_control> control) const {
-    tree::check(tree_mesh_write_ply(get(), path.data() ? path.data() : "", path.size(), options, control));
+inline bool Mesh::write_ply(std::string_view path, Ref<tree_ply_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_mesh_write_ply(get(), path.data() ? path.data() : "", path.size(), options, control), control);
 }
 inline Bytes Mesh::to_ply(Ref<tree_ply_options> options, Ref<tree_control> control) const {
-    tree_bytes *bytes = nullptr;
-    tree::check(tree_mesh_to_ply(get(), options, control, &bytes));
-    return Bytes(bytes);
+    Bytes bytes;
+    detail::done(tree_mesh_to_ply(get(), options, control, bytes.place()), control);
+    return bytes;
 }
 inline Mesh Mesh::read(std::string_view path, Ref<tree_import_options> options, Ref<tree_control> control, tree_import_report *report) {
-    tree_mesh *mesh = nullptr;
-    tree::check(tree_mesh_read(path.data() ? path.data() : "", path.size(), options, control, report, &mesh));
-    return Mesh(mesh);
+    Mesh mesh;
+    detail::done(tree_mesh_read(path.data() ? path.data() : "", path.size(), options, control, report, mesh.place()), control);
+    return mesh;
 }
 inline Mesh Mesh::from_bytes(tree_mesh_format format, Span<const uint8_t> data, Span<const uint8_t> mtl, Ref<tree_control> control, tree_import_report *report) {
-    tree_mesh *mesh = nullptr;
-    tree::check(tree_mesh_from_bytes(format, data.data(), data.size(), mtl.data(), mtl.size(), control, report, &mesh));
-    return Mesh(mesh);
+    Mesh mesh;
+    detail::done(tree_mesh_from_bytes(format, data.data(), data.size(), mtl.data(), mtl.size(), control, report, mesh.place()), control);
+    return mesh;
 }
 inline Look Look::built_in(Ref<tree_species> species) {
-    tree_look *look = nullptr;
-    tree::check(tree_look_built_in(species, &look));
-    return Look(look);
+    Look look;
+    detail::done(tree_look_built_in(species, look.place()));
+    return look;
 }
 inline Look Look::plain(Ref<tree_species> species) {
-    tree_look *look = nullptr;
-    tree::check(tree_look_plain(species, &look));
-    return Look(look);
+    Look look;
+    detail::done(tree_look_plain(species, look.place()));
+    return look;
 }
-inline Look Look::of_tree(const struct tree_tree *tree, uint32_t plain) {
-    tree_look *look = nullptr;
-    tree::check(tree_look_of_tree(tree, plain, &look));
-    return Look(look);
+inline Look Look::of_tree(const Tree &tree, bool plain) {
+    Look look;
+    detail::done(tree_look_of_tree(tree.get(), plain ? 1u : 0u, look.place()));
+    return look;
 }
 inline Look Look::make(Ref<tree_material> bark, Span<const tree_leaf_look> leaves, Ref<tree_control> control) {
-    tree_look *look = nullptr;
-    tree::check(tree_look_new(bark, leaves.data(), leaves.size(), control, &look));
-    return Look(look);
+    Look look;
+    detail::done(tree_look_new(bark, leaves.data(), leaves.size(), control, look.place()), control);
+    return look;
 }
 inline size_t Look::leaf_count() const {
-    size_t n_leaves = 0;
-    tree::check(tree_look_leaf_count(get(), &n_leaves));
+    size_t n_leaves{};
+    detail::done(tree_look_leaf_count(get(), &n_leaves));
     return n_leaves;
 }
-inline Material Look::material(size_t number) const {
+inline Material Look::material(size_t number) const & {
     Material material;
-    tree::check(tree_look_material(get(), number, &material));
+    if (!(detail::done(tree_look_material(get(), number, &material)))) { material.struct_size = 0; }
     return material;
 }
 inline Texture Look::texture(size_t number) const {
-    tree_texture *texture = nullptr;
-    tree::check(tree_look_texture(get(), number, &texture));
-    return Texture(texture);
+    Texture texture;
+    detail::done(tree_look_texture(get(), number, texture.place()));
+    return texture;
 }
-inline LeafLook Look::leaf(size_t kind) const {
+inline LeafLook Look::leaf(size_t kind) const & {
     LeafLook leaf;
-    tree::check(tree_look_leaf(get(), kind, &leaf));
+    if (!(detail::done(tree_look_leaf(get(), kind, &leaf)))) { leaf.struct_size = 0; }
     return leaf;
 }
-inline void Look::check(Ref<tree_species> species) const {
-    tree::check(tree_look_check(get(), species));
+inline bool Look::check(Ref<tree_species> species) const {
+    return detail::done(tree_look_check(get(), species));
 }
 inline BarkStyle bark_style_of(std::string_view name) {
     BarkStyle style;
-    tree::check(tree_bark_style_of(name.data() ? name.data() : "", name.size(), &style));
+    if (!(detail::done(tree_bark_style_of(name.data() ? name.data() : "", name.size(), &style)))) { style.struct_size = 0; }
     return style;
 }
 inline Texture Texture::bark_with(Ref<tree_bark_style> style, uint32_t size, Ref<tree_control> control) {
-    tree_texture *texture = nullptr;
-    tree::check(tree_texture_bark_with(style, size, control, &texture));
-    return Texture(texture);
+    Texture texture;
+    detail::done(tree_texture_bark_with(style, size, control, texture.place()), control);
+    return texture;
 }
 inline LeafModel Look::leaf_model(size_t kind, Ref<tree_control> control, tree_leaf_model_report *report) const {
-    tree_leaf_model *model = nullptr;
-    tree::check(tree_look_leaf_model(get(), kind, control, report, &model));
-    return LeafModel(model);
+    LeafModel model;
+    detail::done(tree_look_leaf_model(get(), kind, control, report, model.place()), control);
+    return model;
 }
-inline LeafMesh LeafModel::view() const {
+inline LeafMesh LeafModel::view() const & {
     LeafMesh mesh;
-    tree::check(tree_leaf_model_view(get(), &mesh));
+    if (!(detail::done(tree_leaf_model_view(get(), &mesh)))) { mesh.struct_size = 0; }
     return mesh;
 }
-inline LeafMesh Look::leaf_mesh(size_t kind) const {
+inline LeafMesh Look::leaf_mesh(size_t kind) const & {
     LeafMesh mesh;
-    tree::check(tree_look_leaf_mesh(get(), kind, &mesh));
+    if (!(detail::done(tree_look_leaf_mesh(get(), kind, &mesh)))) { mesh.struct_size = 0; }
     return mesh;
 }
 inline LeafShape leaf_shape_of(std::string_view name) {
     LeafShape shape;
-    tree::check(tree_leaf_shape_of(name.data() ? name.data() : "", name.size(), &shape));
+    if (!(detail::done(tree_leaf_shape_of(name.data() ? name.data() : "", name.size(), &shape)))) { shape.struct_size = 0; }
     return shape;
 }
-inline void LeafShape::autumn(float progress) {
-    tree::check(tree_leaf_shape_autumn(this, progress));
+inline bool LeafShape::autumn(float progress) {
+    return detail::done(tree_leaf_shape_autumn(this, progress));
 }
 inline std::tuple<LeafCard, Texture> Texture::leaf_with(Ref<tree_leaf_shape> shape, uint32_t size, Ref<tree_control> control) {
-    LeafCard card; tree_texture *texture = nullptr;
-    tree::check(tree_texture_leaf_with(shape, size, control, &card, &texture));
-    return {card, Texture(texture)};
+    LeafCard card;
+    Texture texture;
+    if (!(detail::done(tree_texture_leaf_with(shape, size, control, &card, texture.place()), control))) { card.struct_size = 0; }
+    return {std::move(card), std::move(texture)};
 }
 inline Span<const tree_str> bark_names() {
-    const tree_str *names = nullptr; size_t n_names = 0;
-    tree::check(tree_bark_names(&names, &n_names));
+    const tree_str *names = nullptr;
+    size_t n_names = 0;
+    detail::done(tree_bark_names(&names, &n_names));
     return Span<const tree_str>(names, n_names);
 }
 inline Span<const tree_str> leaf_names() {
-    const tree_str *names = nullptr; size_t n_names = 0;
-    tree::check(tree_leaf_names(&names, &n_names));
+    const tree_str *names = nullptr;
+    size_t n_names = 0;
+    detail::done(tree_leaf_names(&names, &n_names));
     return Span<const tree_str>(names, n_names);
 }
 inline Texture Texture::from_pixels(Ref<tree_texture_pixels> pixels, Ref<tree_control> control) {
-    tree_texture *texture = nullptr;
-    tree::check(tree_texture_from_pixels(pixels, control, &texture));
-    return Texture(texture);
+    Texture texture;
+    detail::done(tree_texture_from_pixels(pixels, control, texture.place()), control);
+    return texture;
 }
 inline Texture Texture::from_bytes(std::string_view name, Span<const uint8_t> data, Ref<tree_control> control) {
-    tree_texture *texture = nullptr;
-    tree::check(tree_texture_from_bytes(name.data() ? name.data() : "", name.size(), data.data(), data.size(), control, &texture));
-    return Texture(texture);
+    Texture texture;
+    detail::done(tree_texture_from_bytes(name.data() ? name.data() : "", name.size(), data.data(), data.size(), control, texture.place()), control);
+    return texture;
 }
 inline Texture Texture::read(std::string_view path, Ref<tree_control> control) {
-    tree_texture *texture = nullptr;
-    tree::check(tree_texture_read(path.data() ? path.data() : "", path.size(), control, &texture));
-    return Texture(texture);
+    Texture texture;
+    detail::done(tree_texture_read(path.data() ? path.data() : "", path.size(), control, texture.place()), control);
+    return texture;
 }
 inline Texture Texture::bark(std::string_view name, uint32_t size, Ref<tree_control> control) {
-    tree_texture *texture = nullptr;
-    tree::check(tree_texture_bark(name.data() ? name.data() : "", name.size(), size, control, &texture));
-    return Texture(texture);
+    Texture texture;
+    detail::done(tree_texture_bark(name.data() ? name.data() : "", name.size(), size, control, texture.place()), control);
+    return texture;
 }
 inline std::tuple<LeafCard, Texture> Texture::leaf(std::string_view name, uint32_t size, Ref<tree_control> control) {
-    LeafCard card; tree_texture *texture = nullptr;
-    tree::check(tree_texture_leaf(name.data() ? name.data() : "", name.size(), size, control, &card, &texture));
-    return {card, Texture(texture)};
+    LeafCard card;
+    Texture texture;
+    if (!(detail::done(tree_texture_leaf(name.data() ? name.data() : "", name.size(), size, control, &card, texture.place()), control))) { card.struct_size = 0; }
+    return {std::move(card), std::move(texture)};
 }
-inline TexturePixels Texture::view() const {
+inline TexturePixels Texture::view() const & {
     TexturePixels pixels;
-    tree::check(tree_texture_view(get(), &pixels));
+    if (!(detail::done(tree_texture_view(get(), &pixels)))) { pixels.struct_size = 0; }
     return pixels;
 }
 inline Bytes Texture::to_png() const {
-    tree_bytes *png = nullptr;
-    tree::check(tree_texture_to_png(get(), &png));
-    return Bytes(png);
+    Bytes png;
+    detail::done(tree_texture_to_png(get(), png.place()));
+    return png;
 }
-inline void Texture::write_png(std::string_view path) const {
-    tree::check(tree_texture_write_png(get(), path.data() ? path.data() : "", path.size()));
+inline bool Texture::write_png(std::string_view path) const {
+    return detail::done(tree_texture_write_png(get(), path.data() ? path.data() : "", path.size()));
 }
 inline uint64_t memory_used() {
     return tree_memory_used();
@@ -1404,453 +1797,527 @@ inline void memory_set_budget(uint64_t bytes) {
 inline uint64_t memory_budget() {
     return tree_memory_budget();
 }
-inline void memory_set_allocator(Ref<tree_allocator> allocator) {
-    tree::check(tree_memory_set_allocator(allocator));
+inline bool memory_set_allocator(Ref<tree_allocator> allocator) {
+    return detail::done(tree_memory_set_allocator(allocator));
 }
-inline Span<const tree_wind_branch> Mesh::branches() const {
-    const tree_wind_branch *branches = nullptr; size_t n_branches = 0;
-    tree::check(tree_mesh_branches(get(), &branches, &n_branches));
+inline Span<const tree_wind_branch> Mesh::branches() const & {
+    const tree_wind_branch *branches = nullptr;
+    size_t n_branches = 0;
+    detail::done(tree_mesh_branches(get(), &branches, &n_branches));
     return Span<const tree_wind_branch>(branches, n_branches);
 }
-inline Mesh Mesh::build(const struct tree_tree *tree, const struct tree_look *look, Ref<tree_mesh_params> params, Ref<tree_control> control, tree_mesh_report *report) {
-    tree_mesh *mesh = nullptr;
-    tree::check(tree_mesh_build(tree, look, params, control, report, &mesh));
-    return Mesh(mesh);
+inline Mesh Mesh::build(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_params> params, Ref<tree_control> control, tree_mesh_report *report) {
+    Mesh mesh;
+    static_cast<void>(detail::expect(look.fits(), TREE_ERROR_NULL, "look: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_mesh_build(tree.get(), look, params, control, report, mesh.place()), control));
+    return mesh;
 }
 inline Mesh Mesh::subdivide(size_t number, Ref<tree_subdivide_params> params, Ref<tree_control> control) const {
-    tree_mesh *subdivided = nullptr;
-    tree::check(tree_mesh_subdivide(get(), number, params, control, &subdivided));
-    return Mesh(subdivided);
+    Mesh subdivided;
+    detail::done(tree_mesh_subdivide(get(), number, params, control, subdivided.place()), control);
+    return subdivided;
 }
 inline Mesh Mesh::displace(size_t number, Ref<tree_displace_params> params, uint64_t seed, Ref<tree_control> control) const {
-    tree_mesh *displaced = nullptr;
-    tree::check(tree_mesh_displace(get(), number, params, seed, control, &displaced));
-    return Mesh(displaced);
+    Mesh displaced;
+    detail::done(tree_mesh_displace(get(), number, params, seed, control, displaced.place()), control);
+    return displaced;
 }
 inline Mesh Mesh::bake_occlusion(Ref<tree_occlusion_params> params, Ref<tree_control> control) const {
-    tree_mesh *baked = nullptr;
-    tree::check(tree_mesh_bake_occlusion(get(), params, control, &baked));
-    return Mesh(baked);
+    Mesh baked;
+    detail::done(tree_mesh_bake_occlusion(get(), params, control, baked.place()), control);
+    return baked;
 }
 inline Mesh Mesh::weld(size_t number, Ref<tree_control> control) const {
-    tree_mesh *welded = nullptr;
-    tree::check(tree_mesh_weld(get(), number, control, &welded));
-    return Mesh(welded);
+    Mesh welded;
+    detail::done(tree_mesh_weld(get(), number, control, welded.place()), control);
+    return welded;
 }
 inline Mesh Mesh::from_surfaces(Span<const tree_surface> surfaces, Span<const tree_material> materials, Span<const tree_wind_branch> branches, Ref<tree_control> control) {
-    tree_mesh *mesh = nullptr;
-    tree::check(tree_mesh_from_surfaces(surfaces.data(), surfaces.size(), materials.data(), materials.size(), branches.data(), branches.size(), control, &mesh));
-    return Mesh(mesh);
+    Mesh mesh;
+    detail::done(tree_mesh_from_surfaces(surfaces.data(), surfaces.size(), materials.data(), materials.size(), branches.data(), branches.size(), control, mesh.place()), control);
+    return mesh;
 }
-inline Material Mesh::material(size_t number) const {
+inline Material Mesh::material(size_t number) const & {
     Material material;
-    tree::check(tree_mesh_material(get(), number, &material));
+    if (!(detail::done(tree_mesh_material(get(), number, &material)))) { material.struct_size = 0; }
     return material;
 }
 inline Texture Mesh::texture(size_t number) const {
-    tree_texture *texture = nullptr;
-    tree::check(tree_mesh_texture(get(), number, &texture));
-    return Texture(texture);
+    Texture texture;
+    detail::done(tree_mesh_texture(get(), number, texture.place()));
+    return texture;
 }
-inline void MeshParams::check() const {
-    tree::check(tree_mesh_params_check(this));
+inline bool MeshParams::check() const {
+    return detail::done(tree_mesh_params_check(this));
 }
 inline float MeshParams::error() const {
-    float metres = 0;
-    tree::check(tree_mesh_params_error(this, &metres));
+    float metres{};
+    detail::done(tree_mesh_params_error(this, &metres));
     return metres;
 }
 inline Topology Mesh::examine(size_t number, Ref<tree_control> control) const {
     Topology topology;
-    tree::check(tree_mesh_examine(get(), number, control, &topology));
+    if (!(detail::done(tree_mesh_examine(get(), number, control, &topology), control))) { topology.struct_size = 0; }
     return topology;
 }
-inline size_t Mesh::points(size_t number, uint32_t *of_vertex, size_t of_vertex_capacity, uint32_t *first, size_t first_capacity) const {
-    size_t n_points = 0;
-    tree::check(tree_mesh_points(get(), number, of_vertex, of_vertex_capacity, first, first_capacity, &n_points));
+inline std::tuple<std::vector<uint32_t>, std::vector<uint32_t>, size_t> Mesh::points(size_t number) const {
+    std::vector<uint32_t> of_vertex(this->surface(number).n_vertices);
+    std::vector<uint32_t> first(this->surface(number).n_vertices);
+    size_t n_points{};
+    if (!(detail::done(tree_mesh_points(get(), number, of_vertex.data(), of_vertex.size(), first.data(), first.size(), &n_points)))) { of_vertex.clear(); first.clear(); }
+    first.resize(n_points);
+    return {std::move(of_vertex), std::move(first), std::move(n_points)};
+}
+inline size_t Mesh::points(size_t number, Span<uint32_t> of_vertex, Span<uint32_t> first) const {
+    size_t n_points{};
+    detail::done(tree_mesh_points(get(), number, of_vertex.data(), of_vertex.size(), first.data(), first.size(), &n_points));
     return n_points;
 }
 inline Crossings Mesh::crossings(size_t number, Ref<tree_control> control) const {
-    tree_crossings *crossings = nullptr;
-    tree::check(tree_mesh_crossings(get(), number, control, &crossings));
-    return Crossings(crossings);
+    Crossings crossings;
+    detail::done(tree_mesh_crossings(get(), number, control, crossings.place()), control);
+    return crossings;
 }
-inline CrossingPairs Crossings::view() const {
+inline CrossingPairs Crossings::view() const & {
     CrossingPairs pairs;
-    tree::check(tree_crossings_view(get(), &pairs));
+    if (!(detail::done(tree_crossings_view(get(), &pairs)))) { pairs.struct_size = 0; }
     return pairs;
 }
 inline MeshTotals Mesh::count() const {
     MeshTotals totals;
-    tree::check(tree_mesh_count(get(), &totals));
+    if (!(detail::done(tree_mesh_count(get(), &totals)))) { totals.struct_size = 0; }
     return totals;
 }
 inline size_t Mesh::surface_count() const {
-    size_t n_surfaces = 0;
-    tree::check(tree_mesh_surface_count(get(), &n_surfaces));
+    size_t n_surfaces{};
+    detail::done(tree_mesh_surface_count(get(), &n_surfaces));
     return n_surfaces;
 }
-inline Surface Mesh::surface(size_t number) const {
+inline Surface Mesh::surface(size_t number) const & {
     Surface surface;
-    tree::check(tree_mesh_surface(get(), number, &surface));
+    if (!(detail::done(tree_mesh_surface(get(), number, &surface)))) { surface.struct_size = 0; }
     return surface;
 }
 inline Bounds Mesh::surface_bounds(size_t number) const {
     Bounds bounds;
-    tree::check(tree_mesh_surface_bounds(get(), number, &bounds));
+    if (!(detail::done(tree_mesh_surface_bounds(get(), number, &bounds)))) { bounds.struct_size = 0; }
     return bounds;
 }
 inline Bounds Mesh::bounds() const {
     Bounds bounds;
-    tree::check(tree_mesh_bounds(get(), &bounds));
+    if (!(detail::done(tree_mesh_bounds(get(), &bounds)))) { bounds.struct_size = 0; }
     return bounds;
 }
-inline void Mesh::check() const {
-    tree::check(tree_mesh_check(get()));
+inline bool Mesh::check() const {
+    return detail::done(tree_mesh_check(get()));
 }
-inline void Mesh::check_surface(size_t number) const {
-    tree::check(tree_mesh_check_surface(get(), number));
+inline bool Mesh::check_surface(size_t number) const {
+    return detail::done(tree_mesh_check_surface(get(), number));
 }
-inline void Mesh::check_colors() const {
-    tree::check(tree_mesh_check_colors(get()));
+inline bool Mesh::check_colors() const {
+    return detail::done(tree_mesh_check_colors(get()));
 }
-inline void Mesh::check_normals() const {
-    tree::check(tree_mesh_check_normals(get()));
+inline bool Mesh::check_normals() const {
+    return detail::done(tree_mesh_check_normals(get()));
 }
-inline Graph Graph::link(const struct tree_graph_nodes *nodes, Ref<tree_link_params> params, uint64_t seed, Ref<tree_control> control) {
-    tree_graph *graph = nullptr;
-    tree::check(tree_graph_link(nodes, params, seed, control, &graph));
-    return Graph(graph);
+inline Graph Graph::link(const GraphNodes &nodes, Ref<tree_link_params> params, uint64_t seed, Ref<tree_control> control) {
+    Graph graph;
+    detail::done(tree_graph_link(nodes.get(), params, seed, control, graph.place()), params, control);
+    return graph;
 }
-inline Graph Graph::from_edges(const float *positions, size_t n_nodes, const uint32_t *edges, const float *costs, size_t n_edges, Ref<tree_control> control) {
-    tree_graph *graph = nullptr;
-    tree::check(tree_graph_from_edges(positions, n_nodes, edges, costs, n_edges, control, &graph));
-    return Graph(graph);
+inline Graph Graph::from_edges(Span<const float> positions, Span<const uint32_t> edges, Span<const float> costs, Ref<tree_control> control) {
+    Graph graph;
+    static_cast<void>(detail::expect(positions.size() % 3 == 0, TREE_ERROR_BUFFER, "positions: must have 3 numbers for each item")
+        && detail::expect(edges.size() % 2 == 0, TREE_ERROR_BUFFER, "edges: must have 2 numbers for each item")
+        && detail::expect(edges.size() / 2 == costs.size(), TREE_ERROR_BUFFER, "edges and costs must be of one length")
+        && detail::done(tree_graph_from_edges(positions.data(), positions.size() / 3, edges.data(), costs.data(), edges.size() / 2, control, graph.place()), control));
+    return graph;
 }
-inline GraphColumns Graph::view() const {
+inline GraphColumns Graph::view() const & {
     GraphColumns columns;
-    tree::check(tree_graph_view(get(), &columns));
+    if (!(detail::done(tree_graph_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline void Graph::search(uint32_t root, Ref<tree_control> control, float *costs, uint32_t *predecessors, size_t capacity) const {
-    tree::check(tree_graph_search(get(), root, control, costs, predecessors, capacity));
+inline std::tuple<std::vector<float>, std::vector<uint32_t>> Graph::search(uint32_t root, Ref<tree_control> control) const {
+    std::vector<float> costs(view().n_nodes);
+    std::vector<uint32_t> predecessors(view().n_nodes);
+    if (!(detail::done(tree_graph_search(get(), root, control, costs.data(), predecessors.data(), detail::shortest({{costs.data(), costs.size()}, {predecessors.data(), predecessors.size()}})), control))) { costs.clear(); predecessors.clear(); }
+    return {std::move(costs), std::move(predecessors)};
+}
+inline bool Graph::search(uint32_t root, Ref<tree_control> control, Span<float> costs, Span<uint32_t> predecessors) const {
+    return detail::done(tree_graph_search(get(), root, control, costs.data(), predecessors.data(), detail::shortest({{costs.data(), costs.size()}, {predecessors.data(), predecessors.size()}})), control);
 }
 inline Tree path_grow(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control, tree_path_report *report) {
-    tree_tree *tree = nullptr;
-    tree::check(tree_path_grow(params, seed, control, report, &tree));
-    return Tree(tree);
+    Tree tree;
+    detail::done(tree_path_grow(params, seed, control, report, tree.place()), params, control);
+    return tree;
 }
 inline std::tuple<Bytes, Tree> path_grow_with_levels(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control, tree_path_report *report) {
-    tree_bytes *node_levels = nullptr; tree_tree *tree = nullptr;
-    tree::check(tree_path_grow_with_levels(params, seed, control, report, &node_levels, &tree));
-    return {Bytes(node_levels), Tree(tree)};
+    Bytes node_levels;
+    Tree tree;
+    detail::done(tree_path_grow_with_levels(params, seed, control, report, node_levels.place(), tree.place()), params, control);
+    return {std::move(node_levels), std::move(tree)};
 }
 inline GraphNodes Volume::graph_strew(Ref<tree_strew_params> params, uint64_t seed, Ref<tree_control> control) const {
-    tree_graph_nodes *nodes = nullptr;
-    tree::check(tree_graph_strew(get(), params, seed, control, &nodes));
-    return GraphNodes(nodes);
+    GraphNodes nodes;
+    detail::done(tree_graph_strew(get(), params, seed, control, nodes.place()), control);
+    return nodes;
 }
-inline GraphNodesColumns GraphNodes::view() const {
+inline GraphNodesColumns GraphNodes::view() const & {
     GraphNodesColumns columns;
-    tree::check(tree_graph_nodes_view(get(), &columns));
+    if (!(detail::done(tree_graph_nodes_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline void path_check(Ref<tree_path_params> params, Ref<tree_control> control) {
-    tree::check(tree_path_check(params, control));
+inline bool path_check(Ref<tree_path_params> params, Ref<tree_control> control) {
+    return detail::done(tree_path_check(params, control), params, control);
 }
 inline float path_level_radius(Ref<tree_path_params> params, size_t index) {
-    float radius = 0;
-    tree::check(tree_path_level_radius(params, index, &radius));
+    float radius{};
+    detail::done(tree_path_level_radius(params, index, &radius), params);
     return radius;
 }
 inline size_t path_preset_count() {
     return tree_path_preset_count();
 }
 inline std::tuple<std::string_view, std::string_view> path_preset_name(size_t index) {
-    tree_str name{}; tree_str title{};
-    tree::check(tree_path_preset_name(index, &name, &title));
+    tree_str name{};
+    tree_str title{};
+    detail::done(tree_path_preset_name(index, &name, &title));
     return {detail::text(name), detail::text(title)};
 }
 inline float path_preset_paper_seconds(size_t index) {
-    float seconds = 0;
-    tree::check(tree_path_preset_paper_seconds(index, &seconds));
+    float seconds{};
+    detail::done(tree_path_preset_paper_seconds(index, &seconds));
     return seconds;
 }
 inline PathParams path_preset(std::string_view name) {
     PathParams params;
-    tree::check(tree_path_preset(name.data() ? name.data() : "", name.size(), &params, sizeof(tree_path_params)));
+    if (!(detail::done(tree_path_preset(name.data() ? name.data() : "", name.size(), &params, sizeof(tree_path_params))))) { params.struct_size = 0; }
     return params;
 }
 inline Profile Profile::from_svg(std::string_view svg, Ref<tree_profile_options> options, Ref<tree_control> control) {
-    tree_profile *profile = nullptr;
-    tree::check(tree_profile_from_svg(svg.data() ? svg.data() : "", svg.size(), options, control, &profile));
-    return Profile(profile);
+    Profile profile;
+    detail::done(tree_profile_from_svg(svg.data() ? svg.data() : "", svg.size(), options, control, profile.place()), control);
+    return profile;
 }
-inline ProfileColumns Profile::view() const {
+inline ProfileColumns Profile::view() const & {
     ProfileColumns columns;
-    tree::check(tree_profile_view(get(), &columns));
+    if (!(detail::done(tree_profile_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline Volume Profile::volume(const float *base) const {
-    tree_volume *volume = nullptr;
-    tree::check(tree_profile_volume(get(), base, &volume));
-    return Volume(volume);
+inline Volume Profile::volume(const Floats<3> &base) const {
+    Volume volume;
+    detail::done(tree_profile_volume(get(), base, volume.place()));
+    return volume;
 }
-inline Volume Volume::from_svg(std::string_view svg, Ref<tree_profile_options> options, const float *base, Ref<tree_control> control) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_from_svg(svg.data() ? svg.data() : "", svg.size(), options, base, control, &volume));
-    return Volume(volume);
+inline Volume Volume::from_svg(std::string_view svg, Ref<tree_profile_options> options, const Floats<3> &base, Ref<tree_control> control) {
+    Volume volume;
+    detail::done(tree_volume_from_svg(svg.data() ? svg.data() : "", svg.size(), options, base, control, volume.place()), control);
+    return volume;
 }
-inline bool Volume::obstacle_is_free(float clearance, const float *a, const float *b) const {
+inline bool Volume::obstacle_is_free(float clearance, const Floats<3> &a, const Floats<3> &b) const {
     uint32_t is_free = 0;
-    tree::check(tree_obstacle_is_free(get(), clearance, a, b, &is_free));
+    detail::done(tree_obstacle_is_free(get(), clearance, a, b, &is_free));
     return is_free != 0;
 }
 inline Pool Pool::make(Ref<tree_pool_options> options) {
-    tree_pool *pool = nullptr;
-    tree::check(tree_pool_new(options, &pool));
-    return Pool(pool);
+    Pool pool;
+    detail::done(tree_pool_new(options, pool.place()));
+    return pool;
 }
 inline uint32_t Pool::threads() const {
-    uint32_t n_threads = 0;
-    tree::check(tree_pool_threads(get(), &n_threads));
+    uint32_t n_threads{};
+    detail::done(tree_pool_threads(get(), &n_threads));
     return n_threads;
 }
-inline MaskColumns Mask::view() const {
+inline MaskColumns Mask::view() const & {
     MaskColumns columns;
-    tree::check(tree_mask_view(get(), &columns));
+    if (!(detail::done(tree_mask_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline void Mask::bits(uint8_t *bits, size_t capacity) const {
-    tree::check(tree_mask_bits(get(), bits, capacity));
+inline std::vector<uint8_t> Mask::bits() const {
+    std::vector<uint8_t> bits(view().n_pixels);
+    if (!(detail::done(tree_mask_bits(get(), bits.data(), bits.size())))) { bits.clear(); }
+    return bits;
+}
+inline bool Mask::bits(Span<uint8_t> bits) const {
+    return detail::done(tree_mask_bits(get(), bits.data(), bits.size()));
 }
 inline Picture Mask::picture() const {
-    tree_picture *picture = nullptr;
-    tree::check(tree_mask_picture(get(), &picture));
-    return Picture(picture);
+    Picture picture;
+    detail::done(tree_mask_picture(get(), picture.place()));
+    return picture;
 }
 inline Picture Picture::from_pixels(uint32_t width, uint32_t height, Span<const uint8_t> pixels, Ref<tree_control> control) {
-    tree_picture *picture = nullptr;
-    tree::check(tree_picture_from_pixels(width, height, pixels.data(), pixels.size(), control, &picture));
-    return Picture(picture);
+    Picture picture;
+    detail::done(tree_picture_from_pixels(width, height, pixels.data(), pixels.size(), control, picture.place()), control);
+    return picture;
 }
-inline Pixels Picture::view() const {
+inline Pixels Picture::view() const & {
     Pixels pixels;
-    tree::check(tree_picture_view(get(), &pixels));
+    if (!(detail::done(tree_picture_view(get(), &pixels)))) { pixels.struct_size = 0; }
     return pixels;
 }
-inline void Picture::write_png(std::string_view path) const {
-    tree::check(tree_picture_write_png(get(), path.data() ? path.data() : "", path.size()));
+inline bool Picture::write_png(std::string_view path) const {
+    return detail::done(tree_picture_write_png(get(), path.data() ? path.data() : "", path.size()));
 }
 inline Bytes Picture::to_png() const {
-    tree_bytes *bytes = nullptr;
-    tree::check(tree_picture_to_png(get(), &bytes));
-    return Bytes(bytes);
+    Bytes bytes;
+    detail::done(tree_picture_to_png(get(), bytes.place()));
+    return bytes;
 }
 inline Picture Mesh::render(Ref<tree_view> view, Ref<tree_style> style, Ref<tree_control> control) const {
-    tree_picture *picture = nullptr;
-    tree::check(tree_render(get(), view, style, control, &picture));
-    return Picture(picture);
+    Picture picture;
+    detail::done(tree_render(get(), view, style, control, picture.place()), control);
+    return picture;
 }
 inline Mask Mesh::render_mask(Ref<tree_view> view, Ref<tree_control> control) const {
-    tree_mask *mask = nullptr;
-    tree::check(tree_render_mask(get(), view, control, &mask));
-    return Mask(mask);
+    Mask mask;
+    detail::done(tree_render_mask(get(), view, control, mask.place()), control);
+    return mask;
 }
 inline Picture Mesh::render_silhouette(Ref<tree_view> view, Ref<tree_control> control) const {
-    tree_picture *picture = nullptr;
-    tree::check(tree_render_silhouette(get(), view, control, &picture));
-    return Picture(picture);
+    Picture picture;
+    detail::done(tree_render_silhouette(get(), view, control, picture.place()), control);
+    return picture;
 }
 inline Style Style::studio() {
     Style style;
-    tree::check(tree_style_studio(&style, sizeof(tree_style)));
+    if (!(detail::done(tree_style_studio(&style, sizeof(tree_style))))) { style.struct_size = 0; }
     return style;
 }
-inline View View::place(const struct tree_mesh *mesh) const {
+inline View View::place(const Mesh &mesh) const {
     View placed;
-    tree::check(tree_view_place(this, mesh, &placed));
+    if (!(detail::done(tree_view_place(this, mesh.get(), &placed)))) { placed.struct_size = 0; }
     return placed;
 }
 inline Skeleton Skeleton::from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control) {
-    tree_skeleton *skeleton = nullptr;
-    tree::check(tree_skeleton_from_columns(columns, control, &skeleton));
-    return Skeleton(skeleton);
+    Skeleton skeleton;
+    detail::done(tree_skeleton_from_columns(columns, control, skeleton.place()), control);
+    return skeleton;
 }
-inline Skeleton Skeleton::from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, uint32_t *rows) {
-    tree_skeleton *skeleton = nullptr;
-    tree::check(tree_skeleton_from_unordered(columns, control, rows, &skeleton));
-    return Skeleton(skeleton);
+inline std::tuple<std::vector<uint32_t>, Skeleton> Skeleton::from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control) {
+    std::vector<uint32_t> rows(columns ? columns->n_nodes : 0);
+    Skeleton skeleton;
+    if (!(detail::done(tree_skeleton_from_unordered(columns, control, rows.data(), skeleton.place()), control))) { rows.clear(); }
+    return {std::move(rows), std::move(skeleton)};
 }
-inline SkeletonColumns Skeleton::view() const {
+inline Skeleton Skeleton::from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, Span<uint32_t> rows) {
+    Skeleton skeleton;
+    static_cast<void>(detail::expect((!rows.data() || rows.size() >= (columns ? columns->n_nodes : 0)), TREE_ERROR_BUFFER, "rows: not room enough")
+        && detail::done(tree_skeleton_from_unordered(columns, control, rows.data(), skeleton.place()), control));
+    return skeleton;
+}
+inline SkeletonColumns Skeleton::view() const & {
     SkeletonColumns columns;
-    tree::check(tree_skeleton_view(get(), &columns));
+    if (!(detail::done(tree_skeleton_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
 inline std::array<float, 6> Skeleton::bounds() const {
     std::array<float, 6> min_max{};
-    tree::check(tree_skeleton_bounds(get(), reinterpret_cast<float(*)[6]>(min_max.data())));
+    detail::done(tree_skeleton_bounds(get(), reinterpret_cast<float(*)[6]>(min_max.data())));
     return min_max;
 }
 inline Axes Skeleton::axes(tree_continuation rule) const {
-    tree_axes *axes = nullptr;
-    tree::check(tree_skeleton_axes(get(), rule, &axes));
-    return Axes(axes);
+    Axes axes;
+    detail::done(tree_skeleton_axes(get(), rule, axes.place()));
+    return axes;
 }
-inline AxisColumns Axes::view() const {
+inline AxisColumns Axes::view() const & {
     AxisColumns columns;
-    tree::check(tree_axes_view(get(), &columns));
+    if (!(detail::done(tree_axes_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline Skeleton Skeleton::with_radii(const float *radii, size_t n) const {
-    tree_skeleton *changed = nullptr;
-    tree::check(tree_skeleton_with_radii(get(), radii, n, &changed));
-    return Skeleton(changed);
+inline Skeleton Skeleton::with_radii(Span<const float> radii) const {
+    Skeleton changed;
+    detail::done(tree_skeleton_with_radii(get(), radii.data(), radii.size(), changed.place()));
+    return changed;
 }
-inline Skeleton Skeleton::with_positions(const float *positions, size_t n) const {
-    tree_skeleton *changed = nullptr;
-    tree::check(tree_skeleton_with_positions(get(), positions, n, &changed));
-    return Skeleton(changed);
+inline Skeleton Skeleton::with_positions(Span<const float> positions) const {
+    Skeleton changed;
+    static_cast<void>(detail::expect(positions.size() % 3 == 0, TREE_ERROR_BUFFER, "positions: must have 3 numbers for each item")
+        && detail::done(tree_skeleton_with_positions(get(), positions.data(), positions.size() / 3, changed.place())));
+    return changed;
 }
-inline void Skeleton::segment_lengths(float *lengths, size_t capacity) const {
-    tree::check(tree_skeleton_segment_lengths(get(), lengths, capacity));
+inline std::vector<float> Skeleton::segment_lengths() const {
+    std::vector<float> lengths(view().n_nodes);
+    if (!(detail::done(tree_skeleton_segment_lengths(get(), lengths.data(), lengths.size())))) { lengths.clear(); }
+    return lengths;
 }
-inline void Skeleton::distances_to_root(float *distances, size_t capacity) const {
-    tree::check(tree_skeleton_distances_to_root(get(), distances, capacity));
+inline bool Skeleton::segment_lengths(Span<float> lengths) const {
+    return detail::done(tree_skeleton_segment_lengths(get(), lengths.data(), lengths.size()));
 }
-inline void Skeleton::distances_to_tip(float *distances, size_t capacity) const {
-    tree::check(tree_skeleton_distances_to_tip(get(), distances, capacity));
+inline std::vector<float> Skeleton::distances_to_root() const {
+    std::vector<float> distances(view().n_nodes);
+    if (!(detail::done(tree_skeleton_distances_to_root(get(), distances.data(), distances.size())))) { distances.clear(); }
+    return distances;
 }
-inline void Skeleton::subtree_sizes(uint32_t *sizes, size_t capacity) const {
-    tree::check(tree_skeleton_subtree_sizes(get(), sizes, capacity));
+inline bool Skeleton::distances_to_root(Span<float> distances) const {
+    return detail::done(tree_skeleton_distances_to_root(get(), distances.data(), distances.size()));
 }
-inline void Skeleton::tip_counts(uint32_t *counts, size_t capacity) const {
-    tree::check(tree_skeleton_tip_counts(get(), counts, capacity));
+inline std::vector<float> Skeleton::distances_to_tip() const {
+    std::vector<float> distances(view().n_nodes);
+    if (!(detail::done(tree_skeleton_distances_to_tip(get(), distances.data(), distances.size())))) { distances.clear(); }
+    return distances;
 }
-inline void Skeleton::children(uint32_t *starts, size_t starts_capacity, uint32_t *nodes, size_t nodes_capacity) const {
-    tree::check(tree_skeleton_children(get(), starts, starts_capacity, nodes, nodes_capacity));
+inline bool Skeleton::distances_to_tip(Span<float> distances) const {
+    return detail::done(tree_skeleton_distances_to_tip(get(), distances.data(), distances.size()));
+}
+inline std::vector<uint32_t> Skeleton::subtree_sizes() const {
+    std::vector<uint32_t> sizes(view().n_nodes);
+    if (!(detail::done(tree_skeleton_subtree_sizes(get(), sizes.data(), sizes.size())))) { sizes.clear(); }
+    return sizes;
+}
+inline bool Skeleton::subtree_sizes(Span<uint32_t> sizes) const {
+    return detail::done(tree_skeleton_subtree_sizes(get(), sizes.data(), sizes.size()));
+}
+inline std::vector<uint32_t> Skeleton::tip_counts() const {
+    std::vector<uint32_t> counts(view().n_nodes);
+    if (!(detail::done(tree_skeleton_tip_counts(get(), counts.data(), counts.size())))) { counts.clear(); }
+    return counts;
+}
+inline bool Skeleton::tip_counts(Span<uint32_t> counts) const {
+    return detail::done(tree_skeleton_tip_counts(get(), counts.data(), counts.size()));
+}
+inline std::tuple<std::vector<uint32_t>, std::vector<uint32_t>> Skeleton::children() const {
+    std::vector<uint32_t> starts(view().n_nodes + 1);
+    std::vector<uint32_t> nodes(view().n_nodes);
+    if (!(detail::done(tree_skeleton_children(get(), starts.data(), starts.size(), nodes.data(), nodes.size())))) { starts.clear(); nodes.clear(); }
+    nodes.resize(starts.empty() ? 0 : starts.back());
+    return {std::move(starts), std::move(nodes)};
+}
+inline bool Skeleton::children(Span<uint32_t> starts, Span<uint32_t> nodes) const {
+    return detail::done(tree_skeleton_children(get(), starts.data(), starts.size(), nodes.data(), nodes.size()));
 }
 inline Swc Swc::read(std::string_view path, Ref<tree_swc_options> options, Ref<tree_control> control) {
-    tree_swc *swc = nullptr;
-    tree::check(tree_swc_read(path.data() ? path.data() : "", path.size(), options, control, &swc));
-    return Swc(swc);
+    Swc swc;
+    detail::done(tree_swc_read(path.data() ? path.data() : "", path.size(), options, control, swc.place()), control);
+    return swc;
 }
 inline Swc Swc::from_text(std::string_view text, Ref<tree_swc_options> options, Ref<tree_control> control) {
-    tree_swc *swc = nullptr;
-    tree::check(tree_swc_from_text(text.data() ? text.data() : "", text.size(), options, control, &swc));
-    return Swc(swc);
+    Swc swc;
+    detail::done(tree_swc_from_text(text.data() ? text.data() : "", text.size(), options, control, swc.place()), control);
+    return swc;
 }
 inline Skeleton Swc::skeleton() const {
-    tree_skeleton *skeleton = nullptr;
-    tree::check(tree_swc_skeleton(get(), &skeleton));
-    return Skeleton(skeleton);
+    Skeleton skeleton;
+    detail::done(tree_swc_skeleton(get(), skeleton.place()));
+    return skeleton;
 }
-inline SwcContents Swc::view() const {
+inline SwcContents Swc::view() const & {
     SwcContents contents;
-    tree::check(tree_swc_view(get(), &contents));
+    if (!(detail::done(tree_swc_view(get(), &contents)))) { contents.struct_size = 0; }
     return contents;
 }
-inline void Skeleton::write_swc(std::string_view path, Ref<tree_swc_options> options) const {
-    tree::check(tree_skeleton_write_swc(get(), path.data() ? path.data() : "", path.size(), options));
+inline bool Skeleton::write_swc(std::string_view path, Ref<tree_swc_options> options) const {
+    return detail::done(tree_skeleton_write_swc(get(), path.data() ? path.data() : "", path.size(), options));
 }
 inline Bytes Skeleton::to_swc(Ref<tree_swc_options> options) const {
-    tree_bytes *text = nullptr;
-    tree::check(tree_skeleton_to_swc(get(), options, &text));
-    return Bytes(text);
+    Bytes text;
+    detail::done(tree_skeleton_to_swc(get(), options, text.place()));
+    return text;
 }
-inline FoundLeaves Separation::leaves(const struct tree_skeleton *skeleton, Ref<tree_control> control) const {
-    tree_found_leaves *leaves = nullptr;
-    tree::check(tree_separation_leaves(get(), skeleton, control, &leaves));
-    return FoundLeaves(leaves);
+inline FoundLeaves Separation::leaves(const Skeleton &skeleton, Ref<tree_control> control) const {
+    FoundLeaves leaves;
+    detail::done(tree_separation_leaves(get(), skeleton.get(), control, leaves.place()), control);
+    return leaves;
 }
-inline Foliage FoundLeaves::foliage() const {
+inline Foliage FoundLeaves::foliage() const & {
     Foliage foliage;
-    tree::check(tree_found_leaves_foliage(get(), &foliage));
+    if (!(detail::done(tree_found_leaves_foliage(get(), &foliage)))) { foliage.struct_size = 0; }
     return foliage;
 }
-inline LeafKinds FoundLeaves::view() const {
+inline LeafKinds FoundLeaves::view() const & {
     LeafKinds kinds;
-    tree::check(tree_found_leaves_view(get(), &kinds));
+    if (!(detail::done(tree_found_leaves_view(get(), &kinds)))) { kinds.struct_size = 0; }
     return kinds;
 }
 inline Pieces Separation::follow(Ref<tree_skeletonize_params> params, Ref<tree_control> control) const {
-    tree_pieces *pieces = nullptr;
-    tree::check(tree_separation_follow(get(), params, control, &pieces));
-    return Pieces(pieces);
+    Pieces pieces;
+    detail::done(tree_separation_follow(get(), params, control, pieces.place()), control);
+    return pieces;
 }
-inline std::tuple<Skeleton, Pieces> Pieces::make(Span<const tree_piece> rows, Ref<tree_control> control) {
-    tree_skeleton *skeletons = nullptr; tree_pieces *pieces = nullptr;
-    tree::check(tree_pieces_new(&skeletons, rows.data(), rows.size(), control, &pieces));
-    return {Skeleton(skeletons), Pieces(pieces)};
+inline Pieces Pieces::make(const Handles<tree_skeleton> &skeletons, Span<const tree_piece> rows, Ref<tree_control> control) {
+    Pieces pieces;
+    static_cast<void>(detail::expect(skeletons.size() == rows.size(), TREE_ERROR_BUFFER, "skeletons and rows must be of one length")
+        && detail::done(tree_pieces_new(skeletons.data(), rows.data(), skeletons.size(), control, pieces.place()), control));
+    return pieces;
 }
 inline size_t Pieces::count() const {
-    size_t n_pieces = 0;
-    tree::check(tree_pieces_count(get(), &n_pieces));
+    size_t n_pieces{};
+    detail::done(tree_pieces_count(get(), &n_pieces));
     return n_pieces;
 }
 inline std::tuple<tree_piece, Skeleton> Pieces::piece(size_t index) const {
-    tree_piece row{}; tree_skeleton *skeleton = nullptr;
-    tree::check(tree_pieces_piece(get(), index, &row, &skeleton));
-    return {row, Skeleton(skeleton)};
+    tree_piece row{};
+    Skeleton skeleton;
+    detail::done(tree_pieces_piece(get(), index, &row, skeleton.place()));
+    return {std::move(row), std::move(skeleton)};
 }
-inline Skeleton Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, uint8_t *reached, size_t capacity) const {
-    tree_skeleton *skeleton = nullptr;
-    tree::check(tree_pieces_link(get(), params, control, reached, capacity, &skeleton));
-    return Skeleton(skeleton);
+inline std::tuple<std::vector<uint8_t>, Skeleton> Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control) const {
+    std::vector<uint8_t> reached(count());
+    Skeleton skeleton;
+    if (!(detail::done(tree_pieces_link(get(), params, control, reached.data(), reached.size(), skeleton.place()), control))) { reached.clear(); }
+    return {std::move(reached), std::move(skeleton)};
+}
+inline Skeleton Pieces::link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, Span<uint8_t> reached) const {
+    Skeleton skeleton;
+    detail::done(tree_pieces_link(get(), params, control, reached.data(), reached.size(), skeleton.place()), control);
+    return skeleton;
 }
 inline Separation Separation::make(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params, Ref<tree_control> control) {
-    tree_separation *separation = nullptr;
-    tree::check(tree_separation_new(parts.data(), parts.size(), params, control, &separation));
-    return Separation(separation);
+    Separation separation;
+    detail::done(tree_separation_new(parts.data(), parts.size(), params, control, separation.place()), control);
+    return separation;
 }
-inline Separation Separation::of_mesh(const struct tree_mesh *mesh, const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params, Ref<tree_control> control) {
-    tree_separation *separation = nullptr;
-    tree::check(tree_separation_of_mesh(mesh, hints, n_hints, params, control, &separation));
-    return Separation(separation);
+inline Separation Separation::of_mesh(const Mesh &mesh, Span<const tree_hint> hints, Ref<tree_skeletonize_params> params, Ref<tree_control> control) {
+    Separation separation;
+    detail::done(tree_separation_of_mesh(mesh.get(), hints.data(), hints.size(), params, control, separation.place()), control);
+    return separation;
 }
-inline SeparationColumns Separation::view() const {
+inline SeparationColumns Separation::view() const & {
     SeparationColumns columns;
-    tree::check(tree_separation_view(get(), &columns));
+    if (!(detail::done(tree_separation_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline Separation Separation::with_classes(const tree_class *classes, size_t n_classes) const {
-    tree_separation *other = nullptr;
-    tree::check(tree_separation_with_classes(get(), classes, n_classes, &other));
-    return Separation(other);
+inline Separation Separation::with_classes(Span<const tree_class> classes) const {
+    Separation other;
+    detail::done(tree_separation_with_classes(get(), classes.data(), classes.size(), other.place()));
+    return other;
 }
-inline Skeleton Separation::outward(const struct tree_skeleton *skeleton) const {
-    tree_skeleton *outward = nullptr;
-    tree::check(tree_separation_outward(get(), skeleton, &outward));
-    return Skeleton(outward);
+inline Skeleton Separation::outward(const Skeleton &skeleton) const {
+    Skeleton outward;
+    detail::done(tree_separation_outward(get(), skeleton.get(), outward.place()));
+    return outward;
 }
 inline Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params, Ref<tree_control> control, tree_skeletonize_report *report) {
-    tree_tree *tree = nullptr;
-    tree::check(tree_skeletonize(parts.data(), parts.size(), params, control, report, &tree));
-    return Tree(tree);
+    Tree tree;
+    detail::done(tree_skeletonize(parts.data(), parts.size(), params, control, report, tree.place()), control);
+    return tree;
 }
-inline Tree Mesh::skeletonize_mesh(const tree_hint *hints, size_t n_hints, Ref<tree_skeletonize_params> params, Ref<tree_control> control, tree_skeletonize_report *report) const {
-    tree_tree *tree = nullptr;
-    tree::check(tree_skeletonize_mesh(get(), hints, n_hints, params, control, report, &tree));
-    return Tree(tree);
+inline Tree Mesh::skeletonize_mesh(Span<const tree_hint> hints, Ref<tree_skeletonize_params> params, Ref<tree_control> control, tree_skeletonize_report *report) const {
+    Tree tree;
+    detail::done(tree_skeletonize_mesh(get(), hints.data(), hints.size(), params, control, report, tree.place()), control);
+    return tree;
 }
-inline Tree Tree::make(const struct tree_skeleton *skeleton, Ref<tree_foliage> foliage, Ref<tree_species> species, Ref<tree_control> control) {
-    tree_tree *tree = nullptr;
-    tree::check(tree_tree_new(skeleton, foliage, species, control, &tree));
-    return Tree(tree);
+inline Tree Tree::make(const Skeleton &skeleton, Ref<tree_foliage> foliage, Ref<tree_species> species, Ref<tree_control> control) {
+    Tree tree;
+    detail::done(tree_tree_new(skeleton.get(), foliage, species, control, tree.place()), control);
+    return tree;
 }
 inline Skeleton Tree::skeleton() const {
-    tree_skeleton *skeleton = nullptr;
-    tree::check(tree_tree_skeleton(get(), &skeleton));
-    return Skeleton(skeleton);
+    Skeleton skeleton;
+    detail::done(tree_tree_skeleton(get(), skeleton.place()));
+    return skeleton;
 }
-inline Foliage Tree::foliage() const {
+inline Foliage Tree::foliage() const & {
     Foliage foliage;
-    tree::check(tree_tree_foliage(get(), &foliage));
+    if (!(detail::done(tree_tree_foliage(get(), &foliage)))) { foliage.struct_size = 0; }
     return foliage;
 }
-inline Species Tree::species() const {
+inline Species Tree::species() const & {
     Species species;
-    tree::check(tree_tree_species(get(), &species));
+    if (!(detail::done(tree_tree_species(get(), &species)))) { species.struct_size = 0; }
     return species;
 }
 inline uint32_t abi_version() {
@@ -1862,124 +2329,149 @@ inline std::string_view version() {
 inline size_t live_objects() {
     return tree_live_objects();
 }
-inline Volume Volume::union_(Span<const tree_volume *const> volumes) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_union(volumes.data(), volumes.size(), &volume));
-    return Volume(volume);
+inline Volume Volume::union_(const Handles<tree_volume> &volumes) {
+    Volume volume;
+    detail::done(tree_volume_union(volumes.data(), volumes.size(), volume.place()));
+    return volume;
 }
-inline Volume Volume::intersection(Span<const tree_volume *const> volumes) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_intersection(volumes.data(), volumes.size(), &volume));
-    return Volume(volume);
+inline Volume Volume::intersection(const Handles<tree_volume> &volumes) {
+    Volume volume;
+    detail::done(tree_volume_intersection(volumes.data(), volumes.size(), volume.place()));
+    return volume;
 }
-inline Volume Volume::difference(const struct tree_volume *without) const {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_difference(get(), without, &volume));
-    return Volume(volume);
+inline Volume Volume::difference(const Volume &without) const {
+    Volume volume;
+    detail::done(tree_volume_difference(get(), without.get(), volume.place()));
+    return volume;
 }
-inline Volume Volume::transformed(const float *columns) const {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_transformed(get(), columns, &volume));
-    return Volume(volume);
+inline Volume Volume::transformed(const Floats<12> &columns) const {
+    Volume volume;
+    detail::done(tree_volume_transformed(get(), columns, volume.place()));
+    return volume;
 }
-inline void Volume::contains(const float *points, size_t n_points, Ref<tree_control> control, uint8_t *inside) const {
-    tree::check(tree_volume_contains(get(), points, n_points, control, inside));
+inline std::vector<uint8_t> Volume::contains(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<uint8_t> inside(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_volume_contains(get(), points.data(), points.size() / 3, control, inside.data()), control))) { inside.clear(); }
+    return inside;
 }
-inline void Volume::distance(const float *points, size_t n_points, Ref<tree_control> control, float *distances) const {
-    tree::check(tree_volume_distance(get(), points, n_points, control, distances));
+inline bool Volume::contains(Span<const float> points, Ref<tree_control> control, Span<uint8_t> inside) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::expect((!inside.data() || inside.size() >= (points.size() / 3)), TREE_ERROR_BUFFER, "inside: not room enough")
+        && detail::done(tree_volume_contains(get(), points.data(), points.size() / 3, control, inside.data()), control);
+}
+inline std::vector<float> Volume::distance(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> distances(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_volume_distance(get(), points.data(), points.size() / 3, control, distances.data()), control))) { distances.clear(); }
+    return distances;
+}
+inline bool Volume::distance(Span<const float> points, Ref<tree_control> control, Span<float> distances) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::expect((!distances.data() || distances.size() >= (points.size() / 3)), TREE_ERROR_BUFFER, "distances: not room enough")
+        && detail::done(tree_volume_distance(get(), points.data(), points.size() / 3, control, distances.data()), control);
 }
 inline bool Volume::distance_is_exact() const {
     uint32_t is_exact = 0;
-    tree::check(tree_volume_distance_is_exact(get(), &is_exact));
+    detail::done(tree_volume_distance_is_exact(get(), &is_exact));
     return is_exact != 0;
 }
 inline std::array<float, 6> Volume::bounds() const {
     std::array<float, 6> min_max{};
-    tree::check(tree_volume_bounds(get(), reinterpret_cast<float(*)[6]>(min_max.data())));
+    detail::done(tree_volume_bounds(get(), reinterpret_cast<float(*)[6]>(min_max.data())));
     return min_max;
 }
 inline bool Volume::is_bounded() const {
     uint32_t is_bounded = 0;
-    tree::check(tree_volume_is_bounded(get(), &is_bounded));
+    detail::done(tree_volume_is_bounded(get(), &is_bounded));
     return is_bounded != 0;
 }
 inline float Volume::measure() const {
-    float measure = 0;
-    tree::check(tree_volume_measure(get(), &measure));
+    float measure{};
+    detail::done(tree_volume_measure(get(), &measure));
     return measure;
 }
 inline float Volume::estimate_measure(uint32_t n_samples, Ref<tree_control> control) const {
-    float measure = 0;
-    tree::check(tree_volume_estimate_measure(get(), n_samples, control, &measure));
+    float measure{};
+    detail::done(tree_volume_estimate_measure(get(), n_samples, control, &measure), control);
     return measure;
 }
-inline void Volume::sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control, float *points) const {
-    tree::check(tree_volume_sample(get(), n_points, attempts, seed, control, points));
+inline std::vector<float> Volume::sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<float> points(3 * n_points);
+    if (!(detail::done(tree_volume_sample(get(), n_points, attempts, seed, control, points.data()), control))) { points.clear(); }
+    return points;
 }
-inline Volume Volume::sphere(const float *center, float radius) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_sphere(center, radius, &volume));
-    return Volume(volume);
+inline bool Volume::sample(size_t n_points, uint32_t attempts, uint64_t seed, Ref<tree_control> control, Span<float> points) const {
+    return detail::expect((!points.data() || points.size() >= (3 * n_points)), TREE_ERROR_BUFFER, "points: not room enough")
+        && detail::done(tree_volume_sample(get(), n_points, attempts, seed, control, points.data()), control);
 }
-inline Volume Volume::ellipsoid(const float *center, const float *radii) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_ellipsoid(center, radii, &volume));
-    return Volume(volume);
+inline Volume Volume::sphere(const Floats<3> &center, float radius) {
+    Volume volume;
+    detail::done(tree_volume_sphere(center, radius, volume.place()));
+    return volume;
 }
-inline Volume Volume::cylinder(const float *base, const float *top, float radius) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_cylinder(base, top, radius, &volume));
-    return Volume(volume);
+inline Volume Volume::ellipsoid(const Floats<3> &center, const Floats<3> &radii) {
+    Volume volume;
+    detail::done(tree_volume_ellipsoid(center, radii, volume.place()));
+    return volume;
 }
-inline Volume Volume::frustum(const float *base, const float *top, float base_radius, float top_radius) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_frustum(base, top, base_radius, top_radius, &volume));
-    return Volume(volume);
+inline Volume Volume::cylinder(const Floats<3> &base, const Floats<3> &top, float radius) {
+    Volume volume;
+    detail::done(tree_volume_cylinder(base, top, radius, volume.place()));
+    return volume;
 }
-inline Volume Volume::cone(const float *base, const float *apex, float base_radius) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_cone(base, apex, base_radius, &volume));
-    return Volume(volume);
+inline Volume Volume::frustum(const Floats<3> &base, const Floats<3> &top, float base_radius, float top_radius) {
+    Volume volume;
+    detail::done(tree_volume_frustum(base, top, base_radius, top_radius, volume.place()));
+    return volume;
 }
-inline Volume Volume::capsule(const float *start, const float *end, float radius) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_capsule(start, end, radius, &volume));
-    return Volume(volume);
+inline Volume Volume::cone(const Floats<3> &base, const Floats<3> &apex, float base_radius) {
+    Volume volume;
+    detail::done(tree_volume_cone(base, apex, base_radius, volume.place()));
+    return volume;
 }
-inline Volume Volume::box(const float *min, const float *max) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_box(min, max, &volume));
-    return Volume(volume);
+inline Volume Volume::capsule(const Floats<3> &start, const Floats<3> &end, float radius) {
+    Volume volume;
+    detail::done(tree_volume_capsule(start, end, radius, volume.place()));
+    return volume;
 }
-inline Volume Volume::half_space(const float *point, const float *normal) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_half_space(point, normal, &volume));
-    return Volume(volume);
+inline Volume Volume::box(const Floats<3> &min, const Floats<3> &max) {
+    Volume volume;
+    detail::done(tree_volume_box(min, max, volume.place()));
+    return volume;
 }
-inline Volume Volume::sector(const float *apex, const float *axis, float angle, float radius) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_sector(apex, axis, angle, radius, &volume));
-    return Volume(volume);
+inline Volume Volume::half_space(const Floats<3> &point, const Floats<3> &normal) {
+    Volume volume;
+    detail::done(tree_volume_half_space(point, normal, volume.place()));
+    return volume;
 }
-inline Volume Volume::revolution(const float *base, const float *axis, const float *profile, size_t n_points, Ref<tree_control> control) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_revolution(base, axis, profile, n_points, control, &volume));
-    return Volume(volume);
+inline Volume Volume::sector(const Floats<3> &apex, const Floats<3> &axis, float angle, float radius) {
+    Volume volume;
+    detail::done(tree_volume_sector(apex, axis, angle, radius, volume.place()));
+    return volume;
 }
-inline Volume Volume::closed_mesh(const float *positions, size_t n_positions, const uint32_t *indices, size_t n_triangles, Ref<tree_control> control) {
-    tree_volume *volume = nullptr;
-    tree::check(tree_volume_closed_mesh(positions, n_positions, indices, n_triangles, control, &volume));
-    return Volume(volume);
+inline Volume Volume::revolution(const Floats<3> &base, const Floats<3> &axis, Span<const float> profile, Ref<tree_control> control) {
+    Volume volume;
+    static_cast<void>(detail::expect(profile.size() % 2 == 0, TREE_ERROR_BUFFER, "profile: must have 2 numbers for each item")
+        && detail::done(tree_volume_revolution(base, axis, profile.data(), profile.size() / 2, control, volume.place()), control));
+    return volume;
 }
-inline Solid Volume::view() const {
+inline Volume Volume::closed_mesh(Span<const float> positions, Span<const uint32_t> indices, Ref<tree_control> control) {
+    Volume volume;
+    static_cast<void>(detail::expect(positions.size() % 3 == 0, TREE_ERROR_BUFFER, "positions: must have 3 numbers for each item")
+        && detail::expect(indices.size() % 3 == 0, TREE_ERROR_BUFFER, "indices: must have 3 numbers for each item")
+        && detail::done(tree_volume_closed_mesh(positions.data(), positions.size() / 3, indices.data(), indices.size() / 3, control, volume.place()), control));
+    return volume;
+}
+inline Solid Volume::view() const & {
     Solid solid;
-    tree::check(tree_volume_view(get(), &solid));
+    if (!(detail::done(tree_volume_view(get(), &solid)))) { solid.struct_size = 0; }
     return solid;
 }
 inline Volume Volume::part(size_t index) const {
-    tree_volume *part = nullptr;
-    tree::check(tree_volume_part(get(), index, &part));
-    return Volume(part);
+    Volume part;
+    detail::done(tree_volume_part(get(), index, part.place()));
+    return part;
 }
 
 } // namespace tree

@@ -38,7 +38,7 @@ void grow(const char *preset, std::uint64_t seed) {
     });
 
     tree::Tree oak = tree::path_grow(tree::path_preset(preset), seed, control);
-    tree::Mesh mesh = tree::Mesh::build(oak, tree::Look::of_tree(oak, 0), nullptr, control);
+    tree::Mesh mesh = tree::Mesh::build(oak, tree::Look::of_tree(oak, false), nullptr, control);
 
     std::vector<EngineVertex> vertices;
     std::vector<std::uint32_t> triangles;

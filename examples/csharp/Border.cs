@@ -1,7 +1,16 @@
 // What every call needs: statuses to exceptions, texts, handles that end themselves, progress and
-// cancellation. C# 7.
+// cancellation. C# 7. Calls of your own through TreeNative are written with it too, as in Tree.cs:
+//
+//     using (var call = new NativeCall(options))
+//     {
+//         tree_tree* made;
+//         call.Check(TreeNative.tree_tree_grow_leaves(
+//             (tree_tree*)call.Use(tree), null, IntPtr.Zero, null, 0, seed, call.Control, null, &made));
+//         return new BotanicalTree(made);
+//     }
 using System;
 using System.Collections.Generic;
+using System.Runtime.ExceptionServices;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
@@ -26,15 +35,15 @@ namespace TreeFamily
     {
         /// <summary>
         /// Told what is being done and the share of the whole that is done, 0 to 1; returns whether to go
-        /// on. Called from the library's threads, several at once. What it throws cancels the call and comes
-        /// out of it, as the inner exception of an OperationCanceledException.
+        /// on. Called from the library's threads, for each call of the library one at a time. What it throws
+        /// cancels the call and comes out of it as it is; unless all was done already, then it is dropped.
         /// </summary>
         public Func<string, float, bool> Progress;
 
         /// <summary>Cancels the call, which then throws OperationCanceledException.</summary>
         public CancellationToken Cancellation = CancellationToken.None;
 
-        /// <summary>Caps; begin with TreeLibrary.DefaultLimits or TreeLibrary.LimitsForMemory.</summary>
+        /// <summary>Caps; begin with TreeDefaults.Limits or TreeDefaults.LimitsForMemory.</summary>
         public tree_limits? Limits;
 
         /// <summary>Threads that do the work.</summary>
@@ -51,7 +60,8 @@ namespace TreeFamily
             get { return handle == IntPtr.Zero; }
         }
 
-        internal unsafe void Own(void* made)
+        /// <summary>Takes over what the library made.</summary>
+        protected unsafe void Own(void* made)
         {
             SetHandle((IntPtr)made);
         }
@@ -65,9 +75,10 @@ namespace TreeFamily
     }
 
     /// <summary>
-    /// One call: keeps alive what the library is handed until it is done, and makes exceptions of statuses.
+    /// One call, or several that belong together: keeps alive what the library is handed until it is
+    /// disposed of, and makes exceptions of statuses. For one thread.
     /// </summary>
-    internal sealed unsafe class Calling : IDisposable
+    public sealed unsafe class NativeCall : IDisposable
     {
         // IL2CPP has no delegates of instance methods for native code: one static method, and which call
         // it is comes in `user`. The field keeps the delegate alive.
@@ -81,14 +92,16 @@ namespace TreeFamily
         CancellationTokenRegistration registration;
         CancelSwitch owned;
         GCHandle self;
-        volatile Exception thrown;
+        volatile ExceptionDispatchInfo thrown;
 
-        /// <summary>NULL when there is nothing to say.</summary>
+        /// <summary>What the library takes as `control`; NULL when there is nothing to say.</summary>
         public tree_control* Control { get; private set; }
 
-        public Calling() : this(null) { }
+        /// <summary>A call without progress, cancellation or limits.</summary>
+        public NativeCall() : this(null) { }
 
-        public Calling(CallOptions options)
+        /// <summary>A call as the options say; null is the default.</summary>
+        public NativeCall(CallOptions options)
         {
             TreeLibrary.CheckVersion();
             this.options = options;
@@ -147,7 +160,7 @@ namespace TreeFamily
             return (void*)handle.DangerousGetHandle();
         }
 
-        /// <summary>Memory until the call is done.</summary>
+        /// <summary>Memory until the call is done, not cleared.</summary>
         public void* Block(int size)
         {
             IntPtr block = Marshal.AllocHGlobal(size);
@@ -158,15 +171,40 @@ namespace TreeFamily
         /// <summary>UTF-8 with a NUL at its end, until the call is done; null is NULL.</summary>
         public byte* Text(string text)
         {
-            if (text == null)
+            if (text != null && text.IndexOf('\0') >= 0)
             {
-                return null;
+                throw new ArgumentException("A text with a NUL in it.");
+            }
+            return text == null ? null : Str(text + '\0').data;
+        }
+
+        /// <summary>A text in a struct, until the call is done; null is empty.</summary>
+        public tree_str Str(string text)
+        {
+            if (string.IsNullOrEmpty(text))
+            {
+                return new tree_str();
             }
             byte[] bytes = Encoding.UTF8.GetBytes(text);
-            byte* block = (byte*)Block(bytes.Length + 1);
+            byte* block = (byte*)Block(bytes.Length);
             Marshal.Copy(bytes, 0, (IntPtr)block, bytes.Length);
-            block[bytes.Length] = 0;
-            return block;
+            return new tree_str { data = block, len = (UIntPtr)bytes.Length };
+        }
+
+        /// <summary>A file that the library made in memory, copied; the library's own is freed.</summary>
+        public byte[] Take(tree_bytes* made)
+        {
+            try
+            {
+                byte* data;
+                UIntPtr length;
+                Check(TreeNative.tree_bytes_view(made, &data, &length));
+                return NativeText.Bytes(data, length);
+            }
+            finally
+            {
+                TreeNative.tree_bytes_free(made);
+            }
         }
 
         /// <summary>Throws unless the status is TREE_OK.</summary>
@@ -176,10 +214,11 @@ namespace TreeFamily
             {
                 return;
             }
-            string text = Utf8.Read(TreeNative.tree_error_text());
+            string text = NativeText.Read(TreeNative.tree_error_text());
             if (thrown != null)
             {
-                throw new OperationCanceledException("Progress threw: " + thrown.Message, thrown);
+                // Not wrapped: awaiting code takes an OperationCanceledException for a wish, not a fault.
+                thrown.Throw();
             }
             if (status == TreeNative.TREE_ERROR_CANCELLED)
             {
@@ -216,26 +255,27 @@ namespace TreeFamily
         [MonoPInvokeCallback(typeof(tree_progress_fn))]
         static int OnProgress(void* user, byte* stage, float fraction)
         {
-            Calling call = null;
+            NativeCall call = null;
             try
             {
-                call = (Calling)GCHandle.FromIntPtr((IntPtr)user).Target;
-                return call.options.Progress(Utf8.Read(stage), fraction) ? 0 : 1;
+                call = (NativeCall)GCHandle.FromIntPtr((IntPtr)user).Target;
+                return call.options.Progress(NativeText.Read(stage), fraction) ? 0 : 1;
             }
             catch (Exception error)
             {
                 if (call != null)
                 {
-                    call.thrown = error;
+                    call.thrown = ExceptionDispatchInfo.Capture(error);
                 }
                 return 1;
             }
         }
     }
 
-    /// <summary>The library's texts.</summary>
-    internal static unsafe class Utf8
+    /// <summary>The library's texts and bytes, copied.</summary>
+    public static unsafe class NativeText
     {
+        /// <summary>A text that ends with a NUL; NULL is empty.</summary>
         public static string Read(byte* text)
         {
             if (text == null)
@@ -250,20 +290,27 @@ namespace TreeFamily
             return Read(text, length);
         }
 
+        /// <summary>A text of so many bytes.</summary>
         public static string Read(byte* text, int length)
         {
-            if (length == 0)
-            {
-                return "";
-            }
-            var bytes = new byte[length];
-            Marshal.Copy((IntPtr)text, bytes, 0, length);
-            return Encoding.UTF8.GetString(bytes);
+            return Encoding.UTF8.GetString(Bytes(text, (UIntPtr)checked((uint)length)));
         }
 
+        /// <summary>A text in a struct.</summary>
         public static string Read(tree_str text)
         {
-            return Read(text.data, (int)text.len);
+            return Encoding.UTF8.GetString(Bytes(text.data, text.len));
+        }
+
+        /// <summary>So many bytes.</summary>
+        public static byte[] Bytes(void* from, UIntPtr length)
+        {
+            var bytes = new byte[checked((int)length)];
+            if (bytes.Length > 0)
+            {
+                Marshal.Copy((IntPtr)from, bytes, 0, bytes.Length);
+            }
+            return bytes;
         }
     }
 }

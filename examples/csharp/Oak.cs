@@ -69,12 +69,20 @@ public static class Oak
         var options = new CallOptions { Progress = (stage, share) => stage.Length == 0 };
         Cancelled(options, "progress that says no");
         options.Progress = (stage, share) => { throw new InvalidDataException("thrown in progress"); };
-        var thrown = Cancelled(options, "progress that throws");
-        Demand(thrown.InnerException is InvalidDataException, "what progress threw comes out");
+        try
+        {
+            BotanicalTree.Grow("oak", 1, options).Dispose();
+            Demand(false, "progress that throws cancels");
+        }
+        catch (InvalidDataException error)
+        {
+            Demand(error.Message == "thrown in progress", "what progress threw comes out");
+            Demand(error.StackTrace.Contains("Oak"), "with the place where it was thrown");
+        }
         Cancelled(
             new CallOptions { Cancellation = new CancellationToken(true) }, "a cancelled token");
 
-        var limits = TreeLibrary.DefaultLimits;
+        var limits = TreeDefaults.Limits;
         limits.nodes = 10;
         try
         {
@@ -98,26 +106,25 @@ public static class Oak
         }
     }
 
-    static OperationCanceledException Cancelled(CallOptions options, string how)
+    static void Cancelled(CallOptions options, string how)
     {
         try
         {
             BotanicalTree.Grow("oak", 1, options).Dispose();
         }
-        catch (OperationCanceledException error)
+        catch (OperationCanceledException)
         {
-            return error;
+            return;
         }
         Demand(false, how + " cancels");
-        return null;
     }
 
     /// <summary>Trees small enough that two hundred take seconds.</summary>
     static void CreateAndFree()
     {
-        tree_path_params parameters = TreeLibrary.Preset("oak");
+        tree_path_params parameters = TreeDefaults.Path("oak");
         parameters.n_levels = UIntPtr.Zero;
-        tree_mesh_params coarse = TreeLibrary.DefaultMeshParams;
+        tree_mesh_params coarse = TreeDefaults.Mesh;
         coarse.sides_max = 4;
         int calls = 0;
         using (var pool = new TreePool(2))

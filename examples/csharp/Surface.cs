@@ -50,7 +50,7 @@ namespace TreeFamily
         {
             uint to = checked((uint)convention);
             var vertices = (UIntPtr)VertexCount;
-            using (var call = new Calling())
+            using (var call = new NativeCall())
             fixed (float* positions = Positions, normals = Normals, uvs = Uvs, tangents = Tangents)
             fixed (int* indices = Indices)
             {
@@ -87,6 +87,7 @@ namespace TreeFamily
             return copy;
         }
     }
+
     /// <summary>What a surface looks like, in glTF's terms.</summary>
     public sealed unsafe class TreeMaterial
     {
@@ -111,7 +112,7 @@ namespace TreeFamily
 
         internal TreeMaterial(tree_material view)
         {
-            Name = Utf8.Read(view.name);
+            Name = NativeText.Read(view.name);
             BaseColor = new[]
             {
                 view.base_color[0], view.base_color[1], view.base_color[2], view.base_color[3],

@@ -41,7 +41,7 @@ impl Resource {
 
 /// More was asked for than the caller's [`Limits`] allow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{} would be {requested}, Limits::{} allows {cap}", resource.field(), resource.field())]
+#[error("{0} would be {requested}, the limit `{0}` allows {cap}", resource.field())]
 pub struct LimitError {
     /// What would be exceeded.
     pub resource: Resource,
@@ -170,7 +170,7 @@ mod tests {
         let limits = Limits { nodes: 10, ..Default::default() };
         assert_eq!(limits.check(Resource::Nodes, 10), Ok(()));
         let error = limits.check(Resource::Nodes, 11).unwrap_err();
-        assert_eq!(error.to_string(), "nodes would be 11, Limits::nodes allows 10");
+        assert_eq!(error.to_string(), "nodes would be 11, the limit `nodes` allows 10");
     }
 
     #[test]

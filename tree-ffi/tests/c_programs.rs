@@ -101,10 +101,10 @@ fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
 }
 
-/// With exceptions, and without.
+/// With exceptions, and without, and without names of types.
 fn cpp_tests(more: &[&'static str]) -> Vec<PathBuf> {
     let source = here().join("tests/cpp/wrapper.cpp");
-    [("wrapper", &[][..]), ("wrapper_no_exceptions", &["-fno-exceptions"][..])]
+    [("wrapper", &[][..]), ("wrapper_no_exceptions", &["-fno-exceptions", "-fno-rtti"][..])]
         .iter()
         .map(|(name, own)| {
             let flags = [CPP17, *own, more].concat();

@@ -41,7 +41,17 @@ fn csharp_files(names: &[&str]) -> Vec<PathBuf> {
     names.iter().map(|name| root().join("examples/csharp").join(name)).collect()
 }
 
-const WRAPPERS: &[&str] = &["TreeNative.cs", "Border.cs", "Tree.cs", "Surface.cs"];
+const WRAPPERS: &[&str] = &[
+    "TreeNative.cs",
+    "Border.cs",
+    "Library.cs",
+    "Defaults.cs",
+    "Tree.cs",
+    "Columns.cs",
+    "Mesh.cs",
+    "Surface.cs",
+    "Packed.cs",
+];
 
 /// Has the warnings of C# 7's compiler as errors.
 fn mcs(program: &std::path::Path) -> Command {
@@ -71,6 +81,23 @@ fn csharp_builds_the_same_oak() {
         assert!(lines.iter().any(|said| said.starts_with(&line)), "{said}\nRust: {line}");
     }
     assert_eq!(lines.last(), Some(&"done"), "{said}");
+}
+
+/// A game's scripts are another assembly than the wrappers: what they need is public.
+#[test]
+fn csharp_wrappers_are_enough_from_outside() {
+    if !installed(&["mcs", "mono"]) {
+        return;
+    }
+    let work = work("csharp_whole");
+    let (wrappers, program) = (work.join("Tree.dll"), work.join("Whole.exe"));
+    let compile = &mut mcs(&wrappers);
+    succeed(compile.arg("-target:library").args(csharp_files(WRAPPERS)), &work);
+    let compile = &mut mcs(&program);
+    compile.arg(format!("-r:{}", wrappers.display()));
+    succeed(compile.arg(root().join("tree-ffi/tests/csharp/WholeCheck.cs")), &work);
+    let said = succeed(Command::new("mono").arg(&program).arg(&work), &work);
+    assert!(said.lines().any(|line| line == "whole check passed"), "{said}");
 }
 
 #[test]
@@ -113,7 +140,7 @@ fn unity_is_handed_its_own_axes() {
     let here = root().join("tree-ffi/tests/csharp");
     let compile = &mut mcs(&program);
     compile.arg("-define:UNITY_5_3_OR_NEWER").args(csharp_files(WRAPPERS));
-    compile.args(csharp_files(&["UnityTree.cs"]));
+    compile.args(csharp_files(&["UnityTree.cs", "UnityTreeMesh.cs", "UnityTreeMaterials.cs"]));
     compile.args([here.join("FakeUnity.cs"), here.join("UnityCheck.cs")]);
     succeed(compile, &work);
     let said = succeed(Command::new("mono").arg(&program), &work);

@@ -166,7 +166,7 @@ fn check_vertices(surface: usize, found: u64) -> Result<()> {
     if found <= VERTICES_MAX {
         return Ok(());
     }
-    Err(MeshError::TooManyVertices { surface, found, max: VERTICES_MAX })
+    Err(MeshError::TooManyVertices { surface: Some(surface), found, max: VERTICES_MAX })
 }
 
 /// A surface of zeros. The system hands out such pages lazily, so each is first touched by the thread

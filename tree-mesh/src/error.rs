@@ -10,10 +10,10 @@ pub(crate) type Result<T, E = MeshError> = std::result::Result<T, E>;
 #[non_exhaustive]
 pub enum MeshError {
     /// Columns of a surface differ in length.
-    #[error("surface {surface}: {field} has {found} rows, {expected} are needed")]
+    #[error("{}: {field} has {found} rows, {expected} are needed", named(surface))]
     Length {
-        /// Number of the surface.
-        surface: usize,
+        /// Number of the surface; `None` where only one is looked at.
+        surface: Option<usize>,
         /// The column at fault.
         field: &'static str,
         /// Its number of rows.
@@ -22,25 +22,33 @@ pub enum MeshError {
         expected: usize,
     },
     /// A coordinate is NaN or infinite.
-    #[error("surface {surface}: {field}[{index}] is not finite")]
+    #[error("{}: {field}[{index}] is not finite", named(surface))]
     NotFinite {
-        /// Number of the surface.
-        surface: usize,
+        /// Number of the surface; `None` where only one is looked at.
+        surface: Option<usize>,
         /// The column at fault.
         field: &'static str,
         /// Row in that column.
         index: usize,
     },
     /// An index names something that is not there.
-    #[error("surface {surface}: {what} {found} does not exist, there are only {count}")]
+    #[error("{}: {what} {found} does not exist, there are only {count}", named(surface))]
     Dangling {
-        /// Number of the surface.
-        surface: usize,
+        /// Number of the surface; `None` where only one is looked at.
+        surface: Option<usize>,
         /// `vertex`, `welded vertex`, `branch` or `material`.
         what: &'static str,
         /// The index found.
         found: u32,
         /// How many there are.
+        count: usize,
+    },
+    /// A surface of this number was asked for, and the mesh has none.
+    #[error("there is no surface {found}, only {count}")]
+    NoSurface {
+        /// The number asked for.
+        found: usize,
+        /// How many surfaces there are.
         count: usize,
     },
     /// A branch comes before the one that carries it.
@@ -53,19 +61,25 @@ pub enum MeshError {
         /// The parent found.
         parent: u32,
     },
+    /// A number of a branch is NaN or infinite.
+    #[error("branch {branch}: a number is not finite")]
+    BranchNotFinite {
+        /// Row in the table of branches.
+        branch: usize,
+    },
     /// The number of indices is not a multiple of three.
-    #[error("surface {surface}: {found} indices are not whole triangles")]
+    #[error("{}: {found} indices are not whole triangles", named(surface))]
     PartialTriangle {
-        /// Number of the surface.
-        surface: usize,
+        /// Number of the surface; `None` where only one is looked at.
+        surface: Option<usize>,
         /// Number of indices.
         found: usize,
     },
     /// A vertex is welded to a later one.
-    #[error("surface {surface}: welds[{index}] is {found}, must be {index} itself or less")]
+    #[error("{}: welds[{index}] is {found}, must be {index} itself or less", named(surface))]
     Weld {
-        /// Number of the surface.
-        surface: usize,
+        /// Number of the surface; `None` where only one is looked at.
+        surface: Option<usize>,
         /// Row in its welds.
         index: usize,
         /// The vertex it is welded to.
@@ -156,10 +170,10 @@ pub enum MeshError {
         index: usize,
     },
     /// A surface would have more vertices than 32-bit indices can name.
-    #[error("surface {surface} would have {found} vertices, 32-bit indices reach {max}")]
+    #[error("{} would have {found} vertices, 32-bit indices reach {max}", named(surface))]
     TooManyVertices {
-        /// Number of the surface.
-        surface: usize,
+        /// Number of the surface; `None` where only one is looked at.
+        surface: Option<usize>,
         /// Its number of vertices.
         found: u64,
         /// Largest allowed number.
@@ -245,4 +259,9 @@ pub enum MeshError {
     /// The caller cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+/// What an error calls a surface.
+fn named(surface: &Option<usize>) -> String {
+    surface.map_or_else(|| "the surface".into(), |number| format!("surface {number}"))
 }

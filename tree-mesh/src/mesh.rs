@@ -192,30 +192,28 @@ impl Mesh {
     /// The surface of this number.
     ///
     /// # Errors
-    /// [`MeshError::Dangling`] when there is none.
+    /// [`MeshError::NoSurface`] when there is none.
     pub fn surface(&self, number: usize) -> Result<&Surface> {
-        self.surfaces.get(number).ok_or_else(|| MeshError::Dangling {
-            surface: number,
-            what: "surface",
-            found: u32::try_from(number).unwrap_or(u32::MAX),
-            count: self.surfaces.len(),
-        })
+        let count = self.surfaces.len();
+        self.surfaces.get(number).ok_or(MeshError::NoSurface { found: number, count })
     }
 
     /// Checks that the mesh can be drawn and written: columns of equal length, finite numbers,
-    /// indices and materials that exist, looks within their ranges, textures filled.
+    /// indices and materials that exist, branches after those that carry them, looks within their
+    /// ranges, textures filled.
     ///
     /// # Errors
     /// [`MeshError::Length`], [`MeshError::NotFinite`], [`MeshError::Dangling`] or
-    /// [`MeshError::PartialTriangle`], naming surface and row; [`MeshError::Material`] or
-    /// [`MeshError::Texture`].
+    /// [`MeshError::PartialTriangle`], naming surface and row; [`MeshError::BranchOrder`];
+    /// [`MeshError::Material`] or [`MeshError::Texture`].
     ///
     /// # Complexity
     /// One pass over all columns.
     pub fn check(&self) -> Result<()> {
         for (number, surface) in self.surfaces.iter().enumerate() {
-            check_surface(number, surface, self.materials.len(), self.branches.len())?;
+            check_surface(Some(number), surface, self.materials.len(), self.branches.len())?;
         }
+        self.check_branches()?;
         for (number, material) in self.materials.iter().enumerate() {
             check_material(number, material)?;
         }
@@ -228,9 +226,32 @@ impl Mesh {
     /// As [`check`](Self::check), of the columns of one surface only.
     ///
     /// # Errors
-    /// As [`check`](Self::check), and [`MeshError::Dangling`] when there is no such surface.
+    /// As [`check`](Self::check) for columns, and [`MeshError::NoSurface`] when there is no such surface.
     pub fn check_surface(&self, number: usize) -> Result<()> {
-        check_surface(number, self.surface(number)?, self.materials.len(), self.branches.len())
+        let surface = self.surface(number)?;
+        check_surface(Some(number), surface, self.materials.len(), self.branches.len())
+    }
+
+    /// Checks that branches come after those that carry them, that only the first carries itself, and that
+    /// their numbers are finite.
+    ///
+    /// # Errors
+    /// [`MeshError::BranchOrder`] or [`MeshError::BranchNotFinite`], naming the first branch at fault.
+    pub fn check_branches(&self) -> Result<()> {
+        let finite = |b: &Branch| {
+            let numbers = [b.length, b.radius, b.collar, b.phase, b.stiffness];
+            b.pivot.is_finite() && b.axis.is_finite() && numbers.iter().all(|n| n.is_finite())
+        };
+        if let Some(branch) = self.branches.iter().position(|branch| !finite(branch)) {
+            return Err(MeshError::BranchNotFinite { branch });
+        }
+        let late = |(row, branch): &(usize, &Branch)| branch.parent as usize >= (*row).max(1);
+        match self.branches.iter().enumerate().find(late) {
+            Some((row, branch)) => {
+                Err(MeshError::BranchOrder { branch: row, parent: branch.parent })
+            }
+            None => Ok(()),
+        }
     }
 
     /// Checks that no colour is brighter than 1: file formats rely on it, drawing does not.
@@ -298,7 +319,7 @@ fn check_within(material: usize, field: &'static str, found: f32, max: f32) -> R
 }
 
 pub(crate) fn check_surface(
-    number: usize,
+    number: Option<usize>,
     surface: &Surface,
     n_materials: usize,
     n_branches: usize,

@@ -44,6 +44,42 @@ fn each_flaw_has_its_own_error() {
 }
 
 #[test]
+fn branches_come_after_those_that_carry_them() {
+    let table = |parents: &[u32]| {
+        let branches = parents.iter().map(|&parent| Branch { parent, ..Branch::default() });
+        Mesh { branches: branches.collect(), ..triangle() }.check()
+    };
+    table(&[0, 0, 1, 0, 2]).unwrap();
+    for (parents, row) in [(&[1, 0][..], 0), (&[0, 1], 1), (&[0, 2, 0], 1), (&[0, 0, 9], 2)] {
+        match table(parents) {
+            Err(MeshError::BranchOrder { branch, parent }) => {
+                assert_eq!((branch, parent), (row, parents[row]));
+            }
+            other => panic!("{parents:?}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn branches_are_finite() {
+    let limp = Branch { stiffness: f32::NAN, ..Branch::default() };
+    let mesh = Mesh { branches: vec![Branch::default(), limp], ..triangle() };
+    assert!(matches!(mesh.check(), Err(MeshError::BranchNotFinite { branch: 1 })));
+}
+
+#[test]
+fn errors_name_the_surface_only_where_it_has_a_number() {
+    let mut mesh = triangle();
+    let error = mesh.check_surface(99).unwrap_err();
+    assert_eq!(error.to_string(), "there is no surface 99, only 1");
+    mesh.surfaces[0].indices[2] = 3;
+    let error = mesh.check().unwrap_err();
+    assert_eq!(error.to_string(), "surface 0: vertex 3 does not exist, there are only 3");
+    let error = crate::topology::welded(&mesh.surfaces[0]).unwrap_err();
+    assert_eq!(error.to_string(), "the surface: vertex 3 does not exist, there are only 3");
+}
+
+#[test]
 fn a_look_outside_its_range_is_named_by_material_and_field() {
     type Change = (&'static str, fn(&mut Material));
     let changes: [Change; 8] = [

@@ -1,16 +1,16 @@
-/* BotanicalTree for Godot 3: grows a preset and fills an ArrayMesh from the library's own memory.
+/* BotanicalTree for Godot 3: grows a preset and fills an ArrayMesh from the library's own memory,
+ * with a SpatialMaterial for each surface.
  *
  *   var trees = preload("res://botanical_tree.gdns").new()
  *   mesh_instance.mesh = trees.grow("oak", 1)   # null after an error, which trees.error() tells
  *   print(trees.facts())                        # what C saw, for test.gd
  *
  * Godot's axes are the library's; its front faces run clockwise, so triangles are turned. */
-#include <gdnative_api_struct.gen.h>
+#include "material.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <tree.h>
 
 /* Places in the array that ArrayMesh.add_surface_from_arrays takes. */
 enum { AT_VERTEX = 0, AT_NORMAL = 1, AT_TEX_UV = 4, AT_INDEX = 8, N_ARRAYS = 9 };
@@ -101,10 +101,6 @@ static void put_triangles(godot_array *arrays, int at, const uint32_t *indices, 
 /* ---- the mesh ---- */
 
 static void add_surface(godot_object *mesh, const tree_surface *surface) {
-    static godot_method_bind *add = NULL;
-    if (!add) {
-        add = api->godot_method_bind_get_method("ArrayMesh", "add_surface_from_arrays");
-    }
     godot_array arrays, no_shapes;
     api->godot_array_new(&arrays);
     api->godot_array_new(&no_shapes);
@@ -115,20 +111,24 @@ static void add_surface(godot_object *mesh, const tree_surface *surface) {
     put_triangles(&arrays, AT_INDEX, surface->indices, surface->n_indices);
 
     godot_variant arguments[4];
-    const godot_variant *places[4] = {&arguments[0], &arguments[1], &arguments[2], &arguments[3]};
     api->godot_variant_new_int(&arguments[0], PRIMITIVE_TRIANGLES);
     api->godot_variant_new_array(&arguments[1], &arrays);
     api->godot_variant_new_array(&arguments[2], &no_shapes);
     /* No compression: bark repeats, and half floats have no digits left at u = 60. */
     api->godot_variant_new_int(&arguments[3], 0);
-    godot_variant_call_error wrong;
-    godot_variant nothing = api->godot_method_bind_call(add, mesh, places, 4, &wrong);
-    api->godot_variant_destroy(&nothing);
-    for (int i = 0; i < 4; i++) {
-        api->godot_variant_destroy(&arguments[i]);
-    }
+    call_method(api, mesh, "ArrayMesh", "add_surface_from_arrays", arguments, 4);
     api->godot_array_destroy(&arrays);
     api->godot_array_destroy(&no_shapes);
+}
+
+/* Gives the surface that was added last its material. */
+static tree_status add_material(godot_object *filled, int at, const tree_mesh *mesh, size_t number) {
+    godot_variant arguments[2];
+    api->godot_variant_new_int(&arguments[0], at);
+    api->godot_variant_new_nil(&arguments[1]);
+    tree_status status = make_material(api, mesh, number, &arguments[1]);
+    call_method(api, filled, "ArrayMesh", "surface_set_material", arguments, 2);
+    return status;
 }
 
 /* Fills Godot's mesh, and notes what it is made of. */
@@ -136,6 +136,7 @@ static tree_status fill(trees *self, const tree_mesh *mesh, godot_object *filled
     char line[256];
     uint64_t positions = 0xcbf29ce484222325u, indices = positions;
     size_t n_surfaces = 0;
+    int n_added = 0;
     tree_status status = tree_mesh_surface_count(mesh, &n_surfaces);
     for (size_t i = 0; status == TREE_OK && i < n_surfaces; i++) {
         tree_surface surface = {.struct_size = sizeof surface};
@@ -151,6 +152,7 @@ static tree_status fill(trees *self, const tree_mesh *mesh, godot_object *filled
         positions = fnv(positions, surface.positions, surface.n_vertices * 3 * sizeof(float));
         indices = fnv(indices, surface.indices, surface.n_indices * sizeof(uint32_t));
         add_surface(filled, &surface);
+        status = add_material(filled, n_added++, mesh, surface.material);
         snprintf(line, sizeof line, "surface %zu %zu %.9g %.9g %.9g %.9g %.9g %.9g\n",
                  surface.n_vertices, surface.n_indices, (double)box.min[0], (double)box.min[1],
                  (double)box.min[2], (double)box.max[0], (double)box.max[1], (double)box.max[2]);

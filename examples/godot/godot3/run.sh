@@ -30,8 +30,8 @@ work=$(cd "$work" && pwd)
 cp "$here"/{project.godot,botanical_tree.gdnlib,botanical_tree.gdns,test.gd} "$work/"
 ln -sf "$library/libtree_ffi.so" "$work/libtree_ffi.so"
 # Godot's headers are not strict C: -isystem.
-cc -std=c11 -Wall -Wextra -Werror -O2 -g -fPIC -shared "$here/botanical_tree.c" \
-    -isystem "$headers" -I "$root/include" -L "$library" -ltree_ffi "-Wl,-rpath,\$ORIGIN" \
+cc -std=c11 -Wall -Wextra -Werror -O2 -g -fPIC -shared "$here/botanical_tree.c" "$here/material.c" \
+    -isystem "$headers" -I "$root/include" -L "$library" -ltree_ffi -lm "-Wl,-rpath,\$ORIGIN" \
     -o "$work/libbotanical_tree.so"
 
 # A script error leaves Godot running, and its exit status says little: the time limit and the marker.

@@ -41,12 +41,27 @@ func compare(mesh, facts):
 		var box = AABB(low, high - low)
 		check(near(around(vertices), box), "bounds of the vertices of surface %d" % i)
 		check(front(arrays), "front faces of surface %d look outwards" % i)
+		dressed(mesh.surface_get_material(i), i > 0)
 		whole = box if whole == null else whole.merge(box)
 		print("surface %d: %d vertices, %d indices" % [i, vertices.size(), int(said[2])])
 	check(near(mesh.get_aabb(), whole), "%s should be %s" % [mesh.get_aabb(), whole])
 	check(whole.size.y > 2.0, "a tree's height")
 	print("oak seed 1")
 	print(facts[facts.size() - 1])
+
+func dressed(material, leaf):
+	check(material is SpatialMaterial, "a material")
+	if not material is SpatialMaterial:
+		return
+	var picture = material.albedo_texture
+	check(picture != null and picture.get_width() >= 256 and picture.get_height() >= 256, "a picture")
+	check(material.albedo_color.r > 0.05 and material.albedo_color.a == 1.0, "a colour")
+	check(material.roughness > 0.3 and material.roughness <= 1.0, "rough")
+	check(material.params_use_alpha_scissor == leaf, "leaves are cut out, bark is not")
+	check((material.params_cull_mode == SpatialMaterial.CULL_DISABLED) == leaf, "leaves have two sides")
+	check(material.transmission_enabled == leaf, "light shines through leaves")
+	if leaf:
+		check(material.params_alpha_scissor_threshold == 0.5, "where they are cut out")
 
 func around(vertices):
 	var box = AABB(vertices[0], Vector3())

@@ -86,6 +86,7 @@ impl From<MeshError> for Failure {
             MeshError::Parameter { .. }
             | MeshError::Material { .. }
             | MeshError::NotFinite { .. }
+            | MeshError::BranchNotFinite { .. }
             | MeshError::NotUnit { .. }
             | MeshError::TooLarge { .. } => TREE_ERROR_PARAMETER,
             MeshError::Unknown { .. } => TREE_ERROR_UNKNOWN_NAME,

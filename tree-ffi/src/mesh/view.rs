@@ -242,7 +242,8 @@ pub unsafe extern "C" fn tree_mesh_bounds(
 }
 
 /// Checks that a mesh can be drawn and written: columns of equal length, finite numbers, indices and
-/// materials that exist, looks within their ranges, textures filled. Meshes of this library pass.
+/// materials that exist, looks within their ranges, textures filled, branches after those that carry them.
+/// Meshes of this library pass.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_mesh_check(mesh: *const tree_mesh) -> tree_status {
     call(|| Ok(unsafe { get(mesh, "mesh") }?.rust().check()?))

@@ -4,10 +4,36 @@ using System.Collections.Generic;
 
 namespace UnityEngine
 {
+    public enum HideFlags { None = 0, DontSave = 52 }
+
     public class Object
     {
+        /// <summary>What Unity holds in memory until it is destroyed; shaders and components left out.</summary>
+        public static readonly HashSet<Object> Alive = new HashSet<Object>();
+
         public string name { get; set; }
+        public HideFlags hideFlags { get; set; }
+
+        public static void Destroy(Object gone)
+        {
+            End(gone, true);
+        }
+
+        public static void DestroyImmediate(Object gone)
+        {
+            End(gone, false);
+        }
+
+        static void End(Object gone, bool playing)
+        {
+            if (Application.isPlaying != playing || !Alive.Remove(gone))
+            {
+                throw new InvalidOperationException("destroyed twice, or not as this mode wants it");
+            }
+        }
     }
+
+    public static class Application { public static bool isPlaying = true; }
 
     public class MonoBehaviour : Object
     {
@@ -24,9 +50,9 @@ namespace UnityEngine
         }
     }
 
-    public class MeshFilter { public Mesh sharedMesh { get; set; } }
+    public class MeshFilter : Object { public Mesh sharedMesh { get; set; } }
 
-    public class MeshRenderer { public Material[] sharedMaterials { get; set; } }
+    public class MeshRenderer : Object { public Material[] sharedMaterials { get; set; } }
 
     public enum MeshTopology { Triangles = 0 }
 
@@ -40,6 +66,8 @@ namespace UnityEngine
         public int subMeshCount { get; set; }
         public readonly Dictionary<int, int[]> Indices = new Dictionary<int, int[]>();
         public bool HasBounds;
+
+        public Mesh() { Alive.Add(this); }
 
         public void SetIndices(int[] indices, MeshTopology topology, int submesh)
         {
@@ -108,6 +136,7 @@ namespace UnityEngine
         {
             this.width = width;
             this.height = height;
+            Alive.Add(this);
         }
 
         public void SetPixels32(Color32[] pixels) { Pixels = pixels; }
@@ -116,21 +145,53 @@ namespace UnityEngine
 
     public class Shader : Object
     {
-        public static Shader Find(string name) { return new Shader { name = name }; }
+        static readonly Dictionary<string, string> Known = new Dictionary<string, string>
+        {
+            { "Standard", "_Color _MainTex _Glossiness _Cutoff _Mode" },
+            {
+                "Universal Render Pipeline/Lit",
+                "_BaseColor _BaseMap _Smoothness _Cutoff _AlphaClip _Cull"
+            },
+            {
+                "HDRP/Lit",
+                "_BaseColor _BaseColorMap _Smoothness _AlphaCutoff _AlphaCutoffEnable _CullMode "
+                + "_CullModeForward _DoubleSidedEnable"
+            }
+        };
+
+        public static Shader Find(string name)
+        {
+            return Known.ContainsKey(name) ? new Shader { name = name } : null;
+        }
+
+        public int FindPropertyIndex(string property)
+        {
+            return Array.IndexOf(Known[name].Split(' '), property);
+        }
     }
 
     public class Material : Object
     {
         public readonly Dictionary<string, object> Set = new Dictionary<string, object>();
         public int renderQueue { get; set; }
+        public Shader shader { get; private set; }
 
-        public Material(Shader shader) { }
-        public bool HasProperty(string name) { return name[1] != 'B' && name != "_AlphaClip"; }
+        public Material(Shader shader)
+        {
+            this.shader = shader;
+            Alive.Add(this);
+        }
+
+        public bool HasProperty(string name) { return shader.FindPropertyIndex(name) >= 0; }
         public void SetColor(string name, Color value) { Set[name] = value; }
+        public void SetVector(string name, Vector4 value) { Set[name] = value; }
         public void SetTexture(string name, Texture value) { Set[name] = value; }
         public void SetFloat(string name, float value) { Set[name] = value; }
         public void EnableKeyword(string name) { Set[name] = true; }
+        public void SetOverrideTag(string name, string value) { Set[name] = value; }
     }
+
+    public class ExecuteAlways : Attribute { }
 
     public class RequireComponent : Attribute
     {
@@ -161,8 +222,14 @@ namespace UnityEngine.Rendering
 
     public enum RenderQueue { AlphaTest = 2450 }
 
+    public class RenderPipelineAsset : Object { }
+
+    public class UniversalRenderPipelineAsset : RenderPipelineAsset { }
+
+    public class HDRenderPipelineAsset : RenderPipelineAsset { }
+
     public static class GraphicsSettings
     {
-        public static object defaultRenderPipeline { get { return null; } }
+        public static RenderPipelineAsset currentRenderPipeline { get; set; }
     }
 }

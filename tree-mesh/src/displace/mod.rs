@@ -121,7 +121,7 @@ pub fn displace(
     let points = welded(surface)?;
     let known = branches.len();
     if let Some(&found) = surface.branches.iter().find(|&&b| known > 0 && b as usize >= known) {
-        return Err(MeshError::Dangling { surface: 0, what: "branch", found, count: known });
+        return Err(MeshError::Dangling { surface: None, what: "branch", found, count: known });
     }
     let triangles = points.triangles(surface);
     let places: Vec<Vec3> = points.first.iter().map(|&v| surface.positions[v as usize]).collect();

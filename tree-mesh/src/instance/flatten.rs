@@ -93,7 +93,7 @@ impl InstancedTree {
             let found = repeated.fold(surface.positions.len() as u64, u64::saturating_add);
             let max = u64::from(u32::MAX) - 1;
             if found > max {
-                return Err(MeshError::TooManyVertices { surface: number, found, max });
+                return Err(MeshError::TooManyVertices { surface: Some(number), found, max });
             }
         }
         Ok(())

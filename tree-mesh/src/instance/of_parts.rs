@@ -3,7 +3,6 @@
 use super::{InstancedTree, Twig, TwigReport, sizes};
 use crate::error::{MeshError, Result};
 use crate::mesh::Mesh;
-use crate::wind::Branch;
 
 impl InstancedTree {
     /// An instanced tree of parts of your own. Its report has the sizes; it stands for no tree, so `reach`
@@ -26,27 +25,14 @@ impl InstancedTree {
     /// bear instances exist.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; [`MeshError::BranchOrder`]; [`MeshError::Instances`], naming the twig.
+    /// As [`Mesh::check`]; [`MeshError::Instances`], naming the twig.
     pub fn check(&self) -> Result<()> {
         self.base.check()?;
-        check_branches(&self.base.branches)?;
         for (number, twig) in self.twigs.iter().enumerate() {
             twig.mesh.check()?;
-            check_branches(&twig.mesh.branches)?;
             check_twig(number, twig, &self.base)?;
         }
         Ok(())
-    }
-}
-
-fn check_branches(branches: &[Branch]) -> Result<()> {
-    let row = |(row, branch): (usize, &Branch)| {
-        // The first carries itself, all others come after their parents.
-        (branch.parent as usize >= row.max(1)).then_some((row, branch.parent))
-    };
-    match branches.iter().enumerate().find_map(row) {
-        Some((branch, parent)) => Err(MeshError::BranchOrder { branch, parent }),
-        None => Ok(()),
     }
 }
 

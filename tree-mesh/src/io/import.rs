@@ -213,7 +213,9 @@ impl<'a> Beside<'a> {
             Err(MeshError::External { format: self.format, uri, problem })
         };
         let Some(folder) = &self.folder else {
-            return refuse("other files are read only when ImportOptions::external asks for them");
+            return refuse(
+                "other files are read only when the import option `external` asks for them",
+            );
         };
         let name = name.replace('\\', "/");
         let inside = !name.is_empty()

@@ -2,7 +2,7 @@
 
 use super::{Indices, Packed, Stream};
 use crate::convert::Convention;
-use crate::error::{MeshError, Result};
+use crate::error::Result;
 use crate::mesh::{Mesh, Surface};
 use crate::wind::{self, Branch, VertexWind};
 use glam::{Vec2, Vec3, Vec4};
@@ -30,16 +30,11 @@ pub(super) struct Source<'a> {
 
 impl<'a> Source<'a> {
     /// # Errors
-    /// As [`Mesh::check_surface`].
+    /// As [`Mesh::check_surface`] and [`Mesh::check_branches`].
     pub(super) fn new(mesh: &'a Mesh, number: usize, space: Convention) -> Result<Self> {
         let surface = mesh.surface(number)?;
         mesh.check_surface(number)?;
-        for (index, branch) in mesh.branches.iter().enumerate() {
-            let parent = branch.parent as usize;
-            if parent > index || (parent == index && index > 0) {
-                return Err(MeshError::BranchOrder { branch: index, parent: branch.parent });
-            }
-        }
+        mesh.check_branches()?;
         Ok(Self { surface, branches: &mesh.branches, wind: wind::vertices(mesh, number)?, space })
     }
 
@@ -55,18 +50,18 @@ impl<'a> Source<'a> {
         self.branches.get(number as usize).unwrap_or(&STILL)
     }
 
-    /// The branch at this level that carries (or is) the given one; `None` when that lies lower.
-    pub(super) fn ancestor(&self, mut number: u32, level: u32) -> Option<u32> {
-        loop {
-            let branch = self.branches.get(number as usize)?;
-            if branch.level <= level {
-                return (branch.level == level).then_some(number);
-            }
-            if branch.parent >= number {
-                return None;
-            }
-            number = branch.parent;
+    /// For each branch the one at this level that carries (or is) it; `None` where that lies lower.
+    pub(super) fn ancestors(&self, level: u32) -> Vec<Option<u32>> {
+        let mut found: Vec<Option<u32>> = Vec::with_capacity(self.branches.len());
+        for (number, branch) in (0..).zip(self.branches) {
+            found.push(if branch.level <= level {
+                (branch.level == level).then_some(number)
+            } else {
+                // Parents come first; the first branch, which carries itself, has no entry yet.
+                found.get(branch.parent as usize).copied().flatten()
+            });
         }
+        found
     }
 
     pub(super) fn positions(&self) -> impl Iterator<Item = Vec3> + '_ {

@@ -29,7 +29,7 @@
 use super::common::Source;
 use super::{Packed, Stream, Unpacked, half};
 use crate::convert::Convention;
-use crate::error::{MeshError, Result};
+use crate::error::Result;
 use crate::mesh::Mesh;
 use crate::wind::Branch;
 use glam::{Vec2, Vec3};
@@ -103,11 +103,12 @@ impl Textures {
     /// Makes the textures of a mesh.
     ///
     /// # Errors
-    /// [`MeshError::BranchOrder`].
+    /// As [`Mesh::check_branches`].
     ///
     /// # Complexity
     /// O(branches).
     pub fn new(mesh: &Mesh) -> Result<Self> {
+        mesh.check_branches()?;
         let branches = &mesh.branches;
         let levels = branches
             .iter()
@@ -120,14 +121,11 @@ impl Textures {
         let kept_levels = (1..=levels.min(LEVELS_MAX)).rev().find(|&kept| fits(kept)).unwrap_or(0);
         let mut element_of: Vec<u32> = Vec::with_capacity(branches.len());
         let mut elements: Vec<&Branch> = Vec::new();
-        for (number, branch) in branches.iter().enumerate() {
-            let parent = branch.parent as usize;
-            let below = element_of.get(parent).copied();
+        for branch in branches {
+            // Parents come first, so only the first branch finds none.
+            let below = element_of.get(branch.parent as usize).copied();
             element_of.push(match below {
                 Some(below) if branch.level >= kept_levels => below,
-                None if parent != number || number > 0 => {
-                    return Err(MeshError::BranchOrder { branch: number, parent: branch.parent });
-                }
                 _ => {
                     elements.push(branch);
                     elements.len() as u32 - 1

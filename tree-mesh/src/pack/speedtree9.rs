@@ -29,6 +29,7 @@ use super::{Packed, Stream, Unpacked, direction};
 use crate::convert::Convention;
 use crate::error::Result;
 use crate::mesh::Mesh;
+use crate::wind::VertexWind;
 use glam::{Vec2, Vec3};
 
 /// `_ST_BranchStretchLimits`: the longest free lengths of branches 1 and 2, in metres.
@@ -52,37 +53,48 @@ impl Limits {
     }
 }
 
-/// Noise, direction and weight of the branch at a level, for one vertex.
-fn branch(source: &Source<'_>, vertex: usize, level: u32, limit: f32) -> [f32; 3] {
-    let still = [direction::speedtree9(Vec3::Y), direction::speedtree9(Vec3::Y), 0.0];
-    let Some(wind) = source.wind.get(vertex) else { return still };
-    let Some(number) = source.ancestor(wind.branch, level) else { return still };
-    let branch = source.branch(number);
-    let weight = if limit > 0.0 {
-        branch.reach(wind.anchor) * (branch.length - branch.collar) / limit
-    } else {
-        0.0
-    };
-    let along = (wind.anchor - branch.pivot).normalize_or(branch.axis);
-    let [noise, along] = [branch.swing(), along].map(|v| source.space.direction(v));
-    [direction::speedtree9(noise), direction::speedtree9(along), weight]
+/// The branches of a level, for each branch the one that carries it.
+struct Level {
+    carriers: Vec<Option<u32>>,
+    /// The longest free length of the level, in metres.
+    limit: f32,
+}
+
+impl Level {
+    /// Noise, direction and weight of the branch that carries a vertex.
+    fn of(&self, source: &Source<'_>, wind: &VertexWind) -> [f32; 3] {
+        let Some(number) = self.carriers.get(wind.branch as usize).copied().flatten() else {
+            return [direction::speedtree9(Vec3::Y), direction::speedtree9(Vec3::Y), 0.0];
+        };
+        let branch = source.branch(number);
+        let weight = if self.limit > 0.0 {
+            branch.reach(wind.anchor) * (branch.length - branch.collar) / self.limit
+        } else {
+            0.0
+        };
+        let along = (wind.anchor - branch.pivot).normalize_or(branch.axis);
+        let [noise, along] = [branch.swing(), along].map(|v| source.space.direction(v));
+        [direction::speedtree9(noise), direction::speedtree9(along), weight]
+    }
 }
 
 /// Packs a surface.
 ///
 /// # Errors
-/// As [`Mesh::check`], of this surface.
+/// As [`Mesh::check_surface`] and [`Mesh::check_branches`].
 ///
 /// # Complexity
-/// O(vertices × depth of the hierarchy).
+/// O(branches + vertices), whatever the depth of the hierarchy.
 pub fn pack(mesh: &Mesh, surface: usize) -> Result<Packed> {
     let source = Source::new(mesh, surface, Convention::Unity)?;
     let limits = Limits::of(mesh);
+    let level = |level, limit| Level { carriers: source.ancestors(level), limit };
+    let [first, second] = [level(1, limits.branch1), level(2, limits.branch2)];
     let (mut colors, mut uv0, mut uv1) = (Vec::new(), Vec::new(), Vec::new());
     let (mut uv2, mut uv3) = (Vec::new(), Vec::new());
     for (vertex, wind) in source.wind.iter().enumerate() {
-        let [noise1, along1, weight1] = branch(&source, vertex, 1, limits.branch1);
-        let [noise2, along2, weight2] = branch(&source, vertex, 2, limits.branch2);
+        let [noise1, along1, weight1] = first.of(&source, wind);
+        let [noise2, along2, weight2] = second.of(&source, wind);
         let (uv, map) = (source.uv(vertex), source.uv2(vertex));
         let anchor = source.space.position(wind.anchor);
         let shade = source.occlusion(vertex);

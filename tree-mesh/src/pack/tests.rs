@@ -1,6 +1,6 @@
 use super::*;
 use crate::convert::Convention;
-use crate::mesh::Mesh;
+use crate::mesh::{Material, Mesh, Surface};
 use crate::sample;
 use crate::wind::{self, sway};
 use glam::{Vec2, Vec3};
@@ -266,6 +266,58 @@ fn what_a_surface_lacks_is_filled_in() {
             assert!(normal.truncate().dot(tangent.truncate()).abs() < 1e-5);
         }
         assert!(packed.rows("COLOR").all(|color| color.w == 1.0));
+    }
+}
+
+#[test]
+fn chains_of_thousands_of_branches_find_their_boughs() {
+    const LENGTH: u32 = 20_000;
+    // Two chains on one trunk: 1, 3, 5... and 2, 4, 6...
+    let branch = |number: u32| wind::Branch {
+        parent: number.saturating_sub(2),
+        level: number.div_ceil(2),
+        pivot: Vec3::Y * (number as f32 / LENGTH as f32),
+        length: 2.0 + (number % 7) as f32,
+        phase: wind::leaf_phase(number),
+        ..Default::default()
+    };
+    let vertices = 0..2 * LENGTH + 1;
+    let surface = Surface {
+        positions: vertices.clone().map(|v| Vec3::new(1.5, v as f32 * 1e-5, 0.0)).collect(),
+        normals: vec![Vec3::X; vertices.len()],
+        uvs: vec![Vec2::ZERO; vertices.len()],
+        branches: vertices.clone().collect(),
+        ..Default::default()
+    };
+    let mesh = Mesh {
+        surfaces: vec![surface],
+        materials: vec![Material::default()],
+        branches: vertices.clone().map(branch).collect(),
+    };
+    let carrier = |number: u32, level: u32| {
+        // The trunk, or the branch of this level on the same chain.
+        let own = number.div_ceil(2);
+        (own >= level).then_some(if level == 0 { 0 } else { 2 * level - number % 2 })
+    };
+    let source = common::Source::new(&mesh, 0, Convention::Unity).unwrap();
+    for level in 0..3 {
+        let wanted: Vec<Option<u32>> = vertices.clone().map(|v| carrier(v, level)).collect();
+        assert_eq!(source.ancestors(level), wanted, "level {level}");
+    }
+    let limits = speedtree9::Limits::of(&mesh);
+    let speedtree = speedtree9::unpack(&speedtree9::pack(&mesh, 0).unwrap());
+    let creator = tree_creator::unpack(&tree_creator::pack(&mesh, 0).unwrap());
+    for vertex in vertices {
+        let row = vertex as usize;
+        let [bough, twig] = [1, 2].map(|level| carrier(vertex, level).map(branch));
+        let weight = |branch: Option<wind::Branch>, limit: f32| {
+            let at = mesh.surfaces[0].positions[row];
+            branch.map_or(0.0, |b| b.reach(at) * (b.length - b.collar) / limit)
+        };
+        let wanted = Vec2::new(weight(bough, limits.branch1), weight(twig, limits.branch2));
+        assert_eq!(speedtree.weights[row], wanted, "vertex {vertex}");
+        let phase = bough.map_or(0.0, |bough| bough.phase);
+        assert!((creator.phases[row] - phase).abs() <= BYTE, "vertex {vertex}");
     }
 }
 

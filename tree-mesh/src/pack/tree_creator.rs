@@ -28,11 +28,10 @@ use crate::mesh::Mesh;
 use crate::wind::{VertexWind, sway};
 use glam::Vec2;
 
-/// Phase, primary and secondary bend of a vertex.
-fn bends(source: &Source<'_>, wind: &VertexWind) -> (f32, Vec2) {
+/// Phase, primary and secondary bend of a vertex, given the trunk and the bough that carry it.
+fn bends(source: &Source<'_>, wind: &VertexWind, [trunk, bough]: [Option<u32>; 2]) -> (f32, Vec2) {
     let bend = |reach: f32| reach * sway(reach);
-    let trunk = source.ancestor(wind.branch, 0);
-    match source.ancestor(wind.branch, 1) {
+    match bough {
         Some(number) => {
             let bough = source.branch(number);
             let carried = trunk.map_or(0.0, |trunk| source.branch(trunk).reach(bough.pivot));
@@ -48,15 +47,17 @@ fn bends(source: &Source<'_>, wind: &VertexWind) -> (f32, Vec2) {
 /// Packs a surface.
 ///
 /// # Errors
-/// As [`Mesh::check`], of this surface.
+/// As [`Mesh::check_surface`] and [`Mesh::check_branches`].
 ///
 /// # Complexity
-/// O(vertices × depth of the hierarchy).
+/// O(branches + vertices), whatever the depth of the hierarchy.
 pub fn pack(mesh: &Mesh, surface: usize) -> Result<Packed> {
     let source = Source::new(mesh, surface, Convention::Unity)?;
+    let levels = [source.ancestors(0), source.ancestors(1)];
     let (mut colors, mut uv1) = (Vec::new(), Vec::new());
     for (vertex, wind) in source.wind.iter().enumerate() {
-        let (phase, bend) = bends(&source, wind);
+        let carriers = levels.each_ref().map(|of| of.get(wind.branch as usize).copied().flatten());
+        let (phase, bend) = bends(&source, wind, carriers);
         colors.push([phase, wind.flutter, 0.0, source.occlusion(vertex)]);
         uv1.push(bend.to_array());
     }

@@ -72,7 +72,7 @@ impl Work {
         let copies = Copies::new(&self.edges, &self.surface.indices, self.of_vertex.len());
         if copies.n_vertices > VERTICES_MAX {
             let found = copies.n_vertices;
-            return Err(MeshError::TooManyVertices { surface: 0, found, max: VERTICES_MAX });
+            return Err(MeshError::TooManyVertices { surface: None, found, max: VERTICES_MAX });
         }
         add_vertices(&mut self.surface, &copies.ends);
         self.of_vertex.extend(copies.edges.iter().map(|&edge| n_points as u32 + edge));

@@ -119,7 +119,7 @@ pub fn subdivide(
     // Half-edges have 32-bit numbers.
     let (found, max) = (n_triangles.saturating_mul(3), u64::from(u32::MAX) - 1);
     if found > max {
-        return Err(MeshError::TooManyVertices { surface: 0, found, max });
+        return Err(MeshError::TooManyVertices { surface: None, found, max });
     }
     if params.levels == 0 {
         return Ok(surface.clone());

@@ -98,7 +98,7 @@ fn surfaces_that_are_not_valid_are_refused() {
     ));
     assert!(matches!(spoil(|s| s.welds = vec![0; 3]), MeshError::Length { field: "welds", .. }));
     let error = spoil(|s| s.welds = vec![1; 24]);
-    assert_eq!(error.to_string(), "surface 0: welds[0] is 1, must be 0 itself or less");
+    assert_eq!(error.to_string(), "the surface: welds[0] is 1, must be 0 itself or less");
     assert!(matches!(
         spoil(|s| s.indices.truncate(4)),
         MeshError::PartialTriangle { found: 4, .. }

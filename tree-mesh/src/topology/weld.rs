@@ -54,7 +54,7 @@ impl Points {
 /// O(vertices) with welds, O(vertices log vertices) without.
 pub fn welded(surface: &Surface) -> Result<Points> {
     // Materials and branches are the mesh's, not the surface's.
-    check_surface(0, surface, usize::MAX, usize::MAX)?;
+    check_surface(None, surface, usize::MAX, usize::MAX)?;
     if surface.welds.is_empty() {
         return Ok(by_position(&surface.positions));
     }
@@ -66,7 +66,7 @@ pub fn welded(surface: &Surface) -> Result<Points> {
         } else if (found as usize) < index {
             points.of_vertex[found as usize]
         } else {
-            return Err(MeshError::Weld { surface: 0, index, found });
+            return Err(MeshError::Weld { surface: None, index, found });
         };
     }
     Ok(points)

@@ -86,16 +86,24 @@ fn check(surface: &Surface, number: usize, n_branches: usize) -> Result<()> {
     let expected = surface.positions.len();
     let found = surface.branches.len();
     if found != expected && found != 0 {
-        return Err(MeshError::Length { surface: number, field: "branches", found, expected });
+        return Err(MeshError::Length {
+            surface: Some(number),
+            field: "branches",
+            found,
+            expected,
+        });
     }
     if expected.checked_rem(surface.anchors.len()).is_some_and(|rest| rest != 0) {
         let found = surface.anchors.len();
-        return Err(MeshError::Length { surface: number, field: "anchors", found, expected });
+        return Err(MeshError::Length { surface: Some(number), field: "anchors", found, expected });
     }
     match surface.branches.iter().find(|&&branch| branch as usize >= n_branches) {
-        Some(&found) => {
-            Err(MeshError::Dangling { surface: number, what: "branch", found, count: n_branches })
-        }
+        Some(&found) => Err(MeshError::Dangling {
+            surface: Some(number),
+            what: "branch",
+            found,
+            count: n_branches,
+        }),
         None => Ok(()),
     }
 }

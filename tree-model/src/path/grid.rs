@@ -4,14 +4,14 @@
 //! that spreads through them stays within few pages. A small grid is one brick.
 
 use glam::Vec3;
-use tree_core::Aabb;
+use tree_core::{Aabb, LimitError, Resource};
 
 /// At most this many cells for each point expected. A thin slanted volume fills little of its box;
 /// without a cap its cells would outweigh its points.
 const CELLS_PER_POINT: f32 = 6.0;
 
 /// Grids up to this many cells are one brick: they fit a core's cache as they are.
-const ONE_BRICK: u32 = 4096;
+const ONE_BRICK: u64 = 4096;
 
 /// Binary logarithms of a brick's edges in cells: 16 × 8 × 8, some 400 points.
 const BRICK: [u32; 3] = [4, 3, 3];
@@ -32,7 +32,11 @@ pub(crate) struct Grid {
 
 impl Grid {
     /// Cells of edge `cell`, or longer ones where that would be too many.
-    pub(crate) fn new(bounds: Aabb, cell: f32, n_points: u32) -> Self {
+    ///
+    /// # Errors
+    /// [`LimitError`] when 32 bits do not number the cells; its cap is about the number of points whose
+    /// cells they would.
+    pub(crate) fn new(bounds: Aabb, cell: f32, n_points: u32) -> Result<Self, LimitError> {
         let size = bounds.size();
         let cap = CELLS_PER_POINT * n_points as f32 + 64.0;
         let mut cell = cell.max(f32::MIN_POSITIVE);
@@ -40,14 +44,23 @@ impl Grid {
         while dims(cell).iter().product::<f32>() > cap {
             cell *= 1.26; // the cube root of 2: half the cells
         }
-        let dims = dims(cell).map(|n| n as u32);
-        let small = dims.iter().product::<u32>() <= ONE_BRICK;
+        // A thin grid may have more cells along one side than 32 bits number.
+        let dims = dims(cell).map(|n| n as u64);
+        let small = dims.iter().product::<u64>() <= ONE_BRICK;
         // No brick is longer than the grid: thin grids would be mostly empty cells.
         let most = if small { [u32::MAX; 3] } else { BRICK };
         let brick = std::array::from_fn(|i| dims[i].next_power_of_two().ilog2().min(most[i]));
-        let bricks = std::array::from_fn(|i| ((dims[i] - 1) >> brick[i]) + 1);
+        let bricks: [u64; 3] = std::array::from_fn(|i| ((dims[i] - 1) >> brick[i]) + 1);
+        let n_cells = bricks.iter().product::<u64>() << brick.iter().sum::<u32>();
+        if n_cells > u64::from(u32::MAX) {
+            let (requested, held) = (u64::from(n_points), u64::from(u32::MAX));
+            // Cells grow in number as points do. The product of 32-bit numbers fits.
+            let cap = requested * held / n_cells;
+            return Err(LimitError { resource: Resource::GraphNodes, requested, cap });
+        }
+        let [dims, bricks] = [dims, bricks].map(|sides| sides.map(|n| n as u32));
         let per_metre = cell.recip();
-        Self { origin: bounds.min, cell, per_metre, dims, brick, bricks, starts: Vec::new() }
+        Ok(Self { origin: bounds.min, cell, per_metre, dims, brick, bricks, starts: Vec::new() })
     }
 
     /// Cell of a point; points outside count to the nearest cell.
@@ -131,6 +144,28 @@ impl Grid {
                     x = last + 1;
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_beyond_32_bits_are_an_error_in_every_shape() {
+        for size in [Vec3::ONE, Vec3::new(1.0, 1e-9, 1e-9), Vec3::new(1.0, 1.0, 1e-9)] {
+            let bounds = Aabb::new(Vec3::ZERO, size);
+            for n_points in [1_500_000_000, u32::MAX] {
+                let error = Grid::new(bounds, f32::MIN_POSITIVE, n_points).unwrap_err();
+                assert_eq!(error.requested, u64::from(n_points));
+                let cap = u32::try_from(error.cap).unwrap();
+                assert!((100_000_000..n_points).contains(&cap), "{size}: {cap}");
+            }
+            let grid = Grid::new(bounds, f32::MIN_POSITIVE, 100_000_000).unwrap();
+            let cell = grid.cell_of(size);
+            assert_eq!(cell, grid.dims.map(|n| n - 1));
+            assert!((grid.number(cell) as usize) < grid.n_cells());
         }
     }
 }

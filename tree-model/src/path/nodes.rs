@@ -77,7 +77,8 @@ pub struct Nodes {
 /// # Errors
 /// [`ModelError::NotFinite`] and [`ModelError::Parameter`] for `forced` and `obstacle`,
 /// [`ModelError::EmptyVolume`] when the volume has no end or no dart hits it,
-/// [`ModelError::Limit`] when `wanted` exceeds [`Limits::graph_nodes`](tree_core::Limits).
+/// [`ModelError::Limit`] when `wanted` exceeds [`Limits::graph_nodes`](tree_core::Limits), or what 32 bits
+/// number in a volume of this shape (500 million at the least).
 ///
 /// # Complexity
 /// O(wanted · share of the bounding box that the volume fills); 30 bytes a node.
@@ -114,7 +115,7 @@ pub fn strew(
     if !(box_measure.is_finite() && measure.is_finite() && separation > 0.0) {
         return Err(empty("it is too large or too small for single precision"));
     }
-    let grid = Grid::new(bounds, separation, wanted.max(1));
+    let grid = Grid::new(bounds, separation, wanted.max(1))?;
     let field = Field {
         volume,
         obstacle,

@@ -96,7 +96,8 @@ pub(super) fn separate(soup: &Soup, parts: &[Part<'_>]) -> (Separated, Vec<Class
 /// by hand have by mistake.
 pub(super) fn wood(soup: &Soup, classes: &[Class]) -> Result<Vec<u32>> {
     if !classes.contains(&Class::Wood) {
-        let problem = "all of it looks like leaves; give Hint::Wood to the parts that are bark";
+        let problem =
+            "all of it looks like leaves; give the hint `wood` to the parts that are bark";
         return Err(ModelError::NoWood { problem });
     }
     let class = |triangle: u32| {
@@ -111,7 +112,7 @@ pub(super) fn wood(soup: &Soup, classes: &[Class]) -> Result<Vec<u32>> {
     let is_wood = |&t: &u32| class(t) == Class::Wood && covered.binary_search(&key(t)).is_err();
     let wood: Vec<u32> = all.filter(is_wood).collect();
     if wood.is_empty() {
-        let problem = "all bark lies under leaves; give Hint::Ignore to one of them";
+        let problem = "all bark lies under leaves; give the hint `ignore` to one of them";
         return Err(ModelError::NoWood { problem });
     }
     Ok(wood)

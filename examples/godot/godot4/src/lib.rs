@@ -9,7 +9,9 @@ mod native;
 
 use array_mesh::array_mesh;
 use godot::classes::{IMeshInstance3D, MeshInstance3D};
+use godot::obj::EngineBitfield;
 use godot::prelude::*;
+use godot::register::info::{PropertyInfo, PropertyUsageFlags};
 use native::{Failure, Mesh, Options, Tree};
 
 struct BotanicalTreeExtension;
@@ -18,28 +20,39 @@ struct BotanicalTreeExtension;
 #[gdextension]
 unsafe impl ExtensionLibrary for BotanicalTreeExtension {}
 
-/// A tree. Change properties and call `rebuild()`.
+/// A tree. It grows anew, once a frame at most, when properties change.
 #[derive(GodotClass)]
 #[class(base = MeshInstance3D, tool)]
 struct BotanicalTree {
     /// Name of a preset: oak, a to l, taproot, heartroot.
     #[export]
+    #[var(set = set_preset)]
     preset: GString,
     /// The same seed gives the same tree everywhere.
     #[export]
+    #[var(set = set_seed)]
     seed: i64,
     /// Factor on the length of every leaf.
     #[export(range = (0.01, 4.0, 0.01))]
+    #[var(set = set_leaf_scale)]
     leaf_scale: f32,
     /// How far the mesh may leave the round branch, in metres.
     #[export(range = (0.0001, 0.1, 0.0001))]
+    #[var(set = set_error)]
     error: f32,
     /// Whether the mesh has UV2 for baked light.
     #[export]
+    #[var(set = set_light_map)]
     light_map: bool,
     /// Whether vertices carry the wind, in CUSTOM0 to CUSTOM3: 64 bytes a vertex.
     #[export]
+    #[var(set = set_wind)]
     wind: bool,
+    /// Grows the tree anew.
+    #[export_tool_button(fn = Self::press, name = "Rebuild")]
+    rebuild_button: PhantomVar<Callable>,
+    /// Whether a rebuild waits for the frame to end.
+    waiting: bool,
     base: Base<MeshInstance3D>,
 }
 
@@ -53,12 +66,22 @@ impl IMeshInstance3D for BotanicalTree {
             error: 0.003,
             light_map: false,
             wind: true,
+            rebuild_button: PhantomVar::default(),
+            waiting: false,
             base,
         }
     }
 
     fn ready(&mut self) {
         self.rebuild();
+    }
+
+    /// The mesh comes from the other properties: a scene that stores it would be as large as the tree.
+    fn on_validate_property(&self, property: &mut PropertyInfo) {
+        if property.property_name == StringName::from("mesh") {
+            let stored = PropertyUsageFlags::STORAGE.ord();
+            property.usage = PropertyUsageFlags::from_ord(property.usage.ord() & !stored);
+        }
     }
 }
 
@@ -67,6 +90,7 @@ impl BotanicalTree {
     /// Grows the tree anew. Returns whether it did; an error is printed and leaves the mesh as it was.
     #[func]
     fn rebuild(&mut self) -> bool {
+        self.waiting = false;
         match self.grow() {
             Ok(()) => true,
             Err(failure) => {
@@ -75,9 +99,64 @@ impl BotanicalTree {
             }
         }
     }
+
+    #[func]
+    fn set_preset(&mut self, preset: GString) {
+        self.preset = preset;
+        self.rebuild_soon();
+    }
+
+    #[func]
+    fn set_seed(&mut self, seed: i64) {
+        self.seed = seed;
+        self.rebuild_soon();
+    }
+
+    #[func]
+    fn set_leaf_scale(&mut self, leaf_scale: f32) {
+        self.leaf_scale = leaf_scale;
+        self.rebuild_soon();
+    }
+
+    #[func]
+    fn set_error(&mut self, error: f32) {
+        self.error = error;
+        self.rebuild_soon();
+    }
+
+    #[func]
+    fn set_light_map(&mut self, light_map: bool) {
+        self.light_map = light_map;
+        self.rebuild_soon();
+    }
+
+    #[func]
+    fn set_wind(&mut self, wind: bool) {
+        self.wind = wind;
+        self.rebuild_soon();
+    }
 }
 
 impl BotanicalTree {
+    /// The button has no use for an answer.
+    fn press(&mut self) {
+        self.rebuild();
+    }
+
+    /// Once, however many properties change before the frame ends. Before it is ready a scene is still
+    /// setting properties, and `ready` grows the tree.
+    fn rebuild_soon(&mut self) {
+        if self.waiting || !self.base().is_node_ready() {
+            return;
+        }
+        self.waiting = true;
+        self.run_deferred(|tree| {
+            if tree.waiting {
+                tree.rebuild();
+            }
+        });
+    }
+
     fn grow(&mut self) -> Result<(), Failure> {
         let tree = Tree::grow(&self.preset.to_string(), self.seed.cast_unsigned())?;
         let options =

@@ -90,7 +90,7 @@ impl Reader<'_> {
         )?;
         if u64::from(u32::MAX) <= (n as u64).saturating_mul(n_copies) {
             return Err(MeshError::TooManyVertices {
-                surface: self.mesh.surfaces.len(),
+                surface: Some(self.mesh.surfaces.len()),
                 found: (n as u64).saturating_mul(n_copies),
                 max: u64::from(u32::MAX) - 1,
             });

@@ -339,7 +339,7 @@ impl Reader<'_> {
     fn surface(&mut self, corners: &[Corner], smooth: &[Vec3], number: usize) -> Result<Surface> {
         if corners.len() as u64 >= u64::from(u32::MAX) {
             return Err(MeshError::TooManyVertices {
-                surface: number,
+                surface: Some(number),
                 found: corners.len() as u64,
                 max: u64::from(u32::MAX) - 1,
             });

@@ -91,7 +91,7 @@ impl Reader<'_> {
         self.budget.take(0, element.n_rows, &self.control.limits)?;
         if element.n_rows >= u64::from(u32::MAX) {
             return Err(MeshError::TooManyVertices {
-                surface: 0,
+                surface: None,
                 found: element.n_rows,
                 max: u64::from(u32::MAX) - 1,
             });

@@ -52,7 +52,7 @@ fn check(mesh: &Mesh) -> Result<()> {
     }
     let (found, max) = (drawn(mesh).map(|s| s.positions.len() as u64).sum(), i32::MAX as u64);
     if found > max {
-        return Err(MeshError::TooManyVertices { surface: 0, found, max });
+        return Err(MeshError::TooManyVertices { surface: None, found, max });
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! Bad input: each kind has its own error, and nothing panics.
 
 use super::*;
+use tree_core::{LimitError, Resource};
 
 fn error(params: &PathParams) -> ModelError {
     params.grow(SEED, &control()).unwrap_err()
@@ -89,6 +90,25 @@ fn budgets_above_the_limits_are_refused() {
     let limits = Limits { nodes: 50, ..Limits::default() };
     let found = shrub().grow(SEED, &control().with_limits(limits)).unwrap_err();
     assert!(matches!(found, ModelError::Limit(_)), "{found}");
+}
+
+#[test]
+fn more_nodes_than_a_grid_can_number_are_refused_whatever_the_limits() {
+    let limits = Limits { graph_nodes: u64::MAX, nodes: u64::MAX, ..Limits::default() };
+    let endless = control().with_limits(limits);
+    let params = PathParams { graph_nodes: u32::MAX, ..shrub() };
+    let found = params.grow(SEED, &endless).unwrap_err();
+    assert!(found.to_string().contains("graph_nodes"), "{found}");
+    let ball = Volume::sphere(Vec3::ZERO, 1.0).unwrap();
+    for wanted in [1_000_000_000, 1_700_000_000, u32::MAX] {
+        match nodes::strew(&ball, None, wanted, &[], SEED, &endless) {
+            Err(ModelError::Limit(LimitError { resource, requested, cap })) => {
+                assert_eq!((resource, requested), (Resource::GraphNodes, u64::from(wanted)));
+                assert!((500_000_000..1_000_000_000).contains(&cap), "{cap}");
+            }
+            other => panic!("{:?}", other.map(|nodes| nodes.positions.len())),
+        }
+    }
 }
 
 #[test]

@@ -1,0 +1,96 @@
+//! What `tree.h` says in words only.
+
+use crate::common::header::Header;
+
+/// Places for one number or one struct without a size.
+pub(crate) const SINGLES: &[&str] = &[
+    "measure",
+    "metres",
+    "phase",
+    "radius",
+    "reach",
+    "row",
+    "seconds",
+    "sway",
+    "n_threads",
+    "volume",
+];
+
+/// Yes or no, as an argument.
+pub(crate) const FLAGS: &[&str] = &["plain", "with_stalks"];
+
+/// Objects and arrays that may be left out.
+pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
+    matches!(argument, "look" | "hints" | "mtl" | "branches")
+        || (function, argument) == ("tree_packed_unpack", "mesh")
+}
+
+/// Structs that have no default.
+pub(crate) fn is_required(argument: &str) -> bool {
+    matches!(argument, "columns" | "pixels")
+}
+
+/// Arrays that have one count with those after them.
+pub(crate) fn shares_count(argument: &str) -> bool {
+    argument == "edges"
+}
+
+/// Numbers in one item of an array that is taken.
+pub(crate) fn width(function: &str, argument: &str) -> usize {
+    match (function, argument) {
+        ("tree_convert_tangents", "from") => 4,
+        ("tree_convert_uvs", "from") | (_, "edges" | "profile") => 2,
+        (_, "from" | "points" | "positions" | "indices") => 3,
+        _ => 1,
+    }
+}
+
+/// Numbers in an array of one length that is taken without a count.
+pub(crate) fn fixed(argument: &str) -> usize {
+    if argument == "columns" { 12 } else { 3 }
+}
+
+/// How many numbers or rows a call writes at most, as an expression of its arguments.
+pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
+    Some(match (function.trim_start_matches("tree_"), argument) {
+        ("skeleton_children", "starts") => "view().n_nodes + 1",
+        ("skeleton_from_unordered", _) => "columns ? columns->n_nodes : 0",
+        ("mask_bits", _) => "view().n_pixels",
+        ("mesh_wind", _) => "this->surface(surface).n_vertices",
+        ("mesh_bend", _) => "3 * this->surface(surface).n_vertices",
+        ("mesh_points", _) => "this->surface(number).n_vertices",
+        ("pieces_link", _) => "count()",
+        ("graph_search", _) => "view().n_nodes",
+        ("volume_sample", _) => "3 * n_points",
+        ("volume_contains" | "volume_distance", _) => "points.size() / 3",
+        (name, _) if name.starts_with("convert_") => "from.size()",
+        (name, _) if name.starts_with("skeleton_") => "view().n_nodes",
+        _ => return None,
+    })
+}
+
+/// The count of what was written, where that can be less than the room.
+pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
+    match (function, argument) {
+        ("tree_mesh_points", "first") => Some("n_points"),
+        ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
+        _ => None,
+    }
+}
+
+/// Whether it is a callback that asks a number of a place.
+pub(crate) fn is_field(header: &Header, kind: &str) -> bool {
+    header.callbacks.get(kind).is_some_and(|(returns, arguments)| {
+        let kinds: Vec<_> = arguments.iter().map(|one| one.kind.as_str()).collect();
+        returns == "float" && kinds == ["void *", "const float *"]
+    })
+}
+
+/// Whether a result points into what it was asked of.
+pub(crate) fn has_pointers(header: &Header, kind: &str) -> bool {
+    kind == "tree_str"
+        || header.structs.get(kind).is_some_and(|fields| {
+            let points = |kind: &str| kind.contains('*') || has_pointers(header, kind);
+            fields.iter().any(|field| points(&field.kind))
+        })
+}
