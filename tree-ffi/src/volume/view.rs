@@ -124,15 +124,15 @@ impl tree_solid {
                 Self { angle: *angle, ..view.between(TREE_SOLID_SECTOR, *apex, *axis, *radius) }
             }
             Solid::Revolution { base, axis, profile } => Self {
-                points: column(&profile).cast(),
+                points: column(profile).cast(),
                 n_points: profile.len(),
                 ..view.between(TREE_SOLID_REVOLUTION, *base, *axis, 0.0)
             },
             Solid::Mesh { positions, triangles } => Self {
                 kind: TREE_SOLID_MESH,
-                points: column(&positions).cast(),
+                points: column(positions).cast(),
                 n_points: positions.len(),
-                indices: column(&triangles).cast(),
+                indices: column(triangles).cast(),
                 n_triangles: triangles.len(),
                 ..view
             },
