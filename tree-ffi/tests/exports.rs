@@ -1,6 +1,11 @@
 //! The shared library exports the functions of the header and nothing else.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says what failed by failing")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test says what failed by failing"
+)]
 
 mod common;
 
