@@ -4171,11 +4171,12 @@ namespace TreeFamily.Native
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
-        /// nothing copied, valid until that object is freed.
+        /// nothing copied, valid until that object is freed. A column without rows is NULL.
         /// * Structs of parameters and views begin with `struct_size`. Parameters: call `tree_X_init(&amp;x,
         /// sizeof x)`, which fills in the defaults, and change what should differ; NULL instead of parameters
         /// means the defaults. Views and reports: set `struct_size` to `sizeof x`; NULL where a report is not
-        /// wanted. So programs built with an older header go on with a newer library.
+        /// wanted. So programs built with an older header go on with a newer library. Fields named `reserved`
+        /// are 0.
         /// * Texts are UTF-8, a pointer and a number of bytes; `TREE_NUL_TERMINATED` as number for C strings.
         /// * Constants of one kind share a `typedef` and a prefix. A number that is none of them is
         /// `TREE_ERROR_ENUM`. A yes or no is a `uint32_t`, 0 is no and anything else yes.
