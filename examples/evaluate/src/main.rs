@@ -27,6 +27,9 @@ fn main() -> ExitCode {
         measure::print_peak();
         return if done.is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }
+    if arguments.iter().eq([ffi::RUST_FLAG]) {
+        return if ffi::answer_in_rust().is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
+    }
     let json = arguments.iter().any(|argument| argument == "--json");
     let wanted: Vec<&String> = arguments.iter().filter(|a| !a.starts_with("--")).collect();
     let known = || SYSTEMS.map(|(name, _)| name).join(", ");

@@ -2,7 +2,8 @@
 //! are handed out without a copy.
 //!
 //! A C program (`bench.c`) is compiled against the release library and measured from within, in turn with
-//! the same work done in Rust here, so that a busy machine is busy for both.
+//! the same work in Rust, so that a busy machine is busy for both. The Rust side is a process of its own too
+//! (this program again): one that has done other work keeps its heap, and takes fewer new pages.
 
 use crate::table::{Aim, Row, Table};
 use std::hint::black_box;
@@ -18,8 +19,9 @@ type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;
 
 /// What the issue asks for: at most two percent more through C.
 const OVERHEAD: f64 = 1.02;
-/// Rounds of each comparison; odd, so that there is a middle one.
-const ROUNDS: usize = 15;
+/// Rounds of each comparison, of which the fastest on either side count: so many that both have met a moment
+/// in which the machine does nothing else.
+const ROUNDS: usize = 61;
 /// Resident size may grow by so much from the 200th to the 1000th cycle: arenas of the allocator.
 const GROWTH: f64 = 1.05;
 /// Budgets that each piece of work is tried under, as shares of what it takes without one.
@@ -29,11 +31,15 @@ const PEAK: f64 = 1.1;
 /// A budget this many times what the work takes must do.
 const ROOM: f64 = 4.0;
 
+/// The flag under which this program answers for Rust as `bench.c` does for C.
+pub(crate) const RUST_FLAG: &str = "--whole-in-rust";
+
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
-    let mut c = CProgram::start()?;
+    let mut c = Program::in_c()?;
+    let mut rust = Program::in_rust()?;
     calls(table, &mut c)?;
     for preset in ["oak", "a", "g"] {
-        whole(table, &mut c, preset)?;
+        whole(table, &mut c, &mut rust, preset)?;
     }
     fetches(table, &mut c)?;
     cycles(table, &mut c)?;
@@ -42,7 +48,7 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
         .try_for_each(|work| budgets(table, &mut c, work))
 }
 
-fn calls(table: &mut Table, c: &mut CProgram) -> Outcome {
+fn calls(table: &mut Table, c: &mut Program) -> Outcome {
     let [nothing, view, refused] = c.ask("calls")?;
     let case = "one call through C";
     let mut row = |metric, ours, unit, aim| {
@@ -54,12 +60,12 @@ fn calls(table: &mut Table, c: &mut CProgram) -> Outcome {
     Ok(())
 }
 
-fn whole(table: &mut Table, c: &mut CProgram, preset: &str) -> Outcome {
+fn whole(table: &mut Table, c: &mut Program, rust: &mut Program, preset: &str) -> Outcome {
     let ask = format!("whole {preset}");
     // Once each for warm caches and pools.
     let [_, c_vertices] = c.ask(&ask)?;
-    let (_, n_vertices) = whole_in_rust(preset)?;
-    if c_vertices != n_vertices as f64 {
+    let [_, n_vertices] = rust.ask(&ask)?;
+    if c_vertices != n_vertices {
         return Err(
             format!("{preset}: {c_vertices} vertices through C, {n_vertices} in Rust").into()
         );
@@ -67,13 +73,10 @@ fn whole(table: &mut Table, c: &mut CProgram, preset: &str) -> Outcome {
     let mut rounds = Vec::new();
     for round in 0..ROUNDS {
         // Who goes first changes, so that neither always finds the caches the other left.
-        let (rust, through_c) = if round % 2 == 0 {
-            (whole_in_rust(preset)?.0, c.ask::<2>(&ask)?[0])
-        } else {
-            let [through_c, _] = c.ask(&ask)?;
-            (whole_in_rust(preset)?.0, through_c)
-        };
-        rounds.push((rust, through_c));
+        let (first, second) =
+            if round % 2 == 0 { (&mut *rust, &mut *c) } else { (&mut *c, &mut *rust) };
+        let ([one, _], [other, _]) = (first.ask::<2>(&ask)?, second.ask::<2>(&ask)?);
+        rounds.push(if round % 2 == 0 { (one, other) } else { (other, one) });
     }
     let rust = middle(rounds.iter().map(|round| round.0));
     let ours = middle(rounds.iter().map(|round| round.1));
@@ -102,18 +105,27 @@ fn whole(table: &mut Table, c: &mut CProgram, preset: &str) -> Outcome {
     Ok(())
 }
 
-fn whole_in_rust(preset: &str) -> Outcome<(f64, usize)> {
-    let start = Instant::now();
+/// Answers `whole PRESET`, line by line.
+pub(crate) fn answer_in_rust() -> Outcome {
+    for line in std::io::stdin().lines() {
+        let line = line?;
+        let preset = line.strip_prefix("whole ").ok_or("not a question")?;
+        let start = Instant::now();
+        let n_vertices = whole_in_rust(preset)?;
+        println!("{:.9} {n_vertices}", start.elapsed().as_secs_f64());
+    }
+    Ok(())
+}
+
+fn whole_in_rust(preset: &str) -> Outcome<usize> {
     let control = Control::default();
     let grown = Preset::find(preset)?.params()?.grow(Seed(1), &control)?;
     let look = Look::built_in(grown.tree.species())?;
     let built = build(&grown.tree, &look, &MeshParams::default(), &control)?;
-    let n_vertices = black_box(&built.mesh).n_vertices();
-    drop((built, look, grown));
-    Ok((start.elapsed().as_secs_f64(), n_vertices))
+    Ok(black_box(&built.mesh).n_vertices())
 }
 
-fn fetches(table: &mut Table, c: &mut CProgram) -> Outcome {
+fn fetches(table: &mut Table, c: &mut Program) -> Outcome {
     let [bytes, moved] = c.ask("fetch")?;
     let case = "1000 fetches of the oak's mesh";
     let mut row = |metric, ours, unit| {
@@ -125,7 +137,7 @@ fn fetches(table: &mut Table, c: &mut CProgram) -> Outcome {
     Ok(())
 }
 
-fn cycles(table: &mut Table, c: &mut CProgram) -> Outcome {
+fn cycles(table: &mut Table, c: &mut Program) -> Outcome {
     let [early, late, left] = c.ask("cycles")?;
     let case = "1000 trees made and freed";
     let mut row = |metric, ours, unit, most| {
@@ -138,7 +150,7 @@ fn cycles(table: &mut Table, c: &mut CProgram) -> Outcome {
 }
 
 /// One piece of work under budgets from too small to ample.
-fn budgets(table: &mut Table, c: &mut CProgram, work: &str) -> Outcome {
+fn budgets(table: &mut Table, c: &mut Program, work: &str) -> Outcome {
     let mut try_under = |bytes: f64| -> Outcome<(f64, i32)> {
         let [peak, status] = c.ask(&format!("budget {work} {bytes:.0}"))?;
         match status as i32 {
@@ -170,15 +182,16 @@ fn middle(values: impl Iterator<Item = f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// The compiled `bench.c`, waiting for the next question.
-struct CProgram {
+/// A program that waits for the next question.
+struct Program {
     child: Child,
     questions: ChildStdin,
     answers: BufReader<ChildStdout>,
 }
 
-impl CProgram {
-    fn start() -> Outcome<Self> {
+impl Program {
+    /// `bench.c`, compiled.
+    fn in_c() -> Outcome<Self> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let library = release_library(&root)?;
         let program = library.join("evaluate_ffi_bench");
@@ -197,8 +210,16 @@ impl CProgram {
         if !built.success() {
             return Err("bench.c does not compile".into());
         }
-        let mut child =
-            Command::new(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+        Self::start(&mut Command::new(&program))
+    }
+
+    /// This program, answering for Rust.
+    fn in_rust() -> Outcome<Self> {
+        Self::start(Command::new(std::env::current_exe()?).arg(RUST_FLAG))
+    }
+
+    fn start(command: &mut Command) -> Outcome<Self> {
+        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let questions = child.stdin.take().ok_or("no pipe")?;
         let answers = BufReader::new(child.stdout.take().ok_or("no pipe")?);
         Ok(Self { child, questions, answers })
@@ -211,11 +232,11 @@ impl CProgram {
         self.answers.read_line(&mut line)?;
         let numbers: Vec<f64> =
             line.split_whitespace().map(str::parse).collect::<Result<_, _>>()?;
-        numbers.try_into().map_err(|_| format!("{question}: the C program says '{line}'").into())
+        numbers.try_into().map_err(|_| format!("{question}: the program says '{line}'").into())
     }
 }
 
-impl Drop for CProgram {
+impl Drop for Program {
     fn drop(&mut self) {
         // It ends by itself when its input does; a program that hangs must not outlive us.
         let _ = self.child.kill();
