@@ -53,6 +53,8 @@ pub struct LimitError {
 
 /// Bytes of a skeleton's node while it is meshed: 16 for itself, the rest for axes, rings and orders.
 const NODE_BYTES: u64 = 160;
+/// Bytes of a node of a search graph at the peak of strewing, linking and searching (`evaluate -- path`).
+const GRAPH_NODE_BYTES: u64 = 224;
 /// Bytes of an arc while a graph is linked.
 const ARC_BYTES: u64 = 16;
 /// Bytes of a leaf while foliage grows: rows are gathered thread by thread and then joined.
@@ -110,7 +112,7 @@ impl Limits {
     pub fn for_memory(bytes: u64) -> Self {
         Self {
             nodes: bytes / NODE_BYTES,
-            graph_nodes: bytes / NODE_BYTES,
+            graph_nodes: bytes / GRAPH_NODE_BYTES,
             graph_arcs: bytes / ARC_BYTES,
             leaves: bytes / LEAF_BYTES,
             voxels: bytes / VOXEL_BYTES,

@@ -77,7 +77,7 @@ fn whole(table: &mut Table, c: &mut Program, rust: &mut Program, preset: &str) -
         let ([one, _], [other, _]) = (first.ask::<2>(&ask)?, second.ask::<2>(&ask)?);
         rounds.push(if round % 2 == 0 { (one, other) } else { (other, one) });
     }
-    let rust = middle(rounds.iter().map(|round| round.0));
+    let in_rust = middle(rounds.iter().map(|round| round.0));
     let ours = middle(rounds.iter().map(|round| round.1));
     // Of each round, so that what slows the machine for a while slows both.
     let ratio = middle(rounds.iter().map(|round| round.1 / round.0));
@@ -86,7 +86,7 @@ fn whole(table: &mut Table, c: &mut Program, rust: &mut Program, preset: &str) -
         case: &case,
         metric: "time (peer: through Rust)",
         paper: None,
-        peer: Some(1e3 * rust),
+        peer: Some(1e3 * in_rust),
         ours: 1e3 * ours,
         unit: "ms",
         aim: Aim::None,
