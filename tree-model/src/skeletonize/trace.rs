@@ -360,11 +360,12 @@ fn stands_out(
 /// Place in the parent where the lateral's axis, drawn on backwards, passes closest by.
 fn leave(chain: &Chain, parent: &Chain, place: usize, step: f32) -> usize {
     let (start, own) = chain.line[chain.first];
-    let on = ((AIM * own / step) as usize + 1).min(chain.line.len() - 1 - chain.first);
+    let on =
+        ((AIM * own / step) as usize).saturating_add(1).min(chain.line.len() - 1 - chain.first);
     let ahead = chain.line[chain.first + on].0;
     let (_, radius) = parent.line[place];
     let back = (start - ahead).normalize_or(parent.line[place].0 - start);
-    let span = (4.0 * radius.max(own) / step) as usize + 2;
+    let span = ((4.0 * radius.max(own) / step) as usize).saturating_add(2);
     let low = place.saturating_sub(span);
     let high = (place + span / 2 + 1).min(parent.line.len());
     let miss = |at: usize| {
