@@ -2989,8 +2989,8 @@ tree_status tree_convert_tangents(tree_convention convention,
 // `tree_convert_positions`.
 tree_status tree_convert_uvs(tree_convention convention, const float *from, size_t n, float *to);
 
-// Turns `n_triangles` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
-// as in `tree_convert_positions`.
+// Turns `n_triangles` triangles of three indices each where front faces run clockwise, to and back
+// alike. `to` is as in `tree_convert_positions`.
 tree_status tree_convert_triangles(tree_convention convention,
                                    const uint32_t *from,
                                    size_t n_triangles,

@@ -5221,8 +5221,8 @@ namespace TreeFamily.Native
         public static extern int tree_convert_uvs(uint convention, float* from, UIntPtr n, float* to);
 
         /// <summary>
-        /// Turns `n_triangles` triangles of three indices each where front faces run clockwise, to and back alike. `to` is
-        /// as in `tree_convert_positions`.
+        /// Turns `n_triangles` triangles of three indices each where front faces run clockwise, to and back
+        /// alike. `to` is as in `tree_convert_positions`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_convert_triangles(uint convention, uint* from, UIntPtr n_triangles, uint* to);

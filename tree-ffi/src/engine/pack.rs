@@ -101,7 +101,7 @@ pub unsafe extern "C" fn tree_mesh_pack(
         let made = unsafe {
             run(control, |control| {
                 control.check()?;
-                ask_for_copies(mesh, 2)?;
+                ask_for_copies([mesh], 2)?;
                 pack(mesh, surface, layout)
             })
         }?;

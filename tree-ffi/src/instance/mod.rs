@@ -32,7 +32,6 @@ impl Handle for tree_twigs {
 }
 
 impl tree_twigs {
-    #[allow(dead_code, reason = "until files of twigs are written")]
     pub(crate) fn rust(&self) -> &InstancedTree {
         &self.0
     }

@@ -122,7 +122,7 @@ pub unsafe extern "C" fn tree_mesh_write_glb(
         unsafe {
             run(control, |control| {
                 control.check()?;
-                ask_for_copies(mesh, 3)?;
+                ask_for_copies([mesh], 3)?;
                 Ok(gltf::write_glb(mesh, path, &options)?)
             })
         }
@@ -144,7 +144,7 @@ pub unsafe extern "C" fn tree_mesh_to_glb(
         let made = unsafe {
             run(control, |control| {
                 control.check()?;
-                ask_for_copies(mesh, 3)?;
+                ask_for_copies([mesh], 3)?;
                 Ok(gltf::to_glb(mesh, &options)?)
             })
         }?;

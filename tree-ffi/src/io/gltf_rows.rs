@@ -3,7 +3,7 @@
 use super::per_vertex;
 use crate::border::{Result, Versioned, get, read_rows, slice, tree_str, vec3s};
 use crate::control::{limits, tree_control};
-use crate::mesh::{copy_size, tree_mesh};
+use crate::mesh::{ask_for_copies, copy_size, tree_mesh};
 use ::tree_mesh::Mesh;
 use ::tree_mesh::io::gltf::{Attribute, Instances, Level};
 use glam::{Quat, Vec3};
@@ -276,6 +276,10 @@ impl GltfLevels<'_> {
         control: &Control,
         write: impl FnOnce(&[Level<'_>]) -> Result<R>,
     ) -> Result<R> {
+        let meshes = self.0.iter().flat_map(|level| {
+            level.mesh.into_iter().chain(level.instances.iter().map(|row| row.mesh))
+        });
+        ask_for_copies(meshes, 4)?;
         let empty = Mesh::default();
         let copies: Vec<Copies> =
             self.0.iter().map(|level| level.copy(control)).collect::<Result<_>>()?;

@@ -24,7 +24,7 @@ pub unsafe extern "C" fn tree_mesh_write_obj(
         unsafe {
             run(control, |control| {
                 control.check()?;
-                ask_for_copies(mesh, 5)?;
+                ask_for_copies([mesh], 5)?;
                 Ok(obj::write_obj(mesh, path)?)
             })
         }
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn tree_mesh_to_obj(
         let (obj, mtl) = unsafe {
             run(control, |control| {
                 control.check()?;
-                ask_for_copies(mesh, 5)?;
+                ask_for_copies([mesh], 5)?;
                 Ok(obj::to_strings(mesh, stem)?)
             })
         }?;

@@ -66,7 +66,7 @@ pub unsafe extern "C" fn tree_mesh_write_ply(
         unsafe {
             run(control, |control| {
                 control.check()?;
-                ask_for_copies(mesh, 2)?;
+                ask_for_copies([mesh], 2)?;
                 Ok(ply::write_ply(mesh, path, &options)?)
             })
         }
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn tree_mesh_to_ply(
         let made = unsafe {
             run(control, |control| {
                 control.check()?;
-                ask_for_copies(mesh, 2)?;
+                ask_for_copies([mesh], 2)?;
                 Ok(ply::to_bytes(mesh, &options)?)
             })
         }?;

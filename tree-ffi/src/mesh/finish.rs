@@ -79,7 +79,7 @@ pub unsafe extern "C" fn tree_mesh_subdivide(
         let surface = mesh.surface(number)?;
         let made = unsafe {
             run(control, |control| {
-                ask_for_copies(mesh, 1)?;
+                ask_for_copies([mesh], 1)?;
                 let new = subdivide(surface, &params, control)?;
                 Ok(with_surface(mesh, number, new))
             })
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn tree_mesh_displace(
         let place = unsafe { out(displaced, "displaced") }?;
         let mesh = unsafe { get(mesh, "mesh") }?.rust();
         let params = unsafe { read_or_default(params, "params") }?.rust(seed);
-        ask_for_copies(mesh, 2)?;
+        ask_for_copies([mesh], 2)?;
         let mut surface = mesh.surface(number)?.clone();
         let made = unsafe {
             run(control, move |control| {
@@ -251,7 +251,7 @@ pub unsafe extern "C" fn tree_mesh_bake_occlusion(
         params.validate()?;
         let made = unsafe {
             run(control, |control| -> Result<Mesh> {
-                ask_for_copies(mesh, 1)?;
+                ask_for_copies([mesh], 1)?;
                 let mut made = mesh.clone();
                 bake(&mut made, &params, control)?;
                 Ok(made)
@@ -281,7 +281,7 @@ pub unsafe extern "C" fn tree_mesh_weld(
         let surface = mesh.surface(number)?;
         let made = unsafe {
             run(control, |_| {
-                ask_for_copies(mesh, 3)?;
+                ask_for_copies([mesh], 3)?;
                 Ok(with_surface(mesh, number, weld(surface)?))
             })
         }?;

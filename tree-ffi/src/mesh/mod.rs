@@ -98,12 +98,15 @@ pub(crate) fn column<T>(column: &[T]) -> *const T {
     if column.is_empty() { std::ptr::null() } else { column.as_ptr() }
 }
 
-/// Asks the memory budget for work that takes as much as `times` copies of a mesh's columns and that
+/// Asks the memory budget for work that takes as much as `times` copies of the meshes' columns and that
 /// cannot be stopped on the way.
-pub(crate) fn ask_for_copies(mesh: &Mesh, times: u64) -> Result<()> {
-    let bytes: usize = mesh
-        .surfaces
-        .iter()
+pub(crate) fn ask_for_copies<'a>(
+    meshes: impl IntoIterator<Item = &'a Mesh>,
+    times: u64,
+) -> Result<()> {
+    let bytes: usize = meshes
+        .into_iter()
+        .flat_map(|mesh| &mesh.surfaces)
         .map(|surface| {
             size_of_val(surface.positions.as_slice())
                 + size_of_val(surface.normals.as_slice())

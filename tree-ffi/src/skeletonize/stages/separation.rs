@@ -14,7 +14,7 @@ use glam::{Vec2, Vec3};
 use std::sync::Arc;
 use tree_model::skeletonize::stages::Separation;
 use tree_model::skeletonize::{Class, Part};
-use tree_model::tree_core::Resource;
+use tree_model::tree_core::{Limits, Resource};
 
 /// What a component of a mesh is: one of the `TREE_CLASS_` constants.
 pub type tree_class = u32;
@@ -265,7 +265,8 @@ pub unsafe extern "C" fn tree_separation_with_classes(
             let text = format!("n_classes is {n_classes}, but there are {n} components");
             return Err(Failure::new(TREE_ERROR_INVALID, text));
         }
-        let limits = unsafe { limits(std::ptr::null()) }?;
+        // As many as the separation itself has: no limit is needed beyond.
+        let limits = Limits { triangles: u64::MAX, ..Limits::default() };
         let found = unsafe { slice(classes, n, &limits, Resource::Triangles, "classes") }?;
         let mut separation = first.separation.clone();
         separation.classes =
