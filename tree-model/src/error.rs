@@ -110,6 +110,26 @@ pub enum ModelError {
         /// Why.
         problem: &'static str,
     },
+    /// A picture cannot be used.
+    #[error("picture: {problem}")]
+    Picture {
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
+    /// A view of a tree cannot be used.
+    #[error("views[{view}]: {problem}")]
+    View {
+        /// Index into the views.
+        view: usize,
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
+    /// An attractor graph cannot be used.
+    #[error("attractor: {problem}")]
+    Attractor {
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
     /// There is no preset of this name.
     #[error("no preset named '{name}'; there are {known}")]
     UnknownPreset {

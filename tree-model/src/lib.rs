@@ -5,11 +5,13 @@
 //! it departs from the source and why.
 //!
 //! * [`path`]: a rough volume becomes a tree of least-cost paths (Xu & Mould 2012).
+//! * [`particle`]: photographs become a tree by a flow of particles (Neubert 2012).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
 //! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
 
 mod error;
 pub mod foliage;
+pub mod particle;
 pub mod path;
 pub mod skeletonize;
 

@@ -1,0 +1,1 @@
+//! From traces to a tree: smoothing, radii, twigs and leaves.
