@@ -45,7 +45,7 @@ mod presets;
 mod profile;
 pub mod search;
 mod shoot;
-mod smooth;
+pub(crate) mod smooth;
 
 pub use graph::{CostField, Linking, Paint};
 pub use iterate::{LevelReport, PathReport, PathTree};
