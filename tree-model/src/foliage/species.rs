@@ -26,6 +26,11 @@ pub struct SpeciesPreset {
     /// Name of the leaf kind, for [`Species::leaf_kinds`](tree_core::Species::leaf_kinds); kind 0 of
     /// the leaves.
     pub leaf_kind: &'static str,
+    /// Name of the bark of tree-mesh that comes nearest to its own, for
+    /// [`Species::bark`](tree_core::Species::bark).
+    pub bark: &'static str,
+    /// Area of a blade, leaflet or needle as a share of its length squared.
+    pub blade: f32,
     /// Its leaves.
     pub leaves: LeafParams,
     /// Its twigs.
@@ -55,6 +60,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "oak",
         leaf_kind: "oak",
+        bark: "oak",
+        blade: 0.278,
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             spacing: 0.022,
@@ -78,6 +85,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "maple",
         leaf_kind: "maple",
+        bark: "smooth",
+        blade: 0.309,
         leaves: LeafParams {
             arrangement: Phyllotaxis::Decussate,
             spacing: 0.05,
@@ -103,6 +112,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "birch",
         leaf_kind: "birch",
+        bark: "birch",
+        blade: 0.259,
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             spacing: 0.025,
@@ -126,6 +137,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "beech",
         leaf_kind: "beech",
+        bark: "smooth",
+        blade: 0.375,
         leaves: LeafParams {
             arrangement: Phyllotaxis::Distichous,
             spacing: 0.03,
@@ -149,6 +162,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "linden",
         leaf_kind: "linden",
+        bark: "oak",
+        blade: 0.379,
         leaves: LeafParams {
             arrangement: Phyllotaxis::Distichous,
             spacing: 0.04,
@@ -175,6 +190,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "willow",
         leaf_kind: "willow",
+        bark: "oak",
+        blade: 0.105,
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             spacing: 0.025,
@@ -201,6 +218,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "poplar",
         leaf_kind: "poplar",
+        bark: "birch",
+        blade: 0.204,
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             spacing: 0.035,
@@ -224,6 +243,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "ash",
         leaf_kind: "ash-leaflet",
+        bark: "oak",
+        blade: 0.217,
         leaves: LeafParams {
             arrangement: Phyllotaxis::Decussate,
             form: LeafForm::Pinnate(Pinnate {
@@ -254,6 +275,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "walnut",
         leaf_kind: "walnut-leaflet",
+        bark: "oak",
+        blade: 0.309,
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             form: LeafForm::Pinnate(Pinnate {
@@ -282,6 +305,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "mimosa",
         leaf_kind: "mimosa-leaflet",
+        bark: "smooth",
+        blade: 0.213,
         leaves: LeafParams {
             arrangement: TWO_FIFTHS,
             form: LeafForm::Pinnate(Pinnate {
@@ -305,6 +330,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "horse-chestnut",
         leaf_kind: "horse-chestnut-leaflet",
+        bark: "oak",
+        blade: 0.24,
         leaves: LeafParams {
             arrangement: Phyllotaxis::Decussate,
             form: LeafForm::Palmate(Palmate::DEFAULT),
@@ -332,6 +359,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "spruce",
         leaf_kind: "needle",
+        bark: "spruce",
+        blade: 0.04,
         leaves: LeafParams {
             spacing: 0.0011,
             bearing: 0.35,
@@ -358,6 +387,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "pine",
         leaf_kind: "needle",
+        bark: "pine",
+        blade: 0.04,
         leaves: LeafParams {
             form: LeafForm::Fascicle { needles: 2, spread: 0.14 },
             spacing: 0.0035,
@@ -380,6 +411,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "larch",
         leaf_kind: "needle",
+        bark: "pine",
+        blade: 0.04,
         leaves: LeafParams {
             form: LeafForm::Rosette { needles: 30, spread: 1.25 },
             spacing: 0.013,
@@ -397,6 +430,8 @@ pub const SPECIES: &[SpeciesPreset] = &[
     SpeciesPreset {
         name: "palm",
         leaf_kind: "palm-leaflet",
+        bark: "palm",
+        blade: 0.057,
         leaves: LeafParams {
             form: LeafForm::Pinnate(Pinnate {
                 pairs: 60,

@@ -42,6 +42,21 @@ pub struct Camera {
     pub scale: f32,
 }
 
+/// A camera as renderers want it: what it shows is what [`Camera::project`](Projector::project) gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stand {
+    /// Where it stands, in metres. A parallel one stands far enough off.
+    pub eye: Vec3,
+    /// What is in the middle of the picture.
+    pub target: Vec3,
+    /// Which way is up.
+    pub up: Vec3,
+    /// Vertical field of view in radians; `None` for parallel projection.
+    pub fov: Option<f32>,
+    /// Height of the picture in metres, at the target.
+    pub height: f32,
+}
+
 /// The directions of a camera in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
@@ -104,6 +119,25 @@ impl Camera {
                     focal,
                     perspective: true,
                 }
+            }
+        }
+    }
+
+    /// The camera for a renderer, to draw the tree as the photograph shows it.
+    #[must_use]
+    pub fn stand(&self) -> Stand {
+        let projector = self.projector();
+        let Frame { up, forward, .. } = projector.frame;
+        let height = self.size.y * self.scale;
+        let (on, along) = projector.ray(0.5 * self.size);
+        match self.projection {
+            Projection::Orthographic => {
+                let off = 4.0 * (height + self.size.x * self.scale);
+                Stand { eye: on - off * forward, target: on, up, fov: None, height }
+            }
+            Projection::Perspective { fov } => {
+                let target = on + projector.origin.z * along;
+                Stand { eye: on, target, up, fov: Some(fov), height }
             }
         }
     }
@@ -223,6 +257,18 @@ mod tests {
                 let off = (point - on).reject_from_normalized(along);
                 assert!(off.length() < 1e-4, "{off}");
             }
+        }
+    }
+
+    #[test]
+    fn a_stand_looks_along_the_middle_of_the_picture() {
+        for projection in LENSES {
+            let camera = camera(0.7, -0.2, projection);
+            let stand = camera.stand();
+            let middle = camera.projector().project(stand.target).unwrap();
+            assert!(middle.distance(0.5 * camera.size) < 1e-2, "{middle}");
+            let forward = (stand.target - stand.eye).normalize();
+            assert!(forward.distance(camera.frame().forward) < 1e-4);
         }
     }
 

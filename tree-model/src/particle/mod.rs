@@ -25,7 +25,7 @@ pub mod matting;
 mod photo;
 mod view;
 
-pub use camera::{Camera, Projection};
+pub use camera::{Camera, Frame, Projection, Projector, Stand};
 pub use grid::Grid;
 pub use matte::Matte;
 pub use photo::Photo;

@@ -11,6 +11,7 @@
 mod crown;
 mod demand;
 mod params;
+mod preset;
 mod sight;
 mod wood;
 

@@ -23,7 +23,7 @@ pub struct FinishParams {
     /// Leaves; `None` for a bare tree. Default those of an oak.
     pub leaves: Option<LeafParams>,
     /// Area of a blade as a share of its length squared, 1e-3 to 2: how much a leaf covers, and so how many it
-    /// takes. Default 0.45, an oak's; a needle has 0.03.
+    /// takes. Default 0.28, an oak's; a needle has 0.04.
     pub blade: f32,
     /// Leaves against what the images ask for, 0 to 10. Default 1.
     pub fullness: f32,
@@ -54,13 +54,13 @@ impl FinishParams {
             slenderness: 0.017,
             twigs: Some(preset.twigs.clone()),
             leaves: Some(preset.leaves.clone()),
-            blade: 0.45,
+            blade: preset.blade,
             fullness: 1.0,
             corrections: 3,
             empty: 0.3,
             species: Species {
                 name: preset.name.into(),
-                bark: preset.name.into(),
+                bark: preset.bark.into(),
                 leaf_kinds: vec![preset.leaf_kind.into()],
             },
         }
