@@ -1,0 +1,72 @@
+//! What a tree from photographs came of.
+
+use crate::particle::align::AlignWarning;
+use crate::particle::attractor::{LivewireReport, StrokeReport};
+use crate::particle::density::DensityReport;
+use crate::particle::finish::CrownReport;
+use crate::particle::flow::FlowReport;
+use tree_core::Tree;
+
+/// A tree from photographs and how it came about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PhotoTree {
+    /// The tree.
+    pub tree: Tree,
+    /// What was found, repaired and left out.
+    pub report: PhotoReport,
+}
+
+/// What was found, repaired and left out on the way to a tree.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PhotoReport {
+    /// One entry a view.
+    pub views: Vec<ViewReport>,
+    /// How well the density gives the mattes.
+    pub density: DensityReport,
+    /// What became of the particles.
+    pub flow: FlowReport,
+    /// Twigs and leaves.
+    pub crown: CrownReport,
+    /// Radius of the trunk that the views show, in metres; `None` where they show no bare trunk.
+    pub trunk_radius: Option<f32>,
+    /// Height in metres below which no view shows more than the trunk.
+    pub crown_base: f32,
+}
+
+/// What one view gave.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ViewReport {
+    /// What its alignment is doubtful about; empty where the caller placed the camera.
+    pub warnings: Vec<AlignWarning>,
+    /// What livewire found, where it was asked.
+    pub livewire: Option<LivewireReport>,
+    /// How drawn strokes were joined, where there are some.
+    pub strokes: Option<StrokeReport>,
+    /// Whether the view gives directions: not without an attractor.
+    pub attracts: bool,
+}
+
+impl PhotoReport {
+    /// Everything doubtful, a line each, for a person to read. Empty where all went well.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        for (view, report) in self.views.iter().enumerate() {
+            for warning in &report.warnings {
+                lines.push(format!("views[{view}]: {warning}"));
+            }
+        }
+        lines.extend(self.density.warnings.iter().map(ToString::to_string));
+        if self.flow.steered > 0 {
+            lines.push(format!(
+                "{} of {} particles were still on their way after all steps and were steered to the base: \
+                 raise `flow.steps` or `flow.step`",
+                self.flow.steered, self.flow.particles
+            ));
+        }
+        if self.flow.led > 0 {
+            lines.push(format!("{} particles were lost and led to the nearest branch", self.flow.led));
+        }
+        lines
+    }
+}
