@@ -65,4 +65,13 @@ impl AttractorGraph {
             .filter(|&(_, &parent)| parent != NO_PARENT)
             .map(|(&node, &parent)| (self.nodes[parent as usize], node))
     }
+
+    /// The nodes that none leads to, roots without children included.
+    pub fn tips(&self) -> impl Iterator<Item = u32> + '_ {
+        let mut is_parent = vec![false; self.nodes.len()];
+        for &parent in self.parents.iter().filter(|&&parent| parent != NO_PARENT) {
+            is_parent[parent as usize] = true;
+        }
+        (0..self.nodes.len() as u32).filter(move |&node| !is_parent[node as usize])
+    }
 }
