@@ -27,7 +27,7 @@ const STRONG: f32 = 0.985;
 
 /// Least rise from texture to full evidence: a picture without ridges has no evidence, however it is
 /// rated. In units of the plane, 0 to 1.
-const LEAST_RISE: f32 = 0.03;
+const LEAST_RISE: f32 = 0.05;
 
 /// How far evidence from luminance alone is trusted: bright and dark lines are often leaves or gaps.
 const TRUST_LIGHT: f32 = 0.7;
@@ -36,7 +36,7 @@ const TRUST_LIGHT: f32 = 0.7;
 const FILL: f32 = 3.0;
 
 /// Blur for the depth inside the crown, as a share of the working picture's height.
-const DEPTH: f32 = 0.045;
+const DEPTH: f32 = 0.06;
 
 /// Smallest variance of a colour, so that even colours of a trunk do not exclude its shadow.
 const LEAST_VARIANCE: f32 = 0.0025;

@@ -38,7 +38,7 @@ pub struct LivewireParams {
     pub follow: f32,
     /// Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
     pub outside: f32,
-    /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 2.
+    /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
     pub centre: f32,
     /// How much more a step towards the base's side costs than one away from it, seen from the base, 0 to 10.
     /// Default 0.6.
@@ -60,7 +60,7 @@ impl Default for LivewireParams {
             rows: 256,
             follow: 0.88,
             outside: 12.0,
-            centre: 2.0,
+            centre: 4.0,
             outwards: 0.6,
             join: 0.3,
             smoothing: 12,
@@ -154,7 +154,7 @@ pub fn livewire(
     report.trunk_width = trunk.width * working.scale;
     let costs = rate(&working, &trunk, params);
     let pixels: Vec<u32> = good.iter().map(|&seed| working.pixel(seed) as u32).collect();
-    let union = union(&working, &costs, foot as u32, &pixels, params, control)?;
+    let union = union(&working, &costs, &trunk, foot as u32, &pixels, params, control)?;
     rate_paths(&mut report, &working, &costs.evidence, &union.pixels);
 
     let mut nodes: Vec<Vec2> =

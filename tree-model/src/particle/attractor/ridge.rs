@@ -1,13 +1,15 @@
-//! Elongated thin structures: second derivatives of Gaussians, drawn out along eight directions.
+//! Elongated thin structures: how far a blurred picture falls off to both sides, drawn out along eight
+//! directions.
 //!
 //! Frangi et al. (1998, *Multiscale vessel enhancement filtering*) read ridges off the Hessian of a blurred
-//! picture. Leaves make ridges too, short ones. Branches are long, so the derivative across a direction is
-//! averaged *along* the direction first (an oriented filter, as in Freeman & Adelson 1991), and
-//! what remains belongs to a direction. A search step then asks for the evidence along its own direction,
-//! so that crossing a branch gains nothing.
+//! picture. Two things mislead it here. The inner side of an edge curves like a ridge, so that paths would
+//! hug the silhouette: we take the smaller of the falls to the two sides. And leaves make ridges too,
+//! short ones; branches are long, so the fall is averaged *along* the direction (as oriented filters do,
+//! Freeman & Adelson 1991). What remains belongs to a direction, and a search step asks for the evidence
+//! along its own, so that crossing a branch gains nothing.
 //!
-//! 1. Blur with each sigma; the three second derivatives, times sigma² (scale normalisation).
-//! 2. For each direction the derivative across it.
+//! 1. Blur with each sigma.
+//! 2. For each direction the smaller fall to the two sides, two sigmas away.
 //! 3. Averaged along it by two recursive filters, forwards and backwards: one multiplication a pixel
 //!    for any length.
 //! 4. The strongest over all sigmas.
@@ -32,25 +34,23 @@ pub(super) enum Sign {
     Either,
 }
 
+/// How far to the sides a ridge must have fallen off, in sigmas.
+const ASIDE: f32 = 2.0;
+
 /// How strongly `plane` shows a ridge along each of the [`STEPS`]: 0 for none. `reach` is the length of
 /// averaging to either side in pixels.
 ///
-/// O(pixels · (sigmas + directions · sigmas count)).
+/// O(pixels · (sum of sigmas + directions · number of sigmas)).
 pub(super) fn ridges(plane: &Plane, sigmas: &[f32], reach: f32, sign: Sign) -> Vec<Plane> {
-    let seconds: Vec<[Plane; 3]> = sigmas
-        .par_iter()
-        .map(|&sigma| second_derivatives(&plane.blur(sigma), sigma * sigma))
-        .collect();
+    let blurred: Vec<Plane> = sigmas.par_iter().map(|&sigma| plane.blur(sigma)).collect();
     STEPS
         .par_iter()
         .map(|&step| {
             let mut best = Plane::new(plane.width, plane.height);
-            for [xx, xy, yy] in &seconds {
-                let across = drawn_out(across(xx, xy, yy, step), step, reach);
-                for (best, value) in best.values.iter_mut().zip(across.values) {
-                    // A bright ridge curves down across.
-                    let value = if sign == Sign::Bright { -value } else { value.abs() };
-                    *best = best.max(value);
+            for (plane, &sigma) in blurred.iter().zip(sigmas) {
+                let along = drawn_out(falls(plane, step, ASIDE * sigma, sign), step, reach);
+                for (best, value) in best.values.iter_mut().zip(along.values) {
+                    *best = best.max(value.abs());
                 }
             }
             best
@@ -58,37 +58,41 @@ pub(super) fn ridges(plane: &Plane, sigmas: &[f32], reach: f32, sign: Sign) -> V
         .collect()
 }
 
-/// Second derivatives xx, xy, yy by differences between neighbours, times `factor`.
-fn second_derivatives(plane: &Plane, factor: f32) -> [Plane; 3] {
+/// The smaller fall from each pixel to its two sides, `aside` pixels away across a direction; negative
+/// for the smaller rise. Outside, the border goes on.
+fn falls(plane: &Plane, step: (i32, i32), aside: f32, sign: Sign) -> Plane {
     let (w, h) = (plane.width, plane.height);
-    let mut out = [Plane::new(w, h), Plane::new(w, h), Plane::new(w, h)];
-    let [xx, xy, yy] = &mut out;
+    let length = ((step.0 * step.0 + step.1 * step.1) as f32).sqrt();
+    let dx = (-(step.1 as f32) / length * aside).round() as isize;
+    let dy = (step.0 as f32 / length * aside).round() as isize;
+    let mut out = Plane::new(w, h);
+    let mut padded = [vec![0.0; w], vec![0.0; w]];
     for y in 0..h {
-        let row = |y: usize| &plane.values[y * w..][..w];
-        let (above, here, below) = (row(y.saturating_sub(1)), row(y), row((y + 1).min(h - 1)));
-        for x in 0..w {
-            let (left, right) = (x.saturating_sub(1), (x + 1).min(w - 1));
-            let i = y * w + x;
-            xx.values[i] = factor * (here[left] - 2.0 * here[x] + here[right]);
-            yy.values[i] = factor * (above[x] - 2.0 * here[x] + below[x]);
-            xy.values[i] =
-                factor * 0.25 * (above[left] + below[right] - above[right] - below[left]);
+        for (side, row) in [1, -1].into_iter().zip(&mut padded) {
+            let from = (y as isize + side * dy).clamp(0, h as isize - 1) as usize;
+            shifted(&plane.values[from * w..][..w], side * dx, row);
+        }
+        let [a, b] = &padded;
+        let here = &plane.values[y * w..][..w];
+        let into = out.values[y * w..][..w].iter_mut();
+        for (((into, &here), &a), &b) in into.zip(here).zip(a).zip(b) {
+            let bright = (here - a.max(b)).max(0.0);
+            let dark = if sign == Sign::Either { (a.min(b) - here).max(0.0) } else { 0.0 };
+            *into = bright - dark;
         }
     }
     out
 }
 
-/// The second derivative across a direction.
-fn across(xx: &Plane, xy: &Plane, yy: &Plane, step: (i32, i32)) -> Plane {
-    let (dx, dy) = (step.0 as f32, step.1 as f32);
-    let length2 = dx * dx + dy * dy;
-    // The normal is (-dy, dx) / length.
-    let (a, b, c) = (dy * dy / length2, -2.0 * dx * dy / length2, dx * dx / length2);
-    let mut out = xx.clone();
-    for ((value, &xy), &yy) in out.values.iter_mut().zip(&xy.values).zip(&yy.values) {
-        *value = a * *value + b * xy + c * yy;
-    }
-    out
+/// A row as seen from `shift` pixels to the left; beyond its ends they go on.
+fn shifted(row: &[f32], shift: isize, into: &mut [f32]) {
+    let last = row.len() as isize - 1;
+    let skip = (-shift).clamp(0, last + 1) as usize;
+    let first = shift.clamp(0, last) as usize;
+    let n = row.len() - skip.max(first);
+    into[..skip].fill(row[0]);
+    into[skip..skip + n].copy_from_slice(&row[first..first + n]);
+    into[skip + n..].fill(row[row.len() - 1]);
 }
 
 /// Averaged along a direction with weights that fall off exponentially, to 1/e at `reach` pixels.
@@ -182,6 +186,16 @@ mod tests {
         let at = |sign| ridges(&dark, &[1.0], 6.0, sign)[4].values[30 * 61 + 30];
         assert!(at(Sign::Either) > 0.1);
         assert!(at(Sign::Bright) <= 0.0);
+    }
+
+    #[test]
+    fn an_edge_is_no_ridge() {
+        let mut plane = Plane::new(61, 61);
+        for (i, value) in plane.values.iter_mut().enumerate() {
+            *value = if i % 61 < 30 { 1.0 } else { 0.0 };
+        }
+        let upright = &ridges(&plane, &[1.0, 2.0], 6.0, Sign::Bright)[4];
+        assert!(upright.values.iter().all(|&value| value < 1e-3));
     }
 
     #[test]

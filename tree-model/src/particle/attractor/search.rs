@@ -12,6 +12,7 @@
 use super::LivewireParams;
 use super::cost::Costs;
 use super::ridge::STEPS;
+use super::trunk::Trunk;
 use super::working::Working;
 use crate::error::Result;
 use glam::Vec2;
@@ -29,6 +30,9 @@ const SEEDS_FOR_A_MAIN: usize = 4;
 /// How much a pixel aside of the axis counts against the leader, in pixels of height.
 const LEADER_ASIDE: f32 = 0.6;
 
+/// How much upwards counts beside away from the base in the direction in which branches grow.
+const UP: f32 = 0.5;
+
 /// No predecessor.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -44,12 +48,20 @@ pub(super) struct Union {
 pub(super) fn union(
     working: &Working,
     costs: &Costs,
+    trunk: &Trunk,
     base: u32,
     seeds: &[u32],
     params: &LivewireParams,
     control: &Control,
 ) -> Result<Union> {
     let mut cheap = vec![1.0; costs.plain.len()];
+    for &(row, middle, _) in &trunk.rows {
+        // The axis of a wide trunk is no ridge at the scales of branches.
+        let start = row * working.alpha.width;
+        for x in [middle.floor(), middle.floor() + 1.0] {
+            cheap[start + (x as usize).min(working.alpha.width - 1)] = 1.0 - params.follow;
+        }
+    }
     let main = (seeds.len() / SEEDS_FOR_A_MAIN).max(1);
     let order = by_importance(working, base, seeds, main);
     let mut search = Search::new(working, costs, base, params);
@@ -186,8 +198,8 @@ impl<'a> Search<'a> {
         let (width, height) = (self.working.alpha.width as i32, self.working.alpha.height as i32);
         let (x, y) = self.working.column_row(pixel as usize);
         let (bx, by) = self.working.column_row(self.base as usize);
-        let outwards =
-            Vec2::new(x as f32 - bx as f32, y as f32 - by as f32).normalize_or(Vec2::NEG_Y);
+        let outwards = Vec2::new(x as f32 - bx as f32, y as f32 - by as f32);
+        let outwards = (outwards.normalize_or_zero() + UP * Vec2::NEG_Y).normalize_or(Vec2::NEG_Y);
         let mut taken = 0;
         for (direction, &(dx, dy)) in STEPS.iter().enumerate() {
             let length = ((dx * dx + dy * dy) as f32).sqrt();

@@ -7,6 +7,7 @@
 //! 5. The best candidates (Mitchell 1991): each of the `n` is the farthest from those before it among a few
 //!    drawn at random. That spreads evenly, and every prefix too.
 
+use super::plane::Plane;
 use super::trunk::Trunk;
 use super::working::Working;
 use crate::error::{ModelError, Result, check};
@@ -30,6 +31,10 @@ const COVERED: f32 = 0.35;
 /// How far from the envelope's contour a covered pixel is looked for, in blurs.
 const SNAP: f32 = 4.0;
 
+/// Blur of the matte whose gradient says which way the silhouette faces, as a share of the working
+/// picture's height.
+const FACING: f32 = 0.05;
+
 /// Candidates drawn for each seed.
 const CANDIDATES: u32 = 12;
 
@@ -42,11 +47,14 @@ pub struct SeedParams {
     /// Lowest height of a seed over the base as a share of the tree's height, -1 to 1. Default 0.05: what
     /// hangs lower is left out.
     pub lowest: f32,
+    /// How far the silhouette may face down at a seed, 0 (aside) to 1 (straight down). Default 0.8: main
+    /// branches end above and beside, and what hangs down hangs from them.
+    pub downwards: f32,
 }
 
 impl Default for SeedParams {
     fn default() -> Self {
-        Self { from_trunk: 0.08, lowest: 0.05 }
+        Self { from_trunk: 0.08, lowest: 0.05, downwards: 0.8 }
     }
 }
 
@@ -57,7 +65,8 @@ impl SeedParams {
     /// [`ModelError::Parameter`] naming the first field out of range.
     pub fn validate(&self) -> Result<()> {
         check("seeds.from_trunk", self.from_trunk, 0.0_f32, 1.0_f32)?;
-        check("seeds.lowest", self.lowest, -1.0_f32, 1.0_f32)
+        check("seeds.lowest", self.lowest, -1.0_f32, 1.0_f32)?;
+        check("seeds.downwards", self.downwards, 0.0_f32, 1.0_f32)
     }
 }
 
@@ -166,14 +175,30 @@ fn away_from_trunk(
     let height = working.tree_height / working.scale;
     let keep_off = (params.from_trunk * height).max(1.5 * trunk.width);
     let lowest = y as f32 - params.lowest * height;
+    let depth = working.alpha.blur((FACING * working.alpha.height as f32).max(1.0));
     let is_crown = |&pixel: &usize| {
         let (x, y) = working.column_row(pixel);
-        y as f32 <= lowest && trunk.distance(x, y) > keep_off
+        y as f32 <= lowest
+            && trunk.distance(x, y) > keep_off
+            && downwards(&depth, x, y) <= params.downwards
     };
     let kept: Vec<usize> = contour.iter().copied().filter(is_crown).collect();
     // Better a seed on the trunk than none.
     let kept = if kept.is_empty() { contour } else { kept };
     kept.into_iter().map(|pixel| working.centre(pixel)).collect()
+}
+
+/// How far the silhouette faces down at a pixel: -1 up, 0 aside, 1 down.
+fn downwards(depth: &Plane, x: usize, y: usize) -> f32 {
+    let at = |x: usize, y: usize| {
+        depth.values[y.min(depth.height - 1) * depth.width + x.min(depth.width - 1)]
+    };
+    let gradient = Vec2::new(
+        at(x + 1, y) - at(x.saturating_sub(1), y),
+        at(x, y + 1) - at(x, y.saturating_sub(1)),
+    );
+    // Outwards is where coverage falls.
+    -gradient.normalize_or_zero().y
 }
 
 /// Up to `n` of the candidates by best candidate.
