@@ -184,12 +184,7 @@ pub fn livewire(
     Ok((graph, report))
 }
 
-fn check_inputs(
-    matte: &Matte,
-    photo: Option<&Photo>,
-    base: Vec2,
-    control: &Control,
-) -> Result<()> {
+fn check_inputs(matte: &Matte, photo: Option<&Photo>, base: Vec2, control: &Control) -> Result<()> {
     if !base.is_finite() {
         return Err(ModelError::NotFinite { field: "base".into() });
     }

@@ -33,6 +33,9 @@ const LEADER_ASIDE: f32 = 0.6;
 /// How much upwards counts beside away from the base in the direction in which branches grow.
 const UP: f32 = 0.5;
 
+/// Columns and rows within which a path joins another.
+const CLOSE: usize = 2;
+
 /// No predecessor.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -69,12 +72,12 @@ pub(super) fn union(
         control.report("livewire", 0.4 + 0.2 * round as f32)?;
         if params.join > 0.0 && n < order.len() {
             let before = search.run(&cheap);
-            let found = collect(before, base, &order[..n]);
+            let found = collect(working, before, base, &order[..n]);
             cool(&mut cheap, working, &found, 1.0 - params.join);
         }
     }
     control.report("livewire", 0.8)?;
-    Ok(collect(search.run(&cheap), base, seeds))
+    Ok(collect(working, search.run(&cheap), base, &order))
 }
 
 /// The leader first, then `main` seeds, each the farthest from all before it, then the rest.
@@ -105,43 +108,58 @@ fn by_importance(working: &Working, base: u32, seeds: &[u32], main: usize) -> Ve
 
 /// Makes the pixels of `found` and their neighbours cost no more than `share`.
 fn cool(cheap: &mut [f32], working: &Working, found: &Union, share: f32) {
-    let (width, height) = (working.alpha.width, working.alpha.height);
     for &pixel in &found.pixels {
-        let (x, y) = working.column_row(pixel as usize);
-        for y in y.saturating_sub(1)..(y + 2).min(height) {
-            for x in x.saturating_sub(1)..(x + 2).min(width) {
-                let value = &mut cheap[y * width + x];
-                *value = value.min(share);
-            }
-        }
+        around(working, pixel, 1, |near| cheap[near] = cheap[near].min(share));
     }
 }
 
-/// The union of the paths from `seeds` by the predecessors `before`.
-fn collect(before: &[u32], base: u32, seeds: &[u32]) -> Union {
-    let mut row_of = vec![NONE; before.len()];
+/// The union of the paths from `seeds` by the predecessors `before`. A path that comes close to an
+/// earlier one joins it there: two wires side by side in one branch are one.
+fn collect(working: &Working, before: &[u32], base: u32, seeds: &[u32]) -> Union {
     let mut union = Union { pixels: vec![base], parents: vec![NONE] };
-    row_of[base as usize] = 0;
+    // For each pixel the row of a collected one that is close.
+    let mut close_to = vec![NONE; before.len()];
+    close_to[base as usize] = 0;
     let mut path = Vec::new();
     for &seed in seeds {
         path.clear();
         let mut pixel = seed;
-        while pixel != NONE && row_of[pixel as usize] == NONE {
+        while pixel != NONE && close_to[pixel as usize] == NONE {
             path.push(pixel);
             pixel = before[pixel as usize];
         }
         if pixel == NONE {
             continue;
         }
-        let mut parent = row_of[pixel as usize];
+        let mut parent = close_to[pixel as usize];
+        let first = union.pixels.len();
         for &pixel in path.iter().rev() {
-            row_of[pixel as usize] = union.pixels.len() as u32;
             union.pixels.push(pixel);
             union.parents.push(parent);
-            parent = row_of[pixel as usize];
+            parent = union.pixels.len() as u32 - 1;
+        }
+        for row in first..union.pixels.len() {
+            around(working, union.pixels[row], CLOSE, |near| {
+                // A path's own pixel counts before its neighbours'.
+                let is_itself = near == union.pixels[row] as usize;
+                if close_to[near] == NONE || is_itself {
+                    close_to[near] = row as u32;
+                }
+            });
         }
     }
     union
+}
+
+/// Calls `visit` with every pixel at most `reach` columns and rows away.
+fn around(working: &Working, pixel: u32, reach: usize, mut visit: impl FnMut(usize)) {
+    let (width, height) = (working.alpha.width, working.alpha.height);
+    let (x, y) = working.column_row(pixel as usize);
+    for y in y.saturating_sub(reach)..(y + reach + 1).min(height) {
+        for x in x.saturating_sub(reach)..(x + reach + 1).min(width) {
+            visit(y * width + x);
+        }
+    }
 }
 
 /// Dijkstra's search with its memory, to be run several times.
@@ -156,12 +174,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(
-        working: &'a Working,
-        costs: &'a Costs,
-        base: u32,
-        params: &'a LivewireParams,
-    ) -> Self {
+    fn new(working: &'a Working, costs: &'a Costs, base: u32, params: &'a LivewireParams) -> Self {
         let n = costs.plain.len();
         Self {
             working,
