@@ -14,6 +14,8 @@ pub mod foliage;
 pub mod particle;
 pub mod path;
 pub mod skeletonize;
+#[cfg(feature = "svg")]
+mod svg;
 
 pub use error::ModelError;
 pub use tree_core;

@@ -16,6 +16,7 @@
 pub mod attractor;
 mod camera;
 pub mod density;
+pub mod draw;
 pub mod field;
 pub mod finish;
 pub mod flow;

@@ -9,30 +9,13 @@
 //! matter.
 
 use crate::error::{ModelError, Result, check};
+use crate::svg::{self, Contour};
 use glam::{Vec2, Vec3};
-use kurbo::{Affine, BezPath, Circle, Ellipse, PathEl, Point, Rect, Shape};
-use roxmltree::{Document, Node, ParsingOptions};
-use std::str::FromStr;
+use kurbo::Point;
 use tree_core::Volume;
 
 /// Heights at which an outline's width is taken.
 const ROWS: usize = 160;
-
-/// Deviation allowed when curves become polylines, as a share of the drawing's size.
-const FLATNESS: f64 = 5e-4;
-
-/// Ends closer than this share of the drawing's size close a contour.
-const CLOSED_GAP: f64 = 0.01;
-
-/// Deepest nesting of SVG groups followed: a drawing program makes a dozen, a hostile file
-/// thousands.
-const MAX_DEPTH: u32 = 64;
-
-/// Largest coordinate: beyond that, curves cannot be cut into a sensible number of lines.
-const MAX_NUMBER: f64 = 1e7;
-
-/// Most elements and texts in a drawing: a traced picture has tens of thousands.
-const MAX_NODES: u32 = 1_000_000;
 
 /// How a drawing becomes a profile.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,14 +50,14 @@ impl Profile {
     pub fn from_svg(text: &str, options: &ProfileOptions) -> Result<Self> {
         check("height", options.height, 0.01, 10_000.0)?;
         check("widen", options.widen, 0.01, 100.0)?;
-        // Drawing programs write a document type; entities in it are expanded within roxmltree's
-        // own bounds.
-        let parsing =
-            ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
-        let document = Document::parse_with_options(text, parsing)
-            .map_err(|error| ModelError::Svg(error.to_string()))?;
         let mut drawing = Drawing::default();
-        drawing.collect(document.root_element(), Affine::IDENTITY, 0)?;
+        for shape in svg::read(text)?.shapes {
+            if shape.id.is_some_and(|id| id.eq_ignore_ascii_case("axis")) {
+                drawing.axis = Some(shape.bounds.center().x);
+            } else {
+                drawing.contours.extend(shape.contours);
+            }
+        }
         drawing.profile(options)
     }
 
@@ -94,65 +77,7 @@ struct Drawing {
     axis: Option<f64>,
 }
 
-struct Contour {
-    points: Vec<Point>,
-    closed: bool,
-}
-
 impl Drawing {
-    fn collect(&mut self, node: Node<'_, '_>, outer: Affine, depth: u32) -> Result<()> {
-        const SKIPPED: [&str; 9] = [
-            "defs", "clipPath", "mask", "marker", "metadata", "pattern", "symbol", "style", "title",
-        ];
-        if depth > MAX_DEPTH {
-            return Err(ModelError::Svg(format!("groups nest deeper than {MAX_DEPTH}")));
-        }
-        let name = node.tag_name().name();
-        if SKIPPED.contains(&name) || is_hidden(node) {
-            return Ok(());
-        }
-        let affine = outer * transform(node)?;
-        if let Some(path) = outline(node)? {
-            self.add(node, &(affine * path));
-        }
-        node.children()
-            .filter(Node::is_element)
-            .try_for_each(|child| self.collect(child, affine, depth + 1))
-    }
-
-    fn add(&mut self, node: Node<'_, '_>, path: &BezPath) {
-        let bounds = path.bounding_box();
-        let size = bounds.width().max(bounds.height());
-        let corner = bounds.x0.abs().max(bounds.y0.abs());
-        if !(size > 0.0 && size <= MAX_NUMBER && corner <= MAX_NUMBER) {
-            return;
-        }
-        if node.attribute("id").is_some_and(|id| id.eq_ignore_ascii_case("axis")) {
-            self.axis = Some(bounds.center().x);
-            return;
-        }
-        let mut contour = Contour { points: Vec::new(), closed: false };
-        let mut finished = Vec::new();
-        kurbo::flatten(path.iter(), FLATNESS * size, |element| match element {
-            PathEl::MoveTo(point) => {
-                let next = Contour { points: vec![point], closed: false };
-                finished.push(std::mem::replace(&mut contour, next));
-            }
-            PathEl::LineTo(point) => contour.points.push(point),
-            PathEl::ClosePath => contour.closed = true,
-            // Flattening leaves no curves.
-            PathEl::QuadTo(..) | PathEl::CurveTo(..) => {}
-        });
-        finished.push(contour);
-        for mut contour in finished.into_iter().filter(|contour| contour.points.len() > 1) {
-            if let (Some(first), Some(last)) = (contour.points.first(), contour.points.last()) {
-                contour.closed |=
-                    contour.points.len() > 2 && first.distance(*last) < CLOSED_GAP * size;
-            }
-            self.contours.push(contour);
-        }
-    }
-
     fn profile(&self, options: &ProfileOptions) -> Result<Profile> {
         let closed: Vec<&Contour> = self.contours.iter().filter(|c| c.closed).collect();
         let (points, from_outline) = if closed.is_empty() {
@@ -221,91 +146,6 @@ fn half_widths(contours: &[&Contour]) -> Result<Vec<Point>> {
         return Err(ModelError::Svg("the outline encloses nothing".into()));
     }
     Ok(points)
-}
-
-fn is_hidden(node: Node<'_, '_>) -> bool {
-    node.attribute("display") == Some("none")
-        || node.attribute("visibility") == Some("hidden")
-        || node
-            .attribute("style")
-            .is_some_and(|style| style.replace(' ', "").contains("display:none"))
-}
-
-fn transform(node: Node<'_, '_>) -> Result<Affine> {
-    let Some(text) = node.attribute("transform") else {
-        return Ok(Affine::IDENTITY);
-    };
-    let t = svgtypes::Transform::from_str(text)
-        .map_err(|error| ModelError::Svg(format!("transform '{text}': {error}")))?;
-    Ok(Affine::new([t.a, t.b, t.c, t.d, t.e, t.f]))
-}
-
-/// The shape an element draws, before its transform.
-fn outline(node: Node<'_, '_>) -> Result<Option<BezPath>> {
-    let number = |name: &str| number(node, name);
-    Ok(match node.tag_name().name() {
-        "path" => {
-            let data = node.attribute("d").unwrap_or("");
-            let path = BezPath::from_svg(data)
-                .map_err(|error| ModelError::Svg(format!("path data: {error}")))?;
-            Some(path)
-        }
-        "polyline" => polyline(node, false)?,
-        "polygon" => polyline(node, true)?,
-        "line" => {
-            let mut path = BezPath::new();
-            path.move_to((number("x1")?, number("y1")?));
-            path.line_to((number("x2")?, number("y2")?));
-            Some(path)
-        }
-        "rect" => {
-            let (x, y) = (number("x")?, number("y")?);
-            let rect = Rect::new(x, y, x + number("width")?, y + number("height")?);
-            Some(rect.to_path(1.0))
-        }
-        "circle" => {
-            let (centre, r) = (Point::new(number("cx")?, number("cy")?), number("r")?.abs());
-            Some(Circle::new(centre, r).to_path(FLATNESS * r))
-        }
-        "ellipse" => {
-            let centre = Point::new(number("cx")?, number("cy")?);
-            let radii = (number("rx")?.abs(), number("ry")?.abs());
-            Some(Ellipse::new(centre, radii, 0.0).to_path(FLATNESS * radii.0.max(radii.1)))
-        }
-        _ => None,
-    })
-}
-
-/// A length in user units; 0 where the attribute is missing, as SVG has it.
-fn number(node: Node<'_, '_>, name: &str) -> Result<f64> {
-    let Some(text) = node.attribute(name) else { return Ok(0.0) };
-    match text.trim().trim_end_matches("px").parse::<f64>() {
-        Ok(number) if number.abs() <= MAX_NUMBER => Ok(number),
-        _ => Err(ModelError::Svg(format!(
-            "{name}='{text}' is no length in user units of at most {MAX_NUMBER}"
-        ))),
-    }
-}
-
-fn polyline(node: Node<'_, '_>, close: bool) -> Result<Option<BezPath>> {
-    let text = node.attribute("points").unwrap_or("");
-    let numbers = text
-        .split(|c: char| c.is_ascii_whitespace() || c == ',')
-        .filter(|word| !word.is_empty())
-        .map(|word| {
-            word.parse::<f64>()
-                .map_err(|_| ModelError::Svg(format!("points: '{word}' is no number")))
-        })
-        .collect::<Result<Vec<_>>>()?;
-    let mut path = BezPath::new();
-    for (i, pair) in numbers.chunks_exact(2).enumerate() {
-        let point = Point::new(pair[0], pair[1]);
-        if i == 0 { path.move_to(point) } else { path.line_to(point) }
-    }
-    if close && !path.is_empty() {
-        path.close_path();
-    }
-    Ok((!path.is_empty()).then_some(path))
 }
 
 #[cfg(test)]
