@@ -22,12 +22,12 @@ pub struct DensityParams {
     /// Default 0.02. Lower values make the densest parts denser.
     pub least_transparency: f32,
     /// Weight of the demand that densities are small and even (Tikhonov's λ, in units of what the rays
-    /// demand of a voxel), 0.001 to 10. Default 0.1. Higher values blur; lower ones take longer.
+    /// demand of a voxel), 0.01 to 10. Default 0.3. Higher values blur; lower ones take longer.
     pub evenness: f32,
-    /// Most iterations of the solver, 1 to 100,000. Default 200.
+    /// Most iterations of the solver, 1 to 100,000. Default 500.
     pub iterations: u32,
-    /// The solver stops when the gradient has fallen to this share of its size at an empty grid, 1e-6 to
-    /// 0.1. Default 0.001.
+    /// The solver stops when the densities are surely within this share of the exact ones (of their root
+    /// mean square), 1e-4 to 1. Default 0.03, which is about 0.01 in truth.
     pub tolerance: f32,
 }
 
@@ -39,9 +39,9 @@ impl Default for DensityParams {
             rounding: 1.0,
             rays: 1.0,
             least_transparency: 0.02,
-            evenness: 0.1,
-            iterations: 200,
-            tolerance: 1e-3,
+            evenness: 0.3,
+            iterations: 500,
+            tolerance: 0.03,
         }
     }
 }
@@ -57,8 +57,8 @@ impl DensityParams {
         check("density.rounding", self.rounding, 0.0, 1.0)?;
         check("density.rays", self.rays, 0.25, 4.0)?;
         check("density.least_transparency", self.least_transparency, 1e-4_f32, 0.5)?;
-        check("density.evenness", self.evenness, 1e-3_f32, 10.0)?;
+        check("density.evenness", self.evenness, 0.01_f32, 10.0)?;
         check("density.iterations", self.iterations, 1, 100_000)?;
-        check("density.tolerance", self.tolerance, 1e-6_f32, 0.1_f32)
+        check("density.tolerance", self.tolerance, 1e-4_f32, 1.0)
     }
 }

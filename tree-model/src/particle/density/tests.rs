@@ -89,9 +89,8 @@ fn the_density_is_that_of_dense_least_squares_without_negative_values() {
         (vec![noisy(0.0, 3), noisy(FRAC_PI_2, 4), noisy(FRAC_PI_4, 5)], 0.1, 1.0),
         (vec![noisy(0.3, 6), noisy(2.0, 7)], 0.03, 0.5),
     ] {
-        let (tolerance, iterations) = (1e-5, 5000);
-        let some = DensityParams { resolution: 6, tolerance, iterations, ..Default::default() };
-        let params = DensityParams { evenness, rounding, ..some };
+        let params =
+            DensityParams { resolution: 6, evenness, rounding, ..DensityParams::default() };
         let control = Control::default();
         let carved = carve(&views, &params, &control).unwrap();
         let (grid, report) = solve(&carved, &views, &params, &control).unwrap();
@@ -113,13 +112,8 @@ fn a_box_in_two_views_is_found_with_its_density() {
         view(yaw, 64, 4.0, |x, y| if x.abs() < 1.0 && (1.0..3.0).contains(&y) { deep } else { 0.0 })
     };
     let views = [square(0.0), square(FRAC_PI_2)];
-    let params = DensityParams {
-        resolution: 8,
-        rounding: 0.0,
-        evenness: 0.01,
-        tolerance: 1e-4,
-        ..DensityParams::default()
-    };
+    let params =
+        DensityParams { resolution: 8, rounding: 0.0, evenness: 0.03, ..DensityParams::default() };
     let control = Control::default();
     let carved = carve(&views, &params, &control).unwrap();
     let (grid, report) = solve(&carved, &views, &params, &control).unwrap();
