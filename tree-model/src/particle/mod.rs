@@ -13,6 +13,7 @@
 //! 6. [`flow`]: the particles' traces (3.4).
 //! 7. [`finish`]: smoothing, radii, twigs and leaves.
 
+mod align;
 pub mod attractor;
 mod camera;
 pub mod density;
@@ -26,6 +27,7 @@ pub mod matting;
 mod photo;
 mod view;
 
+pub use align::{AlignParams, AlignWarning, Alignment, align, align_all};
 pub use camera::{Camera, Frame, Projection, Projector, Stand};
 pub use grid::Grid;
 pub use matte::Matte;
