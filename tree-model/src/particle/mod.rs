@@ -23,6 +23,8 @@ mod grid;
 mod matte;
 pub mod matting;
 mod photo;
+#[cfg(feature = "image")]
+mod picture_file;
 mod view;
 
 pub use camera::{Camera, Projection};
