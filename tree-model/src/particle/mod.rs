@@ -25,6 +25,8 @@ mod grid;
 mod matte;
 pub mod matting;
 mod photo;
+#[cfg(feature = "image")]
+mod picture_file;
 mod view;
 
 pub use align::{AlignParams, AlignWarning, Alignment, align, align_all};
