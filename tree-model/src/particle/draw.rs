@@ -110,6 +110,16 @@ impl Canvas {
         }
     }
 
+    /// Fills the pixels whose corners lie from `low` up to `high`.
+    pub fn fill(&mut self, low: Vec2, high: Vec2, colour: Colour) {
+        let (low, high) = (low.max(Vec2::ZERO), high.max(Vec2::ZERO));
+        for y in low.y as u32..(high.y as u32).min(self.height) {
+            for x in low.x as u32..(high.x as u32).min(self.width) {
+                self.blend(x, y, colour, 1.0);
+            }
+        }
+    }
+
     /// Draws a disc.
     pub fn dot(&mut self, at: Vec2, radius: f32, colour: Colour) {
         self.line(at, at, 2.0 * radius, colour);

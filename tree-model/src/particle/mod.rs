@@ -12,6 +12,8 @@
 //! 5. [`field`]: a direction field for each view, towards and along its attractor (3.5).
 //! 6. [`flow`]: the particles' traces (3.4).
 //! 7. [`finish`]: smoothing, radii, twigs and leaves.
+//!
+//! [`session`] does all of it, keeps what is there, and redoes what a change touches.
 
 mod align;
 pub mod attractor;
@@ -27,6 +29,7 @@ pub mod matting;
 mod photo;
 #[cfg(feature = "image")]
 mod picture_file;
+pub mod session;
 mod view;
 
 pub use align::{AlignParams, AlignWarning, Alignment, align, align_all};

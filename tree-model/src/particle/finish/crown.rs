@@ -51,8 +51,7 @@ pub fn grow_crown(
     control: &Control,
 ) -> Result<(Tree, CrownReport)> {
     params.validate()?;
-    let sights: Vec<Sight<'_>> =
-        views.par_iter().map(|view| Sight::new(view, height)).collect();
+    let sights: Vec<Sight<'_>> = views.par_iter().map(|view| Sight::new(view, height)).collect();
     let crown = Crown { density, sights, params, seed, control };
     let mut report = CrownReport::default();
     let mut demand = match &params.leaves {

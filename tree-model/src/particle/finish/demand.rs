@@ -67,7 +67,13 @@ impl Demand {
     }
 
     /// Puts the demand right after `leaves` have been counted in all images.
-    pub(super) fn correct(&mut self, sights: &[Sight<'_>], leaves: &Foliage, blade: f32, fullness: f32) {
+    pub(super) fn correct(
+        &mut self,
+        sights: &[Sight<'_>],
+        leaves: &Foliage,
+        blade: f32,
+        fullness: f32,
+    ) {
         let changes: Vec<Vec<f32>> = sights
             .iter()
             .map(|sight| {

@@ -37,11 +37,7 @@ impl<'a> Forces<'a> {
     /// Combines the views' fields with the way to the base. A field without a direction anywhere counts
     /// as no field.
     #[must_use]
-    pub fn new(
-        views: &[(Camera, &'a DirectionField)],
-        way: &'a Way,
-        params: &FlowParams,
-    ) -> Self {
+    pub fn new(views: &[(Camera, &'a DirectionField)], way: &'a Way, params: &FlowParams) -> Self {
         let eyes: Vec<Eye<'_>> = views
             .iter()
             .filter(|(_, field)| field.vectors().iter().any(|v| v.length_squared() > 0.0))

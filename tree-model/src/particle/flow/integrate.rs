@@ -47,10 +47,8 @@ pub(super) fn advance(
         let second = rate(&state.plus(0.5 * h, first), done + 0.5 * h);
         let third = rate(&state.plus(0.75 * h, second), done + 0.75 * h);
         let mix = |a: Vec3, b: Vec3, c: Vec3| (2.0 * a + 3.0 * b + 4.0 * c) / 9.0;
-        let next = state.plus(
-            h,
-            Rate(mix(first.0, second.0, third.0), mix(first.1, second.1, third.1)),
-        );
+        let next =
+            state.plus(h, Rate(mix(first.0, second.0, third.0), mix(first.1, second.1, third.1)));
         let last = rate(&next, done + h);
         let miss = |a: Vec3, b: Vec3, c: Vec3, d: Vec3| {
             h * (-5.0 / 72.0 * a + b / 12.0 + c / 9.0 - d / 8.0)

@@ -118,12 +118,7 @@ struct Simulation<'a> {
 }
 
 impl<'a> Simulation<'a> {
-    fn new(
-        starts: &[Vec3],
-        height: f32,
-        forces: &'a Forces<'a>,
-        params: &'a FlowParams,
-    ) -> Self {
+    fn new(starts: &[Vec3], height: f32, forces: &'a Forces<'a>, params: &'a FlowParams) -> Self {
         let traces = Growing::new(starts, params.join * height);
         let particles = (0_u32..).zip(starts).map(|(number, &position)| {
             let velocity = forces.direction(position, None);
@@ -175,8 +170,7 @@ impl<'a> Simulation<'a> {
             .with_min_len(CHUNK)
             .enumerate()
             .map(|(i, particle)| {
-                let (other, square) =
-                    cells.nearest(i as u32, particle.state.position, sight)?;
+                let (other, square) = cells.nearest(i as u32, particle.state.position, sight)?;
                 let other = &self.particles[other as usize].state;
                 let share = 1.0 - square.sqrt() / sight.max(f32::MIN_POSITIVE);
                 Some((other.position, other.velocity, share))
@@ -307,8 +301,7 @@ impl<'a> Simulation<'a> {
     /// Lets go of those that arrived, and marks the way of the others.
     fn leave_nodes(&mut self) {
         let Self { particles, traces, report, .. } = self;
-        let (join, spacing) =
-            (self.params.join * self.height, self.params.spacing * self.height);
+        let (join, spacing) = (self.params.join * self.height, self.params.spacing * self.height);
         particles.retain_mut(|particle| {
             if particle.state.position.length() < ARRIVAL * join {
                 traces.lead(particle.number, particle.last, 0);

@@ -71,9 +71,8 @@ fn a_cheaper_stem_makes_wider_branching_angles() {
             let b = p[b as usize];
             Vec3::new(b.x, 0.0, b.z).length() > 1.0
         });
-        let slopes: Vec<f32> = outer
-            .map(|(a, b)| (p[b as usize] - p[a as usize]).normalize_or_zero().y)
-            .collect();
+        let slopes: Vec<f32> =
+            outer.map(|(a, b)| (p[b as usize] - p[a as usize]).normalize_or_zero().y).collect();
         slopes.iter().sum::<f32>() / slopes.len() as f32
     };
     assert!(mean_slope(0.3) < mean_slope(1.0) - 0.1);
@@ -96,7 +95,10 @@ fn particles_far_outside_and_out_of_time_are_brought_home() {
     let params = FlowParams { steps: 20, ..FlowParams::default() };
     let flow = flow(&starts, &params);
     assert!(flow.report.steered > 0 && flow.report.led > 0, "{:?}", flow.report);
-    assert_eq!(flow.report.arrived + flow.report.led + flow.report.joins + flow.report.followed, 21);
+    assert_eq!(
+        flow.report.arrived + flow.report.led + flow.report.joins + flow.report.followed,
+        21
+    );
     let skeleton = flow.traces.skeleton(&Control::default()).unwrap();
     assert_eq!(skeleton.len(), flow.traces.positions().len());
 }

@@ -140,7 +140,6 @@ fn direction(grid: &Grid, costs: &[f32], at: usize) -> Vec3 {
         let fall = (costs[at] - low.min(high)).max(0.0);
         if low < high { -fall } else { fall }
     };
-    let down =
-        Vec3::new(slope(near[0], near[1]), slope(near[2], near[3]), slope(near[4], near[5]));
+    let down = Vec3::new(slope(near[0], near[1]), slope(near[2], near[3]), slope(near[4], near[5]));
     down.normalize_or(-center.normalize_or(Vec3::Y))
 }

@@ -79,8 +79,7 @@ impl Session {
     /// [`ModelError::View`] for a view that is not there, or a matte of another size.
     pub fn set_matte(&mut self, view: usize, matte: Matte) -> Result<()> {
         let shot = self.shot_mut(view)?;
-        let (old, new) =
-            [&shot.matte, &matte].map(|m| (m.width(), m.height())).into();
+        let (old, new) = [&shot.matte, &matte].map(|m| (m.width(), m.height())).into();
         if old != new {
             let problem = format!(
                 "the new matte is {} × {} pixels, the old one {} × {}; both must be of one size",

@@ -133,9 +133,13 @@ fn slices(grid: &Grid, control: &Control) -> Result<Photo> {
         let corner = [slice % SLICES_ACROSS * tile[0], slice / SLICES_ACROSS * tile[1]];
         for i in 0..nx * nz {
             let (x, z) = (i % nx, i / nx);
-            let value = grid.index(IVec3::new(x as i32, y, z as i32)).map_or(0.0, |i| grid.values()[i]);
+            let value =
+                grid.index(IVec3::new(x as i32, y, z as i32)).map_or(0.0, |i| grid.values()[i]);
             let grey = (255.0 * (value / most).sqrt()) as u8;
-            let at = Vec2::new((corner[0] + x * VOXEL_PIXELS) as f32, (corner[1] + z * VOXEL_PIXELS) as f32);
+            let at = Vec2::new(
+                (corner[0] + x * VOXEL_PIXELS) as f32,
+                (corner[1] + z * VOXEL_PIXELS) as f32,
+            );
             let side = VOXEL_PIXELS as f32;
             canvas.fill(at, at + side, [grey, grey, grey, 255]);
         }

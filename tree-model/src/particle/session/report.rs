@@ -1,6 +1,6 @@
 //! What a tree from photographs came of.
 
-use crate::particle::align::AlignWarning;
+use crate::particle::AlignWarning;
 use crate::particle::attractor::{LivewireReport, StrokeReport};
 use crate::particle::density::DensityReport;
 use crate::particle::finish::CrownReport;
@@ -21,6 +21,8 @@ pub struct PhotoTree {
 pub struct PhotoReport {
     /// One entry a view.
     pub views: Vec<ViewReport>,
+    /// Where the views do not agree with each other.
+    pub disagreements: Vec<AlignWarning>,
     /// How well the density gives the mattes.
     pub density: DensityReport,
     /// What became of the particles.
@@ -56,6 +58,7 @@ impl PhotoReport {
                 lines.push(format!("views[{view}]: {warning}"));
             }
         }
+        lines.extend(self.disagreements.iter().map(ToString::to_string));
         lines.extend(self.density.warnings.iter().map(ToString::to_string));
         if self.flow.steered > 0 {
             lines.push(format!(
@@ -65,7 +68,10 @@ impl PhotoReport {
             ));
         }
         if self.flow.led > 0 {
-            lines.push(format!("{} particles were lost and led to the nearest branch", self.flow.led));
+            lines.push(format!(
+                "{} particles were lost and led to the nearest branch",
+                self.flow.led
+            ));
         }
         lines
     }

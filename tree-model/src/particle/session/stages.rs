@@ -5,16 +5,16 @@ use super::params::PhotoParams;
 use super::report::{PhotoReport, PhotoTree, ViewReport};
 use super::shot::{Attractor, Placing, Shot};
 use crate::error::{ModelError, Result};
-use crate::particle::align::{AlignParams, Alignment, align};
 use crate::particle::attractor::{AttractorGraph, from_strokes, livewire, silhouette_seeds};
 use crate::particle::density::{carve, sample_points, solve};
 use crate::particle::field::{DirectionField, direction_field};
 use crate::particle::finish::{grow_crown, grow_wood};
 use crate::particle::flow::{Flow, Forces, Traces, Way, run};
-use crate::particle::{Grid, View};
+use crate::particle::{AlignParams, Alignment, align_all};
+use crate::particle::{Grid, Matte, View};
 use glam::Vec3;
 use rayon::prelude::*;
-use tree_core::{Control, Seed, Skeleton};
+use tree_core::{Control, Limits, Resource, Seed, Skeleton};
 
 /// Stages of the work, in the order in which they are done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -164,47 +164,40 @@ impl Session {
     pub fn views(&mut self, control: &Control) -> Result<&[View]> {
         if self.views.is_none() {
             control.report("views", 0.0)?;
-            let views = self.find_views(control)?;
+            let views = self.find_views(control.limits)?;
             self.views = Some(views);
             self.runs[Stage::Views as usize] += 1;
         }
         Ok(self.views.as_deref().unwrap_or_default())
     }
 
-    fn find_views(&mut self, control: &Control) -> Result<Vec<View>> {
-        let (height, limits) = (self.params.height, control.limits);
-        let found: Vec<Result<(View, Alignment)>> = self
-            .shots
-            .par_iter()
-            .enumerate()
-            .map(|(index, shot)| {
-                let pixels = shot.matte.alpha().len() as u64;
-                limits.check(tree_core::Resource::Pixels, pixels)?;
-                let (yaw, pitch, projection) = match shot.placing {
-                    Placing::Aligned { yaw, pitch, projection } => (yaw, pitch, projection),
-                    Placing::Placed(camera) => {
-                        camera.validate(&format!("shots[{index}].camera"))?;
-                        (camera.yaw, camera.pitch, camera.projection)
-                    }
-                };
-                let params = AlignParams { height, yaw, pitch, projection };
-                let (mut camera, mut alignment) =
-                    align(&shot.matte, &params).map_err(|error| in_view(error, index))?;
-                if let Placing::Placed(placed) = shot.placing {
-                    camera = placed;
-                    alignment.warnings.clear();
+    fn find_views(&mut self, limits: Limits) -> Result<Vec<View>> {
+        let height = self.params.height;
+        let mut params = Vec::with_capacity(self.shots.len());
+        for (index, shot) in self.shots.iter().enumerate() {
+            limits.check(Resource::Pixels, shot.matte.alpha().len() as u64)?;
+            let (yaw, pitch, projection) = match shot.placing {
+                Placing::Aligned { yaw, pitch, projection } => (yaw, pitch, projection),
+                Placing::Placed(camera) => {
+                    camera.validate(&format!("shots[{index}].camera"))?;
+                    (camera.yaw, camera.pitch, camera.projection)
                 }
-                let (matte, photo) = (shot.matte.clone(), shot.photo.clone());
-                Ok((View { matte, photo, camera }, alignment))
-            })
-            .collect();
-        let (mut views, mut alignments) = (Vec::new(), Vec::new());
-        for found in found {
-            let (view, alignment) = found?;
-            views.push(view);
+            };
+            params.push(AlignParams { height, yaw, pitch, projection });
+        }
+        let mattes: Vec<&Matte> = self.shots.iter().map(|shot| &shot.matte).collect();
+        let (found, disagreements) = align_all(&mattes, &params, height)?;
+        let (mut views, mut alignments) = (Vec::new(), Vec::<Alignment>::new());
+        for (shot, (aligned, alignment)) in self.shots.iter().zip(found) {
+            let camera = match shot.placing {
+                Placing::Aligned { .. } => aligned,
+                Placing::Placed(camera) => camera,
+            };
+            let (matte, photo) = (shot.matte.clone(), shot.photo.clone());
+            views.push(View { matte, photo, camera });
             alignments.push(alignment);
         }
-        self.report = PhotoReport::default();
+        self.report = PhotoReport { disagreements, ..PhotoReport::default() };
         self.report.crown_base = views
             .iter()
             .zip(&alignments)
@@ -280,8 +273,7 @@ impl Session {
                     }
                     Attractor::Seeds(seeds) => wire(seeds, &mut report),
                     Attractor::Strokes(strokes) => {
-                        let (graph, found) =
-                            from_strokes(strokes, base, view.camera.size, &params.strokes)?;
+                        let (graph, found) = from_strokes(strokes, base, &params.strokes, &quiet)?;
                         report.strokes = Some(found);
                         Ok(graph)
                     }

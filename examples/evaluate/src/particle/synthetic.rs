@@ -1,0 +1,115 @@
+//! Known trees: rendered from two sides, found again, compared from a third and in space.
+
+use super::cases::{Grown, grow};
+use super::score::{mesh, score, seen};
+use crate::table::{Aim, Row, Table};
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
+use tree_core::{Control, Seed, Tree};
+use tree_mesh::Mesh;
+use tree_model::glam::{IVec3, Vec2};
+use tree_model::particle::finish::FinishParams;
+use tree_model::particle::session::{PhotoParams, Shot};
+use tree_model::particle::{Camera, Projection};
+use tree_model::path::Preset;
+
+/// Trees that others' methods would not know either: broad, narrow, sparse, with and without a leader.
+const TREES: [(&str, &str); 8] = [
+    ("oak", "oak"),
+    ("a", "birch"),
+    ("b", "oak"),
+    ("c", "oak"),
+    ("e", "pine"),
+    ("g", "pine"),
+    ("i", "oak"),
+    ("k", "oak"),
+];
+/// Side of the pictures in pixels.
+const PIXELS: f32 = 512.0;
+/// Voxels along the height in which crowns are compared.
+const VOXELS: f32 = 20.0;
+
+pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
+    let control = Control::default();
+    for (name, species) in TREES {
+        let mut preset = Preset::find(name)?.params()?;
+        preset.roots = None;
+        let truth = preset.grow(Seed(11), &control)?.tree;
+        let shape = mesh(&truth, &control)?;
+        let height = shape.bounds().max.y;
+        let shots = [0.0, FRAC_PI_2]
+            .into_iter()
+            .map(|yaw| {
+                Ok(Shot::new(seen(&shape, &camera(&shape, yaw), &control)?, None, yaw))
+            })
+            .collect::<Result<Vec<_>, Box<dyn Error>>>()?;
+        let params = PhotoParams {
+            height,
+            finish: FinishParams::find(species)?,
+            ..PhotoParams::default()
+        };
+        let grown = grow(shots, &params)?;
+        let case = format!("synthetic {name}");
+        grown.rows(table, &case, &["front".into(), "side".into()], 0.88);
+        own_rows(table, &case, &truth, &shape, &grown)?;
+    }
+    Ok(())
+}
+
+/// The view from between the two that were given, and the crown in space.
+fn own_rows(
+    table: &mut Table,
+    case: &str,
+    truth: &Tree,
+    shape: &Mesh,
+    grown: &Grown,
+) -> Result<(), Box<dyn Error>> {
+    let control = Control::default();
+    let between = camera(shape, FRAC_PI_4);
+    let asked = seen(shape, &between, &control)?;
+    let (mut f1, mut overlap) = (f64::INFINITY, f64::INFINITY);
+    for (tree, mesh) in grown.trees.iter().zip(&grown.meshes) {
+        f1 = f1.min(score(&seen(mesh, &between, &control)?, &asked).f1());
+        overlap = overlap.min(crown_overlap(tree, truth));
+    }
+    for (metric, ours, aim) in
+        [("F1 unseen, 45°", f1, 0.75), ("crown volume overlap", overlap, 0.6)]
+    {
+        let (paper, peer, unit, aim) = (None, None, "", Aim::AtLeast(aim));
+        table.row(&Row { case, metric, paper, peer, ours, unit, aim });
+    }
+    Ok(())
+}
+
+/// A square picture of the whole tree, from so far round it.
+fn camera(mesh: &Mesh, yaw: f32) -> Camera {
+    let bounds = mesh.bounds();
+    let around = bounds.min.abs().max(bounds.max.abs());
+    let extent = bounds.max.y.max(2.0 * around.x.max(around.z) * std::f32::consts::SQRT_2);
+    let scale = 1.1 * extent / PIXELS;
+    Camera {
+        yaw,
+        pitch: 0.0,
+        projection: Projection::Orthographic,
+        size: Vec2::splat(PIXELS),
+        base: Vec2::new(0.5 * PIXELS, 0.97 * PIXELS),
+        scale,
+    }
+}
+
+/// Intersection over union of the voxels that hold a leaf, or a node where trees are bare.
+fn crown_overlap(tree: &Tree, truth: &Tree) -> f64 {
+    let voxel = truth.skeleton().bounds().max.y / VOXELS;
+    let voxels = |tree: &Tree| -> BTreeSet<[i32; 3]> {
+        let points = if truth.foliage().is_empty() {
+            tree.skeleton().positions()
+        } else {
+            tree.foliage().positions()
+        };
+        points.iter().map(|&p| IVec3::to_array(&(p / voxel).floor().as_ivec3())).collect()
+    };
+    let (a, b) = (voxels(tree), voxels(truth));
+    let both = a.intersection(&b).count();
+    both as f64 / (a.len() + b.len() - both).max(1) as f64
+}
