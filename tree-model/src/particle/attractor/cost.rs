@@ -60,16 +60,20 @@ pub(super) fn rate(working: &Working, trunk: &Trunk, params: &LivewireParams) ->
     let fine = alpha.height as f32 / 256.0;
     let sigmas = SIGMAS.map(|sigma| (sigma * fine).max(0.7));
     let reach = (REACH * fine).max(2.0);
-    let mut found = vec![relative(ridges(alpha, &sigmas, reach, Sign::Bright), alpha, 1.0)];
+    let mut evidence = vec![[0; DIRECTIONS]; alpha.values.len()];
+    // One after the other, so that only one set of planes is in memory.
+    let mut see = |plane: &Plane, sign: Sign, trust: f32| {
+        let found = relative(ridges(plane, &sigmas, reach, sign), alpha, trust);
+        strengthen(&mut evidence, &found, alpha);
+    };
+    see(alpha, Sign::Bright, 1.0);
     if !working.colours.is_empty() {
-        let light = filled(&luminance(&working.colours), alpha);
-        found.push(relative(ridges(&light, &sigmas, reach, Sign::Either), alpha, TRUST_LIGHT));
+        see(&filled(&luminance(&working.colours), alpha), Sign::Either, TRUST_LIGHT);
         if let Some(wood) = likeness(working, trunk) {
-            let wood = wood.zip(alpha, |wood, alpha| wood * alpha);
-            found.push(relative(ridges(&wood, &sigmas, reach, Sign::Bright), alpha, 1.0));
+            see(&wood.zip(alpha, |wood, alpha| wood * alpha), Sign::Bright, 1.0);
         }
     }
-    Costs { plain: plain(alpha, params), evidence: strongest(&found, alpha) }
+    Costs { plain: plain(alpha, params), evidence }
 }
 
 /// Cost without evidence: high outside, a little higher near the silhouette than in the middle.
@@ -103,19 +107,15 @@ fn relative(mut ridges: Vec<Plane>, alpha: &Plane, trust: f32) -> Vec<Plane> {
     ridges
 }
 
-/// The strongest evidence of all planes, where the tree covers.
-fn strongest(found: &[Vec<Plane>], alpha: &Plane) -> Vec<[u8; DIRECTIONS]> {
-    let mut evidence = vec![[0; DIRECTIONS]; alpha.values.len()];
-    for planes in found {
-        for (direction, plane) in planes.iter().enumerate() {
-            let values = plane.values.iter().zip(&alpha.values);
-            for (into, (&value, &alpha)) in evidence.iter_mut().zip(values) {
-                let seen = (255.0 * value * (2.0 * alpha).min(1.0)) as u8;
-                into[direction] = into[direction].max(seen);
-            }
+/// Raises the evidence to what `planes` show, where the tree covers.
+fn strengthen(evidence: &mut [[u8; DIRECTIONS]], planes: &[Plane], alpha: &Plane) {
+    for (direction, plane) in planes.iter().enumerate() {
+        let values = plane.values.iter().zip(&alpha.values);
+        for (into, (&value, &alpha)) in evidence.iter_mut().zip(values) {
+            let seen = (255.0 * value * (2.0 * alpha).min(1.0)) as u8;
+            into[direction] = into[direction].max(seen);
         }
     }
-    evidence
 }
 
 fn luminance(colours: &[Plane]) -> Plane {

@@ -174,6 +174,15 @@ mod tests {
         assert!(make(f32::NAN, vec![NO_PARENT, 0]).is_err());
     }
 
+    #[cfg(feature = "serde")]
+    #[test]
+    fn what_is_read_from_a_file_is_checked() {
+        let read =
+            |parents| AttractorGraph::try_from(Columns { nodes: vec![Vec2::ONE; 2], parents });
+        assert!(read(vec![NO_PARENT, 0]).is_ok());
+        assert!(read(vec![1, 0]).is_err());
+    }
+
     #[test]
     fn lengths_tips_and_nearest_points_are_those_of_the_segments() {
         let graph = fork();

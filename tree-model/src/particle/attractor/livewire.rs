@@ -13,7 +13,7 @@
 //! on the direction of a step, and earlier paths attract later ones, so that something like a tree comes
 //! out even where a closed crown shows no branch.
 //!
-//! Costs about 60 ms on one core for any picture, and a pass over its pixels.
+//! Costs 40 to 80 ms on one core for any picture, and a pass over its pixels.
 
 use super::AttractorGraph;
 use super::cost::rate;
@@ -30,8 +30,8 @@ use tree_core::{Control, NO_PARENT, Resource};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct LivewireParams {
-    /// Rows of pixels over the height of the tree at which paths are sought, 16 to 2048. Default 256.
-    /// Cost grows with the square.
+    /// Rows of pixels over the height of the tree at which paths are sought, 16 to 1024. Default 256.
+    /// Time and memory (120 bytes a pixel at most) grow with the square.
     pub rows: u32,
     /// How closely paths follow visible structures, 0 (not at all) to 0.98. Default 0.88: a step along the
     /// clearest branch costs 12 % of one through leaves.
@@ -40,11 +40,12 @@ pub struct LivewireParams {
     pub outside: f32,
     /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
     pub centre: f32,
-    /// How much more a step towards the base's side costs than one away from it, seen from the base, 0 to 10.
-    /// Default 0.6.
+    /// How much more a step costs that leads back towards the base and down than one that leads away from
+    /// it and up, 0 to 10. Default 0.6.
     pub outwards: f32,
-    /// How much less a step costs along a path found before, 0 (paths do not attract each other) to 0.9.
-    /// Default 0.3: side branches meet a main one at about arccos 0.7 = 45°.
+    /// How much less than a step through leaves one costs along a path found before, 0 (paths do not attract
+    /// each other) to 0.9. Default 0.3: without visible structures, side branches meet a main one at about
+    /// arccos 0.7 = 45°. A visible branch attracts more than that.
     pub join: f32,
     /// Passes of smoothing over paths of working pixels, 0 to 1000. Default 12.
     pub smoothing: u32,
@@ -76,7 +77,7 @@ impl LivewireParams {
     /// # Errors
     /// [`ModelError::Parameter`] naming the first field out of range.
     pub fn validate(&self) -> Result<()> {
-        check("livewire.rows", self.rows, 16, 2048)?;
+        check("livewire.rows", self.rows, 16, 1024)?;
         check("livewire.follow", self.follow, 0.0_f32, 0.98_f32)?;
         check("livewire.outside", self.outside, 1.0_f32, 100.0_f32)?;
         check("livewire.centre", self.centre, 0.0_f32, 10.0_f32)?;
@@ -144,7 +145,8 @@ pub fn livewire(
     let mut near = good.clone();
     near.push(base);
     let Some(working) = Working::new(matte, photo, &near, params.rows) else {
-        let problem = "the matte is empty: there is no tree to follow".to_string();
+        let problem = "the matte covers no pixel by a quarter or more: there is no tree to follow"
+            .to_string();
         return Err(ModelError::Attractor { problem });
     };
     control.report("livewire", 0.1)?;

@@ -1,4 +1,9 @@
 //! The main branches in one image: the graph that attracts particles (Neubert 2012, section 3.2.2).
+//!
+//! * [`livewire`] finds them in a photograph, from seeds on the silhouette ([`silhouette_seeds`]) or given.
+//! * [`from_strokes`] makes them of what a person drew, in an SVG file (`strokes_from_svg`) or elsewhere.
+//! * [`AttractorGraph::add_stroke`], [`erase`](AttractorGraph::erase) and
+//!   [`move_near`](AttractorGraph::move_near) change them by hand.
 
 mod builder;
 mod cost;

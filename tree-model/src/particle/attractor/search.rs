@@ -4,8 +4,8 @@
 //! the picture shows no branches, least-cost paths fan out from the base and hardly ever meet. Trees
 //! are not so: side branches join a main one at an acute angle. So the search is done three times: for
 //! the leader, for a few main seeds, for all; and what an earlier one found is cheaper in the
-//! next (the "path cooling" of Mortensen & Barrett 1998). A path meets a cheaper one at the angle of
-//! refraction: cos = share of the cost, just as light does.
+//! next (an idea near the "path cooling" of Mortensen & Barrett 1998), as if a faint branch had been seen there.
+//! A path meets a cheaper one at the critical angle of refraction: cos = share of the cost.
 //!
 //! Costs are whole numbers, so that buckets serve as the queue (Dial 1969): O(pixels · 16 + cost).
 
@@ -21,7 +21,8 @@ use tree_core::Control;
 /// Cost units in one pixel's length at cost 1.
 const UNIT: f32 = 32.0;
 
-/// Buckets of the queue; the dearest step costs one less.
+/// Buckets of the queue. The dearest step costs one less: beyond 500 times a step through leaves, all
+/// steps outside the tree cost the same.
 const BUCKETS: usize = 1 << 14;
 
 /// One main seed for this many seeds.
@@ -245,7 +246,7 @@ impl<'a> Search<'a> {
         let of = |pixel: u32| {
             let i = pixel as usize;
             let evidence = f32::from(self.costs.evidence[i][direction]) / 255.0;
-            self.costs.plain[i] * (1.0 - self.params.follow * evidence) * cheap[i]
+            self.costs.plain[i] * (1.0 - self.params.follow * evidence).min(cheap[i])
         };
         0.5 * (of(a) + of(b))
     }

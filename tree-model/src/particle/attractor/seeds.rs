@@ -97,7 +97,8 @@ pub fn silhouette_seeds(
     control.limits.check(Resource::Pixels, pixels)?;
     control.report("silhouette", 0.0)?;
     let Some(working) = Working::new(matte, None, &[base], ROWS) else {
-        let problem = "the matte is empty: there is no silhouette".to_string();
+        let problem =
+            "the matte covers no pixel by a quarter or more: there is no silhouette".to_string();
         return Err(ModelError::Attractor { problem });
     };
     let contour = outermost(&working);
