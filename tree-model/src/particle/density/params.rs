@@ -22,7 +22,8 @@ pub struct DensityParams {
     /// Default 0.02. Lower values make the densest parts denser.
     pub least_transparency: f32,
     /// Weight of the demand that densities are small and even (Tikhonov's λ, in units of what the rays
-    /// demand of a voxel), 0.01 to 10. Default 0.3. Higher values blur; lower ones take longer.
+    /// demand of a voxel), 0.01 to 10. Default 0.7. Higher values thin out what is few voxels
+    /// deep; lower ones leave specks where views differ, and take longer.
     pub evenness: f32,
     /// Most iterations of the solver, 1 to 100,000. Default 500.
     pub iterations: u32,
@@ -39,7 +40,7 @@ impl Default for DensityParams {
             rounding: 1.0,
             rays: 1.0,
             least_transparency: 0.02,
-            evenness: 0.3,
+            evenness: 0.7,
             iterations: 500,
             tolerance: 0.03,
         }
