@@ -26,7 +26,7 @@ pub mod matting;
 mod photo;
 mod view;
 
-pub use align::{AlignParams, AlignWarning, Alignment, align, align_all};
+pub use align::{AlignParams, AlignWarning, AlignedViews, Alignment, align, align_all};
 pub use camera::{Camera, Projection};
 pub use grid::Grid;
 pub use matte::Matte;
