@@ -32,7 +32,7 @@ mod picture_file;
 pub mod session;
 mod view;
 
-pub use align::{AlignParams, AlignWarning, Alignment, align, align_all};
+pub use align::{AlignParams, AlignWarning, AlignedViews, Alignment, align, align_all};
 pub use camera::{Camera, Frame, Projection, Projector, Stand};
 pub use grid::Grid;
 pub use matte::Matte;

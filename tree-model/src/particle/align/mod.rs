@@ -84,6 +84,17 @@ pub struct Alignment {
     pub warnings: Vec<AlignWarning>,
 }
 
+/// What was found in several views of one tree ([`align_all`]).
+#[derive(Clone, Debug, PartialEq)]
+pub struct AlignedViews {
+    /// A camera for each view.
+    pub cameras: Vec<Camera>,
+    /// What was found in each view.
+    pub alignments: Vec<Alignment>,
+    /// Views that disagree with the others.
+    pub warnings: Vec<AlignWarning>,
+}
+
 /// What may be wrong with an alignment.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -181,42 +192,36 @@ pub fn align(matte: &Matte, params: &AlignParams) -> Result<(Camera, Alignment)>
 /// Several views of one tree, made consistent: each gets the scale that makes its tree `height` metres
 /// high, so that tops and bases coincide. Heights in `params` are not used.
 ///
-/// The warnings beside the alignments are about views that disagree.
-///
 /// # Errors
 /// [`ModelError::Parameter`] when there are not as many `params` as `mattes`, or none;
 /// [`ModelError::View`] naming the view that cannot be aligned, and why.
 ///
 /// # Complexity
 /// O(pixels).
-pub fn align_all(
-    mattes: &[&Matte],
-    params: &[AlignParams],
-    height: f32,
-) -> Result<(Vec<(Camera, Alignment)>, Vec<AlignWarning>)> {
+pub fn align_all(mattes: &[&Matte], params: &[AlignParams], height: f32) -> Result<AlignedViews> {
     check("mattes.len()", mattes.len() as f64, 1.0, 1000.0)?;
     check("params.len()", params.len() as f64, mattes.len() as f64, mattes.len() as f64)?;
-    let mut found = Vec::with_capacity(mattes.len());
+    let (mut cameras, mut alignments) = (Vec::new(), Vec::new());
     for (view, (matte, params)) in mattes.iter().zip(params).enumerate() {
         let params = AlignParams { height, ..*params };
-        found.push(align(matte, &params).map_err(|error| match error {
+        let (camera, alignment) = align(matte, &params).map_err(|error| match error {
             ModelError::Picture { problem } => ModelError::View { view, problem },
             other => other,
-        })?);
+        })?;
+        cameras.push(camera);
+        alignments.push(alignment);
     }
-    let warnings = disagreements(&found);
-    Ok((found, warnings))
+    let warnings = disagreements(&alignments);
+    Ok(AlignedViews { cameras, alignments, warnings })
 }
 
 /// Views whose crowns begin elsewhere or are of another width than those of most.
-fn disagreements(found: &[(Camera, Alignment)]) -> Vec<AlignWarning> {
+fn disagreements(found: &[Alignment]) -> Vec<AlignWarning> {
     let per_height = |alignment: &Alignment, length: f32| {
         length / (alignment.base.y - alignment.top.y).max(1e-6)
     };
-    let bases: Vec<f32> =
-        found.iter().map(|(_, a)| per_height(a, a.base.y - a.crown_base)).collect();
-    let widths: Vec<f32> =
-        found.iter().map(|(_, a)| per_height(a, a.crown.1.x - a.crown.0.x)).collect();
+    let bases: Vec<f32> = found.iter().map(|a| per_height(a, a.base.y - a.crown_base)).collect();
+    let widths: Vec<f32> = found.iter().map(|a| per_height(a, a.crown.1.x - a.crown.0.x)).collect();
     let (base, width) = (middle(&bases), middle(&widths));
     let mut warnings = Vec::new();
     for view in 0..found.len() {

@@ -132,11 +132,11 @@ fn views_that_disagree_are_named() {
     let usual = tree(|_, _| false);
     let other = matte(|x, y| (20.0..180.0).contains(&y) && (x - 100.0).abs() < 0.1 * (y - 20.0));
     let params = [AlignParams::default(); 3];
-    let (found, warnings) = align_all(&[&usual, &usual, &other], &params, 5.0).unwrap();
-    assert_eq!(found.len(), 3);
-    assert!((found[0].0.scale - 5.0 / 160.0).abs() < 1e-3);
-    assert!(warnings.iter().any(|w| matches!(w, AlignWarning::CrownBase { view: 2, .. })));
-    assert!(align_all(&[&usual, &usual], &params[..2], 5.0).unwrap().1.is_empty());
+    let found = align_all(&[&usual, &usual, &other], &params, 5.0).unwrap();
+    assert_eq!((found.cameras.len(), found.alignments.len()), (3, 3));
+    assert!((found.cameras[0].scale - 5.0 / 160.0).abs() < 1e-3);
+    assert!(found.warnings.iter().any(|w| matches!(w, AlignWarning::CrownBase { view: 2, .. })));
+    assert!(align_all(&[&usual, &usual], &params[..2], 5.0).unwrap().warnings.is_empty());
     let empty = Matte::new(1, 1, vec![0.0]).unwrap();
     let error = align_all(&[&usual, &empty], &params[..2], 5.0).unwrap_err();
     assert!(matches!(error, ModelError::View { view: 1, .. }), "{error}");

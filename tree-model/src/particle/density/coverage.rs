@@ -25,15 +25,18 @@ pub(super) struct Coverage {
     /// Sum of all cells above and to the left of each corner; (nx + 1) × (ny + 1).
     sums: Vec<f64>,
     /// First and last point of each row of cells that the tree covers.
-    reach: Vec<Option<(f32, f32)>>,
+    reach: Vec<Reach>,
 }
+
+/// First and last point of a row that the tree covers; `None` where it covers nothing.
+type Reach = Option<(f32, f32)>;
 
 impl Coverage {
     pub(super) fn new(matte: &Matte) -> Self {
         let (width, height) = (matte.width(), matte.height());
         let cell = width.max(height).div_ceil(WORKING_SIZE);
         let (nx, ny) = (width.div_ceil(cell) as usize, height.div_ceil(cell) as usize);
-        let rows: Vec<(Vec<f64>, Option<(f32, f32)>)> = (0..ny)
+        let rows: Vec<(Vec<f64>, Reach)> = (0..ny)
             .into_par_iter()
             .with_min_len(16)
             .map(|y| {
@@ -70,8 +73,7 @@ impl Coverage {
         let high = (center + half).clamp(Vec2::ZERO, self.size);
         let inside = high - low;
         let area = inside.x * inside.y;
-        // Also false when the centre is not a number.
-        if !(area >= 0.5 * 4.0 * half.x * half.y) {
+        if area.is_nan() || area < 0.5 * 4.0 * half.x * half.y {
             return None;
         }
         let (a, b) = (low / self.cell, high / self.cell);
@@ -95,7 +97,7 @@ impl Coverage {
 
     /// How far the tree reaches to the left and right around the row `y`: the mean over the covered rows
     /// within `half`, near ones counting more. `None` where no row is covered, or all lie outside.
-    pub(super) fn reach(&self, y: f32, half: f32) -> Option<(f32, f32)> {
+    pub(super) fn reach(&self, y: f32, half: f32) -> Reach {
         if !y.is_finite() {
             return None;
         }
@@ -151,7 +153,7 @@ fn reduced_row(matte: &Matte, cell: usize, nx: usize, y: usize) -> Vec<f32> {
 }
 
 /// First and last point of a row that the tree covers.
-fn reach(row: &[f32], cell: f32) -> Option<(f32, f32)> {
+fn reach(row: &[f32], cell: f32) -> Reach {
     let covered = |&alpha: &f32| if alpha < HAZE { 0.0 } else { alpha };
     let total: f32 = row.iter().map(covered).sum();
     if total <= 0.0 {

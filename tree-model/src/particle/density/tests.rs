@@ -6,7 +6,7 @@ use crate::particle::{Camera, Grid, Matte, Projection, View};
 use glam::{UVec3, Vec2, Vec3};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
-use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use tree_core::{Control, Limits, Seed};
 
 /// Lawson, Hanson 1974: dense least squares without negative values.
@@ -126,8 +126,7 @@ fn a_box_in_two_views_is_found_with_its_density() {
 
 #[test]
 fn a_ball_seen_from_one_or_two_sides_is_round() {
-    for views in [vec![ball(0.7)], vec![ball(0.0), ball(FRAC_PI_2)], vec![ball(0.0), ball(3.1416)]]
-    {
+    for views in [vec![ball(0.7)], vec![ball(0.0), ball(FRAC_PI_2)], vec![ball(0.0), ball(PI)]] {
         let params = DensityParams { resolution: 32, ..DensityParams::default() };
         let control = Control::default();
         let carved = carve(&views, &params, &control).unwrap();

@@ -10,7 +10,7 @@ use crate::particle::density::{carve, sample_points, solve};
 use crate::particle::field::{DirectionField, direction_field};
 use crate::particle::finish::{grow_crown, grow_wood};
 use crate::particle::flow::{Flow, Forces, Traces, Way, run};
-use crate::particle::{AlignParams, Alignment, align_all};
+use crate::particle::{AlignParams, AlignedViews, align_all};
 use crate::particle::{Grid, Matte, View};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -186,16 +186,16 @@ impl Session {
             params.push(AlignParams { height, yaw, pitch, projection });
         }
         let mattes: Vec<&Matte> = self.shots.iter().map(|shot| &shot.matte).collect();
-        let (found, disagreements) = align_all(&mattes, &params, height)?;
-        let (mut views, mut alignments) = (Vec::new(), Vec::<Alignment>::new());
-        for (shot, (aligned, alignment)) in self.shots.iter().zip(found) {
+        let AlignedViews { cameras, alignments, warnings: disagreements } =
+            align_all(&mattes, &params, height)?;
+        let mut views = Vec::with_capacity(self.shots.len());
+        for (shot, aligned) in self.shots.iter().zip(cameras) {
             let camera = match shot.placing {
                 Placing::Aligned { .. } => aligned,
                 Placing::Placed(camera) => camera,
             };
             let (matte, photo) = (shot.matte.clone(), shot.photo.clone());
             views.push(View { matte, photo, camera });
-            alignments.push(alignment);
         }
         self.report = PhotoReport { disagreements, ..PhotoReport::default() };
         self.report.crown_base = views
