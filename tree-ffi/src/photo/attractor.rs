@@ -1,0 +1,104 @@
+//! Attractor graphs: the main branches in one picture.
+
+use super::blamed;
+use crate::border::{
+    Handle, TREE_ERROR_INVALID, Versioned, call, free, get, out, read, slice, tree_status, vec2s,
+    write,
+};
+use crate::control::{limits, tree_control};
+use crate::mesh::column;
+use tree_model::particle::attractor::AttractorGraph;
+use tree_model::tree_core::Resource;
+
+/// Main branches in one picture, as a forest whose roots are at the tree's base.
+pub struct tree_attractor(AttractorGraph);
+
+impl Handle for tree_attractor {
+    const NAME: &'static str = "tree_attractor";
+}
+
+impl tree_attractor {
+    pub(crate) fn new(graph: AttractorGraph) -> Self {
+        Self(graph)
+    }
+
+    pub(crate) fn rust(&self) -> &AttractorGraph {
+        &self.0
+    }
+}
+
+/// The columns of an attractor graph. Set `struct_size` first.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct tree_attractor_columns {
+    /// `sizeof(tree_attractor_columns)`.
+    pub struct_size: usize,
+    /// Number of nodes.
+    pub n_nodes: usize,
+    /// Two floats for each node, in pixels from the top left of the picture. Finite.
+    pub positions: *const f32,
+    /// For each node the one that it leads to, nearer to the base, which comes before it; `TREE_NO_PARENT`
+    /// at the base.
+    pub parents: *const u32,
+}
+
+// SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
+unsafe impl Versioned for tree_attractor_columns {
+    const NAME: &'static str = "tree_attractor_columns";
+    const FIRST: usize = size_of::<Self>();
+    fn default_value() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            n_nodes: 0,
+            positions: std::ptr::null(),
+            parents: std::ptr::null(),
+        }
+    }
+}
+
+/// Makes a graph of columns, which are copied. `control` may be NULL; `nodes` of its limits counts. Free
+/// the graph with `tree_attractor_free`. `TREE_ERROR_INVALID` where a parent does not come before its node.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_from_columns(
+    columns: *const tree_attractor_columns,
+    control: *const tree_control,
+    attractor: *mut *mut tree_attractor,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(attractor, "attractor") }?;
+        let columns = unsafe { read(columns, "columns") }?;
+        let limits = unsafe { limits(control) }?;
+        let (n, nodes) = (columns.n_nodes, Resource::Nodes);
+        let positions =
+            unsafe { vec2s(columns.positions, n, &limits, nodes, "columns.positions") }?.to_vec();
+        let parents =
+            unsafe { slice(columns.parents, n, &limits, nodes, "columns.parents") }?.to_vec();
+        let made = AttractorGraph::new(positions, parents);
+        place.put(tree_attractor(made.map_err(blamed(TREE_ERROR_INVALID))?));
+        Ok(())
+    })
+}
+
+/// Views the columns of a graph. Set `columns->struct_size` first.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_view(
+    attractor: *const tree_attractor,
+    columns: *mut tree_attractor_columns,
+) -> tree_status {
+    call(|| {
+        let graph = unsafe { get(attractor, "attractor") }?.rust();
+        let found = tree_attractor_columns {
+            n_nodes: graph.nodes().len(),
+            positions: column(graph.nodes()).cast(),
+            parents: column(graph.parents()),
+            ..tree_attractor_columns::default_value()
+        };
+        unsafe { write(columns, "columns", &found) }
+    })
+}
+
+/// Frees a graph. What was made of it lives on.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_free(attractor: *mut tree_attractor) -> tree_status {
+    call(|| unsafe { free(attractor, "attractor") })
+}
