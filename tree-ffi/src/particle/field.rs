@@ -340,8 +340,28 @@ pub unsafe extern "C" fn tree_direction_field_picture(
     })
 }
 
+/// A copy of a photograph, or any other picture of the same size, with the field as arrows over it. `color` is
+/// `0xRRGGBBAA`. Free it with `tree_photo_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_direction_field_draw_over(
+    field: *const tree_direction_field,
+    photo: *const tree_photo,
+    color: u32,
+    drawn: *mut *mut tree_photo,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(drawn, "drawn") }?;
+        let field = unsafe { get(field, "field") }?.rust();
+        let photo = unsafe { get(photo, "photo") }?.rust();
+        place.put(tree_photo::new(field.draw_over(photo, color.to_be_bytes())?));
+        Ok(())
+    })
+}
+
 /// Frees a direction field.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_direction_field_free(field: *mut tree_direction_field) -> tree_status {
+pub unsafe extern "C" fn tree_direction_field_free(
+    field: *mut tree_direction_field,
+) -> tree_status {
     call(|| unsafe { free(field, "field") })
 }

@@ -15,9 +15,6 @@ use tree_model::tree_core::{Control, Resource};
 /// Points that are looked up between looks at the control.
 const CHUNK: usize = 1 << 14;
 
-/// Index of what is not there: a voxel outside its grid.
-pub const TREE_NO_INDEX: usize = usize::MAX;
-
 /// Numbers on a regular grid of cubic voxels. The number of a voxel is that at its centre. Densities are
 /// optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
 pub struct tree_grid(Arc<Grid>);
@@ -152,7 +149,7 @@ pub unsafe extern "C" fn tree_grid_bounds(
     })
 }
 
-/// Row of a voxel among the grid's values; `TREE_NO_INDEX` outside.
+/// Row of a voxel among the grid's values; `SIZE_MAX` outside.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_grid_index(
     grid: *const tree_grid,
@@ -163,7 +160,7 @@ pub unsafe extern "C" fn tree_grid_index(
 ) -> tree_status {
     call(|| {
         let found = unsafe { get(grid, "grid") }?.rust().index(IVec3::new(x, y, z));
-        unsafe { out_value(index, found.unwrap_or(TREE_NO_INDEX), "index") }
+        unsafe { out_value(index, found.unwrap_or(usize::MAX), "index") }
     })
 }
 

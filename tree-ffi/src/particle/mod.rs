@@ -8,6 +8,7 @@ mod flow;
 mod grid;
 mod keep;
 mod session;
+mod temp;
 mod view;
 
 pub use density::*;

@@ -2,8 +2,7 @@
 
 use crate::allometry::tree_radius_rule;
 use crate::border::{
-    Failure, Result, TREE_ERROR_PARAMETER, Versioned, call, init, read, text,
-    tree_status, write,
+    Failure, Result, TREE_ERROR_PARAMETER, Versioned, call, init, read, text, tree_status, write,
 };
 use crate::foliage::{tree_leaf_params, tree_twig_params};
 use crate::particle::keep::Kept;

@@ -108,11 +108,7 @@ unsafe impl Versioned for tree_flow_view {
     const NAME: &'static str = "tree_flow_view";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self {
-            struct_size: size_of::<Self>(),
-            camera: std::ptr::null(),
-            field: std::ptr::null(),
-        }
+        Self { struct_size: size_of::<Self>(), camera: std::ptr::null(), field: std::ptr::null() }
     }
 }
 

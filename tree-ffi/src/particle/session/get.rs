@@ -4,8 +4,8 @@ use super::params::tree_photo_params;
 use super::report::{tree_photo_report, tree_photo_view_report};
 use super::{check_view, lock, stage, tree_photo_session, tree_photo_stage};
 use crate::border::{
-    Failure, Result, TREE_ERROR_NO_RESULT, call, foresee, out, out_value, tree_status, view as show,
-    write,
+    Failure, Result, TREE_ERROR_NO_RESULT, call, foresee, out, out_value, tree_status,
+    view as show, write,
 };
 use crate::control::{run, tree_control};
 use crate::particle::field::tree_direction_field;
@@ -175,8 +175,7 @@ pub unsafe extern "C" fn tree_photo_session_density(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(density, "density") }?;
-        let body =
-            |session: &mut Session, control: &Control| Ok(session.density(control)?.clone());
+        let body = |session: &mut Session, control: &Control| Ok(session.density(control)?.clone());
         place.put(tree_grid::new(unsafe { ask(session, control, body) }?));
         Ok(())
     })
@@ -254,12 +253,11 @@ pub unsafe extern "C" fn tree_photo_session_tree(
 }
 
 /// What a session says of its tree, which is made first where it is not there.
-unsafe fn report(
+unsafe fn report_of(
     session: *const tree_photo_session,
     control: *const tree_control,
 ) -> Result<PhotoReport> {
-    let body =
-        |session: &mut Session, control: &Control| Ok(session.tree(control)?.report.clone());
+    let body = |session: &mut Session, control: &Control| Ok(session.tree(control)?.report.clone());
     unsafe { ask(session, control, body) }
 }
 
@@ -273,7 +271,7 @@ pub unsafe extern "C" fn tree_photo_session_view_report(
 ) -> tree_status {
     call(|| {
         check_view(&unsafe { lock(session) }?.session, view)?;
-        let found = unsafe { self::report(session, control) }?;
+        let found = unsafe { report_of(session, control) }?;
         unsafe { write(report, "report", &tree_photo_view_report::of(&found, view)) }
     })
 }
@@ -291,7 +289,7 @@ pub unsafe extern "C" fn tree_photo_session_gaps(
 ) -> tree_status {
     call(|| {
         check_view(&unsafe { lock(session) }?.session, view)?;
-        let found = unsafe { self::report(session, control) }?;
+        let found = unsafe { report_of(session, control) }?;
         let strokes = found.views.get(view).and_then(|view| view.strokes.as_ref());
         let found = strokes.map_or(&[][..], |strokes| &strokes.gaps);
         unsafe { fill_some(gaps, capacity, found, "gaps") }
@@ -308,7 +306,7 @@ pub unsafe extern "C" fn tree_photo_session_warnings(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(warnings, "warnings") }?;
-        let found = unsafe { report(session, control) }?;
+        let found = unsafe { report_of(session, control) }?;
         place.put(tree_lines::new(found.warnings()));
         Ok(())
     })

@@ -16,6 +16,8 @@ pub use report::*;
 pub use shot::*;
 pub use whole::*;
 
+use self::params::photo_params;
+use self::shot::shots as shots_of;
 use super::keep::Kept;
 use crate::border::{
     Failure, Handle, Result, TREE_ERROR_ORDER, TREE_ERROR_PARAMETER, call, free, get, out,
@@ -131,8 +133,8 @@ pub unsafe extern "C" fn tree_photo_session_new(
     call(|| {
         let place = unsafe { out(session, "session") }?;
         let limits = unsafe { limits(control) }?;
-        let shots = unsafe { shot::shots(shots, n_shots, &limits) }?;
-        let params = unsafe { params::photo_params(params, &limits) }?;
+        let shots = unsafe { shots_of(shots, n_shots, &limits) }?;
+        let params = unsafe { photo_params(params, &limits) }?;
         place.put(tree_photo_session::new(Session::new(shots, params, Seed(seed))?));
         Ok(())
     })

@@ -4,10 +4,10 @@ use crate::border::{Result, Versioned, call, init, read, read_or_default, tree_s
 use crate::control::{limits, tree_control};
 use crate::particle::field::table_of;
 use crate::particle::keep::Kept;
+use crate::particle::temp::{tree_livewire_params, tree_seed_params, tree_stroke_params};
 use crate::particle::{
     tree_density_params, tree_field_params, tree_finish_params, tree_flow_params,
 };
-use crate::photo::{tree_livewire_params, tree_seed_params, tree_stroke_params};
 use std::ptr::null;
 use tree_model::particle::session::PhotoParams;
 use tree_model::tree_core::{Limits, Seed};

@@ -1,7 +1,7 @@
 //! Pictures of what the stages did, for people to look at.
 
 use super::{check_view, lock, tree_photo_session};
-use crate::border::{Result, call, out, tree_status};
+use crate::border::{call, out, tree_status};
 use crate::control::{run, tree_control};
 use crate::photo::tree_photo;
 use tree_model::ModelError;
@@ -9,12 +9,14 @@ use tree_model::particle::Photo;
 use tree_model::particle::session::Session;
 use tree_model::tree_core::Control;
 
+type DrawResult = Result<Photo, ModelError>;
+
 unsafe fn draw(
     session: *const tree_photo_session,
     view: Option<usize>,
     control: *const tree_control,
     picture: *mut *mut tree_photo,
-    draw: impl FnOnce(&mut Session, &Control) -> Result<Photo, ModelError> + Send,
+    draw: impl FnOnce(&mut Session, &Control) -> DrawResult + Send,
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(picture, "picture") }?;

@@ -1,8 +1,8 @@
 //! Photographs as they go in.
 
 use crate::border::{
-    Failure, Result, TREE_ERROR_INVALID, Versioned, call, get, get_opt, init, read, read_rows, slice,
-    tree_status, vec2s,
+    Failure, Result, TREE_ERROR_INVALID, Versioned, call, get, get_opt, init, read, read_rows,
+    slice, tree_status, vec2s,
 };
 use crate::particle::view::VIEWS_MAX;
 use crate::photo::{tree_attractor, tree_matte, tree_particle_camera, tree_photo};
@@ -209,13 +209,18 @@ fn strokes(points: &[Vec2], starts: &[u32], name: &str) -> Result<Vec<Vec<Vec2>>
     let invalid = |text| Err(Failure::new(TREE_ERROR_INVALID, text));
     if starts.first().is_some_and(|&first| first != 0) || (starts.is_empty() && !points.is_empty())
     {
-        return invalid(format!("{name} must begin with 0: the first point is of the first stroke"));
+        return invalid(format!(
+            "{name} must begin with 0: the first point is of the first stroke"
+        ));
     }
     let ends = starts.iter().skip(1).map(|&end| end as usize).chain([points.len()]);
     let mut strokes = Vec::with_capacity(starts.len());
     for (i, (&start, end)) in starts.iter().zip(ends).enumerate() {
         let Some(stroke) = points.get(start as usize..end) else {
-            return invalid(format!("{name}[{i}]: the stroke ends at point {end} of {}", points.len()));
+            return invalid(format!(
+                "{name}[{i}]: the stroke ends at point {end} of {}",
+                points.len()
+            ));
         };
         strokes.push(stroke.to_vec());
     }
