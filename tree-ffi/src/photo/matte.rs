@@ -1,10 +1,10 @@
 //! Mattes: how much of each pixel a tree covers.
 
-use super::blamed;
 use super::picture::tree_photo;
+use super::{blamed, fill_some};
 use crate::border::{
-    self, Handle, TREE_ERROR_INVALID, Versioned, call, fill, free, get, out, slice, tree_status,
-    vec2s, write,
+    self, Handle, TREE_ERROR_INVALID, Versioned, call, free, get, out, slice, tree_status, vec2s,
+    write,
 };
 use crate::control::{limits, tree_control};
 use crate::io::tree_bytes;
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn tree_matte_sample(
         let limits = unsafe { limits(control) }?;
         let spots = unsafe { vec2s(spots, n_spots, &limits, Resource::Nodes, "spots") }?;
         let found: Vec<f32> = spots.iter().map(|&spot| matte.sample(spot)).collect();
-        unsafe { fill(values, capacity, &found, "values") }
+        unsafe { fill_some(values, capacity, &found, "values") }
     })
 }
 
