@@ -179,7 +179,11 @@ fn matte(photo: &Photo, trimap: Option<&str>, control: &Control) -> Result<Matte
         let trimap = Trimap::from_photo(&Photo::open(path, &control.limits)?);
         return Ok(matting::natural(photo, &trimap, &NaturalParams::default(), control)?.0);
     }
-    let _ = AutoParams::default(); Ok(matting::alpha_of(photo)?)
+    let (matte, report) = matting::automatic(photo, &AutoParams::default(), control)?;
+    for warning in &report.warnings {
+        eprintln!("warning: {warning}");
+    }
+    Ok(matte)
 }
 
 fn number<T: FromStr>(name: &str, text: &str) -> Result<T, String> {
