@@ -138,7 +138,7 @@ fn levels(colors: &Colors, sky: &Sky, scene: &Scene) -> Vec<Level> {
 /// Difference to the sky from which on a pixel holds none of it: a share of the tree's median.
 fn unlike(sky: &Sky, scene: &Scene, w: usize) -> f32 {
     /// The share: leaves in light and shade differ as much.
-    const SHARE: f32 = 0.7;
+    const SHARE: f32 = 0.5;
     let tree = (0..sky.difference.len()).filter(|&i| {
         let (x, y) = (i % w, i / w);
         sky.is_not(i) && y < scene.horizon[x] && (scene.left..=scene.right).contains(&x)

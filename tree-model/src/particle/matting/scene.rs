@@ -7,6 +7,8 @@ use super::sky::{Sky, distance};
 /// Rise of the skyline, as a share of the picture's height, that ends a tree's flank: something else
 /// begins there.
 const RISE: f32 = 0.06;
+/// The picture's width over the longest branch that sticks out alone.
+const BRANCH: usize = 10;
 /// How much a column's distance from the middle counts against its height, when the tree is looked for.
 const CENTRALITY: f32 = 0.5;
 /// Rows of a band below the horizon, as a share of the picture's height: the ground, hedges and fences
@@ -14,6 +16,10 @@ const CENTRALITY: f32 = 0.5;
 const BAND: f32 = 0.05;
 /// Share of the widest row of the crown at which the crown ends below.
 const CROWN_END: f32 = 0.3;
+/// The picture's height over the least height of sky that is seen through a crown for certain.
+const GAP: usize = 50;
+/// The picture's height over the least height of sky below a crown: more than gaps in it.
+const OPEN: usize = 10;
 /// Log likelihood ratio by which the middle of the tree is more likely tree than its sides.
 const PRIOR: f32 = 4.0;
 /// Contrast of a trunk to its sides at which it counts for as much as its absence against.
@@ -67,7 +73,7 @@ impl Scene {
             let t = x.saturating_sub(left) as f32 / (right - left).max(1) as f32;
             (low as f32 + t.min(1.0) * (high as f32 - low as f32)) as usize
         };
-        let gaps = last_sky(sky, w, h);
+        let gaps = last_sky(sky, w, h, (h / GAP).max(2));
         let horizon = (0..w).map(|x| gaps[x].max(line(x))).collect();
         let mut scene = Self {
             left,
@@ -75,7 +81,7 @@ impl Scene {
             horizon,
             ratio: Vec::new(),
             skyline,
-            under_sky: gaps,
+            under_sky: last_sky(sky, w, h, (h / OPEN).max(2)),
             crown_end: h - 1,
             trunk_top: h,
             trunk: Vec::new(),
@@ -107,8 +113,7 @@ impl Scene {
             // Beside the tree; and the bottom of the picture, below most trees.
             let behind = samples(colors, |i| {
                 let (x, y) = (i % w, i / w);
-                let below =
-                    self.under_sky[x] > 0 && y > self.under_sky[x] && y > self.skyline[x] + h / 5;
+                let below = self.under_sky[x] > self.skyline[x] && y > self.under_sky[x];
                 (rows.contains(&y) && (!inside(i) || below) && !sky.is_sky(i)) || y + band / 2 >= h
             });
             let palette = Palette::new(&behind);
@@ -250,9 +255,8 @@ fn skyline(solid: &[bool], w: usize, h: usize) -> Vec<usize> {
     (0..w).map(|x| (0..h).find(|&y| starts(x, y)).unwrap_or(h - 1)).collect()
 }
 
-/// For each column, the last row of a run of sky that is longer than a gap in a crown; 0 without.
-fn last_sky(sky: &Sky, w: usize, h: usize) -> Vec<usize> {
-    let run = (h / 50).max(2);
+/// For each column, the last row of the lowest run of so many rows of sky; 0 without.
+fn last_sky(sky: &Sky, w: usize, h: usize, run: usize) -> Vec<usize> {
     let ends = |x: usize, y: usize| (y + 1 - run..=y).all(|y| sky.flooded[y * w + x]);
     (0..w).map(|x| (run..h).rev().find(|&y| ends(x, y)).unwrap_or(0)).collect()
 }
@@ -286,19 +290,18 @@ pub(super) fn largest(mask: &[bool], w: usize, h: usize) -> Vec<bool> {
     label.iter().map(|&l| l > 0 && l == best.1).collect()
 }
 
-/// Follows the skyline from the peak outwards to where it is lowest before it rises again.
+/// Follows the skyline from the peak outwards to where it is lowest before it rises again, for longer
+/// than a branch does.
 fn flank(columns: impl Iterator<Item = usize>, skyline: &[usize], rise: usize) -> usize {
-    let (mut lowest, mut at) = (0, 0);
+    let (mut lowest, mut at, mut risen) = (0, 0, 0);
     for (i, x) in columns.enumerate() {
         // Of equally low columns, the nearest: beyond a crown's edge the horizon is level.
         if i == 0 || skyline[x] > lowest + rise / 3 {
             (lowest, at) = (skyline[x], x);
         }
-        if skyline[x] + rise < lowest && i > 0 {
-            // A twig rises alone; something else rises and stays.
-            if skyline[x] + 2 * rise < lowest {
-                break;
-            }
+        risen = if skyline[x] + rise < lowest { risen + 1 } else { 0 };
+        if risen > skyline.len() / BRANCH {
+            break;
         }
     }
     at
