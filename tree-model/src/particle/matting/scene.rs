@@ -3,6 +3,7 @@
 use super::colors::Colors;
 use super::palette::{Palette, likelihoods, samples};
 use super::sky::{Sky, distance};
+use glam::Vec2;
 
 /// Rise of the skyline, as a share of the picture's height, that ends a tree's flank: something else
 /// begins there.
@@ -59,7 +60,7 @@ impl Scene {
         let skyline = skyline(&solid, w, h);
         let score = |x: usize| {
             let off = (x as f32 + 0.5) / w as f32 - 0.5;
-            skyline[x] as f32 / h as f32 + CENTRALITY * off.abs() * 2.0 * 0.5
+            skyline[x] as f32 / h as f32 + CENTRALITY * off.abs()
         };
         let peak = (0..w).min_by(|&a, &b| score(a).total_cmp(&score(b)))?;
         if skyline[peak] + 8 > h {
@@ -95,6 +96,12 @@ impl Scene {
     /// Row where the trunk meets the ground, or the crown where there is no trunk.
     pub(super) fn base(&self) -> usize {
         self.crown_end.max((self.trunk_top + self.trunk.len()).saturating_sub(1))
+    }
+
+    /// Where the trunk ends below; `None` without a trunk.
+    pub(super) fn base_point(&self) -> Option<Vec2> {
+        let &(x, _) = self.trunk.last()?;
+        Some(Vec2::new(x as f32 + 0.5, (self.trunk_top + self.trunk.len()) as f32))
     }
 
     /// How much more each pixel below the horizon looks like the crown than like what is beside the tree

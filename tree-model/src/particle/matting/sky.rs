@@ -15,7 +15,15 @@ const LIKE: f32 = 0.07;
 /// Difference of colour up to which the flood goes on through edges of clouds.
 const FOLLOW: f32 = 0.13;
 /// How often it goes on from what it has reached.
-const FOLLOW_ROUNDS: usize = 4;
+const FOLLOW_ROUNDS: usize = 6;
+/// Pixels that the flood leaps over: the edge of a cloud.
+const LEAP: usize = 5;
+/// Difference of colour up to which it leaps.
+const CLOUD: f32 = 0.35;
+/// The same for what is brighter than the sky near it, as trees seldom are.
+const BRIGHT_CLOUD: f32 = 0.7;
+/// Brightness, as a share of the sky's, down to which it leaps: trees are darker.
+const CLOUD_SHADE: f32 = 0.7;
 /// Difference of colour above which it certainly is not.
 const UNLIKE: f32 = 0.17;
 /// Share of the pixels that must be sky for there to be one.
@@ -25,6 +33,8 @@ pub(super) const LEAST_SHARE: f32 = 0.02;
 pub(super) struct Sky {
     /// Flooded from the top.
     pub(super) flooded: Vec<bool>,
+    /// The sky's colour there, behind whatever hides it.
+    behind: Vec<[f32; 3]>,
     /// Difference of the pixel's colour to the sky there: 0 to 1.7.
     pub(super) difference: Vec<f32>,
     /// Share of the picture that was flooded.
@@ -34,12 +44,16 @@ pub(super) struct Sky {
 impl Sky {
     pub(super) fn find(colors: &Colors) -> Self {
         let n = colors.rgb.len();
-        let mut sky =
-            Self { flooded: vec![false; n], difference: vec![f32::INFINITY; n], share: 0.0 };
+        let mut sky = Self {
+            flooded: vec![false; n],
+            behind: Vec::new(),
+            difference: vec![f32::INFINITY; n],
+            share: 0.0,
+        };
         for round in 0..=FOLLOW_ROUNDS {
             sky.flood(colors, round > 0);
-            let behind = spread(colors, &sky.flooded);
-            let pairs = colors.rgb.iter().zip(&behind);
+            sky.behind = spread(colors, &sky.flooded);
+            let pairs = colors.rgb.iter().zip(&sky.behind);
             sky.difference = pairs.map(|(&a, &b)| distance(a, b)).collect();
         }
         sky.share = sky.flooded.iter().filter(|&&f| f).count() as f32 / n as f32;
@@ -64,6 +78,7 @@ impl Sky {
             contrast < SMOOTH || (follows && contrast < 2.0 * SMOOTH && self.difference[i] < FOLLOW)
         };
         let smooth: Vec<bool> = (0..w * h).map(smooth).collect();
+        let clouds = if follows { self.clouds(colors, &smooth) } else { vec![false; w * h] };
         let mut open: Vec<usize> =
             (0..w * h).filter(|&i| self.flooded[i] || (i < w && smooth[i])).collect();
         for &i in &open {
@@ -83,7 +98,36 @@ impl Sky {
                     open.push(j);
                 }
             }
+            let far = [
+                (x >= LEAP).then(|| i - LEAP),
+                (x + LEAP < w).then(|| i + LEAP),
+                (y + LEAP < h).then(|| i + LEAP * w),
+            ];
+            for j in far.into_iter().flatten() {
+                if !self.flooded[j] && clouds[j] {
+                    self.flooded[j] = true;
+                    open.push(j);
+                }
+            }
         }
+    }
+
+    /// Pixels in the middle of something smooth that may be a cloud, or the sky beyond one: not much
+    /// unlike the sky near them, nor much darker.
+    fn clouds(&self, colors: &Colors, smooth: &[bool]) -> Vec<bool> {
+        let (w, h) = (colors.width, colors.height);
+        let brightness = |[r, g, b]: [f32; 3]| r + g + b;
+        (0..w * h)
+            .map(|i| {
+                let (x, y) = (i % w, i / w);
+                let lighter = brightness(colors.rgb[i]) / brightness(self.behind[i]).max(1e-3);
+                self.difference[i] < if lighter > 1.0 { BRIGHT_CLOUD } else { CLOUD }
+                    && lighter > CLOUD_SHADE
+                    && (y.saturating_sub(2)..(y + 3).min(h)).all(|row| {
+                        smooth[row * w..][x.saturating_sub(2)..(x + 3).min(w)].iter().all(|&s| s)
+                    })
+            })
+            .collect()
     }
 
     /// Whether a pixel is sky rather than not.
