@@ -4,8 +4,8 @@ use super::attractor::tree_attractor;
 use super::strokes::{tree_stroke_params, tree_stroke_report};
 use super::vec2;
 use crate::border::{
-    Failure, Versioned, call, foresee, get, out, out_value, read_or_default, tree_status, vec2s,
-    view,
+    Failure, TREE_ERROR_PARAMETER, Versioned, call, foresee, get, out, out_value, read_or_default,
+    tree_status, vec2s, view,
 };
 use crate::control::{limits, run, tree_control};
 use tree_model::particle::attractor::{CutOff, EraseReport};
@@ -134,6 +134,26 @@ pub unsafe extern "C" fn tree_attractor_move_near(
         let at = unsafe { vec2(at_pixel, "at_pixel") }?;
         let by = unsafe { vec2(by_pixels, "by_pixels") }?;
         place.put(tree_attractor::new(graph.move_near(at, by, radius)?));
+        Ok(())
+    })
+}
+
+/// A new graph with left and right exchanged, in a picture `width` pixels wide. Free it with
+/// `tree_attractor_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_mirrored(
+    attractor: *const tree_attractor,
+    width: f32,
+    changed: *mut *mut tree_attractor,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(changed, "changed") }?;
+        let graph = unsafe { get(attractor, "attractor") }?.rust();
+        // The library takes any width; what is not finite would make a graph of no use.
+        if !width.is_finite() {
+            return Err(Failure::new(TREE_ERROR_PARAMETER, "width is not finite"));
+        }
+        place.put(tree_attractor::new(graph.mirrored(width)));
         Ok(())
     })
 }

@@ -2,6 +2,7 @@
 
 mod align;
 mod attractor;
+mod automatic;
 mod camera;
 mod draw;
 mod edit;
@@ -16,6 +17,7 @@ mod trimap;
 
 pub use align::*;
 pub use attractor::*;
+pub use automatic::*;
 pub use camera::*;
 pub use draw::*;
 pub use edit::*;
