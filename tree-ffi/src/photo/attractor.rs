@@ -1,11 +1,14 @@
 //! Attractor graphs: the main branches in one picture.
 
-use super::blamed;
+use super::draw::color;
+use super::picture::tree_photo;
+use super::{blamed, vec2};
 use crate::border::{
-    Handle, TREE_ERROR_INVALID, Versioned, call, free, get, out, read, slice, tree_status, vec2s,
-    write,
+    Handle, TREE_ERROR_INVALID, Versioned, call, free, get, out, out_value, read, slice,
+    tree_status, vec2s, write,
 };
 use crate::control::{limits, tree_control};
+use crate::foliage::tree_rows;
 use crate::mesh::column;
 use tree_model::particle::attractor::AttractorGraph;
 use tree_model::tree_core::Resource;
@@ -94,6 +97,109 @@ pub unsafe extern "C" fn tree_attractor_view(
             ..tree_attractor_columns::default_value()
         };
         unsafe { write(columns, "columns", &found) }
+    })
+}
+
+/// The point of a graph that is nearest to another.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct tree_attractor_nearest_point {
+    /// `sizeof(tree_attractor_nearest_point)`.
+    pub struct_size: usize,
+    /// Whether there is one, 1 or 0: a graph without segments has none, a point that is not finite neither.
+    pub found: u32,
+    /// The node at the upper end of the segment it lies on.
+    pub node: u32,
+    /// Where on the segment: 0 at the parent, 1 at the node.
+    pub share: f32,
+    /// The point, in pixels.
+    pub point: [f32; 2],
+    /// How far off it is, in pixels.
+    pub distance: f32,
+}
+
+// SAFETY: repr(C), begins with its size, and holds numbers only.
+unsafe impl Versioned for tree_attractor_nearest_point {
+    const NAME: &'static str = "tree_attractor_nearest_point";
+    const FIRST: usize = size_of::<Self>();
+    fn default_value() -> Self {
+        Self {
+            struct_size: size_of::<Self>(),
+            found: 0,
+            node: 0,
+            share: 0.0,
+            point: [0.0; 2],
+            distance: 0.0,
+        }
+    }
+}
+
+/// The point of a graph nearest to `at_pixel`, two floats in pixels from the top left. Set
+/// `nearest->struct_size` first; `nearest->found` says whether there is one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_nearest(
+    attractor: *const tree_attractor,
+    at_pixel: *const f32,
+    nearest: *mut tree_attractor_nearest_point,
+) -> tree_status {
+    call(|| {
+        let graph = unsafe { get(attractor, "attractor") }?.rust();
+        let found = graph.nearest(unsafe { vec2(at_pixel, "at_pixel") }?);
+        let none = tree_attractor_nearest_point::default_value();
+        let value = found.map_or(none, |found| tree_attractor_nearest_point {
+            found: 1,
+            node: found.node,
+            share: found.share,
+            point: found.point.to_array(),
+            distance: found.distance,
+            ..none
+        });
+        unsafe { write(nearest, "nearest", &value) }
+    })
+}
+
+/// Length of all segments together, in pixels.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_length(
+    attractor: *const tree_attractor,
+    length: *mut f32,
+) -> tree_status {
+    call(|| {
+        let found = unsafe { get(attractor, "attractor") }?.rust().length();
+        unsafe { out_value(length, found, "length") }
+    })
+}
+
+/// The nodes that none leads to, roots without children included. Free them with `tree_rows_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_tips(
+    attractor: *const tree_attractor,
+    tips: *mut *mut tree_rows,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(tips, "tips") }?;
+        let graph = unsafe { get(attractor, "attractor") }?.rust();
+        place.put(tree_rows::new(graph.tips().collect()));
+        Ok(())
+    })
+}
+
+/// The graph drawn over a photograph or any other picture of the same size, with lines of `width` pixels
+/// in a colour `0xRRGGBBAA`. Free the new photograph with `tree_photo_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_attractor_draw(
+    attractor: *const tree_attractor,
+    photo: *const tree_photo,
+    width: f32,
+    rgba: u32,
+    drawn: *mut *mut tree_photo,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(drawn, "drawn") }?;
+        let graph = unsafe { get(attractor, "attractor") }?.rust();
+        let photo = unsafe { get(photo, "photo") }?.rust();
+        place.put(tree_photo::new(graph.draw_over(photo, width, color(rgba))?));
+        Ok(())
     })
 }
 

@@ -1,16 +1,17 @@
 //! Mattes: how much of each pixel a tree covers.
 
-use super::blamed;
+use super::camera::tree_particle_camera;
 use super::picture::tree_photo;
+use super::{blamed, fill_some};
 use crate::border::{
-    self, Handle, TREE_ERROR_INVALID, Versioned, call, fill, free, get, out, slice, tree_status,
-    vec2s, write,
+    self, Handle, TREE_ERROR_INVALID, Versioned, call, free, get, get_opt, out, out_opt, slice,
+    tree_status, vec2s, write,
 };
 use crate::control::{limits, tree_control};
 use crate::io::tree_bytes;
 use crate::mesh::column;
 use std::ffi::c_char;
-use tree_model::particle::{Matte, matting};
+use tree_model::particle::{Matte, View, matting};
 use tree_model::tree_core::Resource;
 
 /// How much of each pixel of a photograph the tree covers, 0 (nothing) to 1 (all).
@@ -137,7 +138,49 @@ pub unsafe extern "C" fn tree_matte_sample(
         let limits = unsafe { limits(control) }?;
         let spots = unsafe { vec2s(spots, n_spots, &limits, Resource::Nodes, "spots") }?;
         let found: Vec<f32> = spots.iter().map(|&spot| matte.sample(spot)).collect();
-        unsafe { fill(values, capacity, &found, "values") }
+        unsafe { fill_some(values, capacity, &found, "values") }
+    })
+}
+
+/// A matte with left and right exchanged. Free it with `tree_matte_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_matte_mirrored(
+    matte: *const tree_matte,
+    mirrored: *mut *mut tree_matte,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(mirrored, "mirrored") }?;
+        place.put(tree_matte(unsafe { get(matte, "matte") }?.rust().mirrored()));
+        Ok(())
+    })
+}
+
+/// A view mirrored and a quarter turn round: what a tree may look like from its side, where there is one
+/// photograph only. `photo` may be NULL, and `turned_photo` too, which gets NULL without a photograph. Set
+/// `turned_camera->struct_size` first. Free what comes out with `tree_photo_free` and `tree_matte_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_matte_turned(
+    matte: *const tree_matte,
+    photo: *const tree_photo,
+    camera: *const tree_particle_camera,
+    turned_camera: *mut tree_particle_camera,
+    turned_photo: *mut *mut tree_photo,
+    turned: *mut *mut tree_matte,
+) -> tree_status {
+    call(|| {
+        let (turned_photo, place) =
+            unsafe { (out_opt(turned_photo, "turned_photo"), out(turned, "turned")) };
+        let (turned_photo, place) = (turned_photo?, place?);
+        let matte = unsafe { get(matte, "matte") }?.rust().clone();
+        let photo = unsafe { get_opt(photo, "photo") }?.map(|photo| photo.rust().clone());
+        let camera = unsafe { tree_particle_camera::get(camera) }?;
+        let made = View { matte, photo, camera }.turned();
+        unsafe { write(turned_camera, "turned_camera", &tree_particle_camera::of(&made.camera)) }?;
+        if let (Some(place), Some(photo)) = (turned_photo, made.photo) {
+            place.put(tree_photo::new(photo));
+        }
+        place.put(tree_matte(made.matte));
+        Ok(())
     })
 }
 

@@ -131,6 +131,19 @@ pub unsafe extern "C" fn tree_photo_has_alpha(
     })
 }
 
+/// A photograph with left and right exchanged. Free it with `tree_photo_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_photo_mirrored(
+    photo: *const tree_photo,
+    mirrored: *mut *mut tree_photo,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(mirrored, "mirrored") }?;
+        place.put(tree_photo(unsafe { get(photo, "photo") }?.rust().mirrored()));
+        Ok(())
+    })
+}
+
 /// A photograph as a PNG file in memory, with alpha. Free it with `tree_bytes_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_photo_to_png(
