@@ -74,6 +74,38 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_swc", "tree_swc_from_text(swc, sizeof swc - 1, NULL, NULL, &made)"),
     ("tree_texture", "tree_look_texture(live_tree_look(), 0, &made)"),
     ("tree_wind_branches", "tree_skeleton_wind_branches(live_tree_skeleton(), 0, &made)"),
+    (
+        "tree_photo",
+        "(small_tree(), tree_photo_from_pixels(8, 12, small_rgba, sizeof small_rgba, NULL, &made))",
+    ),
+    ("tree_matte", "(small_tree(), tree_matte_from_alpha(8, 12, small_alpha, 96, NULL, &made))"),
+    (
+        "tree_trimap",
+        "(small_tree(), tree_trimap_from_levels(8, 12, small_levels, 96, NULL, &made))",
+    ),
+    ("tree_attractor", "tree_attractor_from_columns(&fork_pixels, NULL, &made)"),
+    ("tree_strokes", "tree_strokes_from_svg(svg, sizeof svg - 1, 8, 12, NULL, &made)"),
+    ("tree_lines", "tree_align_warnings_text(a_warning, 1, &made)"),
+    (
+        "tree_aligned",
+        "tree_align_all((const tree_matte *const[]){live_tree_matte()}, a_look_from_afar(), 1, 5, NULL, \
+         &made)",
+    ),
+    ("tree_grid", "tree_grid_from_views(one_view(), 1, few_voxels(), NULL, NULL, NULL, 0, &made)"),
+    ("tree_carved", "tree_carved_new(one_view(), 1, few_voxels(), NULL, &made)"),
+    (
+        "tree_direction_field",
+        "tree_direction_field_new(live_tree_attractor(), 8, 12, 3, 11, few_rows(), NULL, &made)",
+    ),
+    ("tree_way", "tree_way_new(live_tree_grid(), NULL, NULL, &made)"),
+    (
+        "tree_traces",
+        "tree_traces_flow(live_tree_way(), NULL, 0, a_start, 1, 5, NULL, NULL, NULL, &made)",
+    ),
+    (
+        "tree_photo_session",
+        "tree_photo_session_new(one_shot(), 1, few_particles(), 1, NULL, &made)",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

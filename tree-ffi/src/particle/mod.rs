@@ -8,7 +8,6 @@ mod flow;
 mod grid;
 mod keep;
 mod session;
-mod temp;
 mod view;
 
 pub use density::*;

@@ -84,6 +84,8 @@ static tree_finish_params sparse(tree_leaf_params *leaves) {
     CHECK(params.leaves->size > 0.2f);
     FAILS(TREE_ERROR_UNKNOWN_NAME, "pine",
           tree_finish_params_find(&params, sizeof params, "no tree", TREE_NUL_TERMINATED));
+    OK(tree_finish_params_of(&params, sizeof params, "pine", 4));
+    CHECK(params.leaves->size < 0.2f);
     OK(tree_finish_params_find(&params, sizeof params, "oak", 3));
     *leaves = *params.leaves;
     leaves->size = 0.6f;
@@ -523,6 +525,8 @@ static void stages(tree_photo_session *session) {
     OK(tree_photo_session_camera(session, 1, NULL, &camera));
     CHECK(fabsf(camera.yaw - 1.5707963f) < 1e-6f && fabsf(camera.base[1] - FOOT) < 1.5f);
     CHECK(fabsf(camera.scale - 0.125f) < 0.01f && ran(session, "1000000"));
+    OK(tree_photo_session_count_views(session, NULL, &n_views));
+    CHECK(n_views == 2);
     tree_attractor *graph;
     tree_attractor_columns columns = {.struct_size = sizeof columns};
     OK(tree_photo_session_attractor(session, 0, NULL, &graph));
@@ -662,14 +666,12 @@ static void edits(tree_photo_session *session, small *small, tree_matte *matte) 
     CHECK(columns.n_nodes == 4 && ran(session, "1131344"));
     OK(tree_attractor_free(found));
     static const float points[] = {24, 68, 24, 30, 24, 40, 40, 20};
-    static const uint32_t starts[] = {0, 2};
+    static const uint64_t starts[] = {0, 2, 4};
+    tree_strokes_columns drawn = {.struct_size = sizeof drawn, 2, starts, 4, points};
     tree_photo_branches branches;
     OK(tree_photo_branches_init(&branches, sizeof branches));
     branches.kind = TREE_BRANCHES_STROKES;
-    branches.points = points;
-    branches.n_points = 4;
-    branches.starts = starts;
-    branches.n_starts = 2;
+    branches.strokes = &drawn;
     OK(tree_photo_session_set_branches(session, 0, &branches, NULL));
     tree_photo_view_report row = {.struct_size = sizeof row};
     OK(tree_photo_session_view_report(session, 0, NULL, &row));
@@ -679,10 +681,12 @@ static void edits(tree_photo_session *session, small *small, tree_matte *matte) 
     CHECK(gaps[0] >= 0 && gaps[1] >= 0);
     CHECK(ran(session, "1232455"));
     FAILS(TREE_ERROR_BUFFER, "gaps", tree_photo_session_gaps(session, 0, NULL, gaps, 1));
-    branches.n_points = 1;
-    FAILS(TREE_ERROR_INVALID, "branches.starts",
+    drawn.n_points = 1;
+    FAILS(TREE_ERROR_INVALID, "branches.strokes.starts",
           tree_photo_session_set_branches(session, 0, &branches, NULL));
     branches.kind = TREE_BRANCHES_SEEDS;
+    branches.seeds = points;
+    branches.n_seeds = 2;
     OK(tree_photo_session_set_branches(session, 1, &branches, NULL));
     branches.kind = TREE_BRANCHES_NONE;
     OK(tree_photo_session_set_branches(session, 0, &branches, NULL));
@@ -739,6 +743,25 @@ static void controlled(tree_photo_session *session) {
     OK(tree_tree_free(tree));
 }
 
+/* With one photograph a side is imagined. */
+static void one_photograph(tree_matte *matte, small *small) {
+    tree_photo_shot shot;
+    tree_photo_session *session;
+    size_t n_views;
+    tree_particle_camera camera = {.struct_size = sizeof camera};
+    OK(tree_photo_shot_init(&shot, sizeof shot));
+    shot.matte = matte;
+    for (uint32_t imagine = 0; imagine < 2; imagine++) {
+        small->params.imagine = imagine;
+        OK(tree_photo_session_new(&shot, 1, &small->params, 7, NULL, &session));
+        OK(tree_photo_session_count_views(session, NULL, &n_views));
+        CHECK(n_views == 1 + imagine);
+        if (imagine) OK(tree_photo_session_camera(session, 1, NULL, &camera));
+        OK(tree_photo_session_free(session));
+    }
+    CHECK(fabsf(fabsf(camera.yaw) - 1.5707963f) < 1e-5f);
+}
+
 static void bad_pictures(void) {
     static const float nothing[WIDTH * HEIGHT];
     tree_matte *matte;
@@ -785,6 +808,7 @@ void test_particle(void) {
     edits(session, &small, matte);
     controlled(session);
     OK(tree_photo_session_free(session));
+    one_photograph(matte, &small);
     bad_pictures();
     OK(tree_matte_free(matte));
 }

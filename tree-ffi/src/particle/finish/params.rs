@@ -2,7 +2,8 @@
 
 use crate::allometry::tree_radius_rule;
 use crate::border::{
-    Failure, Result, TREE_ERROR_PARAMETER, Versioned, call, init, read, text, tree_status, write,
+    Failure, Result, TREE_ERROR_PARAMETER, TREE_ERROR_UNKNOWN_NAME, Versioned, call, init, read,
+    text, tree_status, write,
 };
 use crate::foliage::{tree_leaf_params, tree_twig_params};
 use crate::particle::keep::Kept;
@@ -10,6 +11,7 @@ use crate::tree::tree_species;
 use std::ffi::c_char;
 use std::ptr::null;
 use std::sync::OnceLock;
+use tree_model::foliage::{SPECIES, SpeciesPreset};
 use tree_model::particle::finish::FinishParams;
 use tree_model::tree_core::allometry::{PipeModel, RadiusRule};
 
@@ -27,7 +29,7 @@ pub struct tree_finish_params {
     pub radii: *const tree_radius_rule,
     /// Twigs on the ends of the traces; NULL for none. Default those of an oak.
     pub twigs: *const tree_twig_params,
-    /// Leaves; NULL for a bare tree. Default those of an oak.
+    /// Leaves; NULL for a bare tree. Default sprays of an oak's leaves.
     pub leaves: *const tree_leaf_params,
     /// Names of species, bark and leaves; NULL for an oak's. With leaves it must have the kind that they
     /// name.
@@ -40,7 +42,7 @@ pub struct tree_finish_params {
     /// Radius of the trunk as a share of the height where nothing tells it, 1e-4 to 0.2. Default 0.017.
     pub slenderness: f32,
     /// Area of a blade as a share of its length squared, 1e-3 to 2: how much a leaf covers, and so how many
-    /// it takes. Default 0.28, an oak's; a needle has 0.04.
+    /// it takes. Default 0.333, an oak's spray; an oak leaf has 0.28, a needle 0.04.
     pub blade: f32,
     /// Leaves against what the pictures ask for, 0 to 10. Default 1.
     pub fullness: f32,
@@ -132,7 +134,8 @@ impl tree_finish_params {
 /// The parameters for all species by name, which live for ever.
 struct Built {
     oak: tree_finish_params,
-    species: Vec<(&'static str, tree_finish_params)>,
+    /// For each species what `find` gives, and what `of` does.
+    species: Vec<(&'static str, [tree_finish_params; 2])>,
     _kept: Kept,
 }
 
@@ -146,10 +149,11 @@ fn built() -> &'static Built {
     BUILT.get_or_init(|| {
         let mut kept = Kept::default();
         let oak = tree_finish_params::of(&FinishParams::default(), &mut kept);
-        let species = FinishParams::names()
-            .filter_map(|name| {
-                let params = FinishParams::find(name).ok()?;
-                Some((name, tree_finish_params::of(&params, &mut kept)))
+        let species = SPECIES
+            .iter()
+            .filter_map(|preset| {
+                let both = [FinishParams::find(preset.name).ok()?, FinishParams::of(preset)];
+                Some((preset.name, both.map(|params| tree_finish_params::of(&params, &mut kept))))
             })
             .collect();
         Built { oak, species, _kept: kept }
@@ -166,7 +170,7 @@ pub unsafe extern "C" fn tree_finish_params_init(
 }
 
 /// Makes `params`, of `size` bytes, those of a species by its name, of `len` bytes or
-/// `TREE_NUL_TERMINATED`: the defaults with its twigs and leaves. Conifers get sprays of needles. Names are
+/// `TREE_NUL_TERMINATED`: the defaults with its twigs, and sprays of its leaves or needles. Names are
 /// those of `tree_foliage_species_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_finish_params_find(
@@ -176,19 +180,32 @@ pub unsafe extern "C" fn tree_finish_params_find(
     len: usize,
 ) -> tree_status {
     call(|| {
-        let name = unsafe { text(name, len, "name") }?;
-        let found = built().species.iter().find(|(known, _)| *known == name);
-        let Some((_, found)) = found else {
-            FinishParams::find(name)?;
-            // A name that is found is built, but for its spelling.
-            return Err(Failure::new(
-                crate::border::TREE_ERROR_UNKNOWN_NAME,
-                format!("no species is called {name}"),
-            ));
-        };
+        let [sprays, _] = unsafe { species(name, len) }?;
         unsafe { init(params, size) }?;
-        unsafe { write(params, "params", found) }
+        unsafe { write(params, "params", sprays) }
     })
+}
+
+/// As `tree_finish_params_find`, with single leaves and needles instead of sprays: far more of them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_finish_params_of(
+    params: *mut tree_finish_params,
+    size: usize,
+    name: *const c_char,
+    len: usize,
+) -> tree_status {
+    call(|| {
+        let [_, single] = unsafe { species(name, len) }?;
+        unsafe { init(params, size) }?;
+        unsafe { write(params, "params", single) }
+    })
+}
+
+unsafe fn species(name: *const c_char, len: usize) -> Result<&'static [tree_finish_params; 2]> {
+    let name = SpeciesPreset::find(unsafe { text(name, len, "name") }?)?.name;
+    let found = built().species.iter().find(|(known, _)| *known == name);
+    let none = || Failure::new(TREE_ERROR_UNKNOWN_NAME, format!("{name} has no parameters"));
+    Ok(&found.ok_or_else(none)?.1)
 }
 
 /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.

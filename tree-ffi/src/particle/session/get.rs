@@ -2,7 +2,7 @@
 
 use super::params::tree_photo_params;
 use super::report::{tree_photo_report, tree_photo_view_report};
-use super::{check_view, lock, stage, tree_photo_session, tree_photo_stage};
+use super::{check_view, lock, no_view, stage, tree_photo_session, tree_photo_stage};
 use crate::border::{
     Failure, Result, TREE_ERROR_NO_RESULT, call, foresee, out, out_value, tree_status,
     view as show, write,
@@ -21,10 +21,25 @@ use tree_model::tree_core::Control;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_photo_session_count(
     session: *const tree_photo_session,
-    n_views: *mut usize,
+    n_shots: *mut usize,
 ) -> tree_status {
     call(|| {
         let n = unsafe { lock(session) }?.session.shots().len();
+        unsafe { out_value(n_shots, n, "n_shots") }
+    })
+}
+
+/// Number of views: the photographs, and where all are from one side, an imagined one that comes last; see
+/// `imagine` of the `tree_photo_params`. Cameras, branches and fields can be asked for of all of them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_photo_session_count_views(
+    session: *mut tree_photo_session,
+    control: *const tree_control,
+    n_views: *mut usize,
+) -> tree_status {
+    call(|| {
+        let body = |session: &mut Session, control: &Control| Ok(session.views(control)?.len());
+        let n = unsafe { ask(session, control, body) }?;
         unsafe { out_value(n_views, n, "n_views") }
     })
 }
@@ -116,18 +131,9 @@ unsafe fn ask<R: Send>(
     unsafe { run(control, move |control| stage(session, control)) }
 }
 
-/// As [`ask`], of one view.
-unsafe fn ask_view<R: Send>(
-    session: *const tree_photo_session,
-    view: usize,
-    control: *const tree_control,
-    stage: impl FnOnce(&mut Session, &Control) -> Result<R> + Send,
-) -> Result<R> {
-    let body = |session: &mut Session, control: &Control| {
-        check_view(session, view)?;
-        stage(session, control)
-    };
-    unsafe { ask(session, control, body) }
+/// A view's part of what a stage makes.
+fn of_view<T>(all: &[T], view: usize) -> Result<&T> {
+    all.get(view).ok_or_else(|| no_view(view, all.len()))
 }
 
 /// A view's camera, found in its matte or as it was given. Set `camera->struct_size` first.
@@ -141,9 +147,9 @@ pub unsafe extern "C" fn tree_photo_session_camera(
 ) -> tree_status {
     call(|| {
         let body = |session: &mut Session, control: &Control| {
-            Ok(tree_particle_camera::of(&session.views(control)?[view].camera))
+            Ok(tree_particle_camera::of(&of_view(session.views(control)?, view)?.camera))
         };
-        let found = unsafe { ask_view(session, view, control, body) }?;
+        let found = unsafe { ask(session, control, body) }?;
         unsafe { write(camera, "camera", &found) }
     })
 }
@@ -159,9 +165,9 @@ pub unsafe extern "C" fn tree_photo_session_attractor(
     call(|| {
         let place = unsafe { out(attractor, "attractor") }?;
         let body = |session: &mut Session, control: &Control| {
-            Ok(session.attractors(control)?[view].clone())
+            Ok(of_view(session.attractors(control)?, view)?.clone())
         };
-        place.put(tree_attractor::new(unsafe { ask_view(session, view, control, body) }?));
+        place.put(tree_attractor::new(unsafe { ask(session, control, body) }?));
         Ok(())
     })
 }
@@ -191,9 +197,10 @@ pub unsafe extern "C" fn tree_photo_session_field(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(field, "field") }?;
-        let body =
-            |session: &mut Session, control: &Control| Ok(session.fields(control)?[view].clone());
-        place.put(tree_direction_field::new(unsafe { ask_view(session, view, control, body) }?));
+        let body = |session: &mut Session, control: &Control| {
+            Ok(of_view(session.fields(control)?, view)?.clone())
+        };
+        place.put(tree_direction_field::new(unsafe { ask(session, control, body) }?));
         Ok(())
     })
 }

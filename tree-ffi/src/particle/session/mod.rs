@@ -110,11 +110,12 @@ unsafe fn lock<'a>(session: *const tree_photo_session) -> Result<MutexGuard<'a, 
 
 fn check_view(session: &Session, view: usize) -> Result<()> {
     let n = session.shots().len();
-    if view < n {
-        return Ok(());
-    }
+    if view < n { Ok(()) } else { Err(no_view(view, n)) }
+}
+
+fn no_view(view: usize, n: usize) -> Failure {
     let text = format!("view is {view}, but there are {n} views, counted from 0");
-    Err(Failure::new(TREE_ERROR_PARAMETER, text))
+    Failure::new(TREE_ERROR_PARAMETER, text)
 }
 
 /// Begins with `n_shots` photographs, 1 to 1000, which are copied. `params` may be NULL for the defaults.

@@ -4,10 +4,10 @@ use crate::border::{Result, Versioned, call, init, read, read_or_default, tree_s
 use crate::control::{limits, tree_control};
 use crate::particle::field::table_of;
 use crate::particle::keep::Kept;
-use crate::particle::temp::{tree_livewire_params, tree_seed_params, tree_stroke_params};
 use crate::particle::{
     tree_density_params, tree_field_params, tree_finish_params, tree_flow_params,
 };
+use crate::photo::{tree_livewire_params, tree_seed_params, tree_stroke_params};
 use std::ptr::null;
 use tree_model::particle::session::PhotoParams;
 use tree_model::tree_core::{Limits, Seed};
@@ -40,6 +40,11 @@ pub struct tree_photo_params {
     pub height: f32,
     /// Points on each silhouette from which livewire seeks branches, 0 to 10,000. Default 40.
     pub branches: u32,
+    /// Whether a side is imagined where all photographs are from one side (or its back): the first photograph,
+    /// mirrored, from a quarter turn round. Without it the depth of the crown is filled evenly. Default 1.
+    pub imagine: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -60,6 +65,8 @@ unsafe impl Versioned for tree_photo_params {
             finish: null(),
             height: default.height,
             branches: default.branches,
+            imagine: default.imagine.into(),
+            reserved: 0,
         }
     }
 }
@@ -81,6 +88,8 @@ impl tree_photo_params {
             finish: kept.one(finish),
             height: params.height,
             branches: params.branches,
+            imagine: params.imagine.into(),
+            reserved: 0,
         }
     }
 
@@ -91,6 +100,7 @@ impl tree_photo_params {
         Ok(PhotoParams {
             height: self.height,
             branches: self.branches,
+            imagine: self.imagine != 0,
             attractor_seed: Seed(self.attractor_seed),
             seeds: unsafe { read_or_default(self.seeds, "params.seeds") }?.rust(),
             livewire: unsafe { read_or_default(self.livewire, "params.livewire") }?.rust(),

@@ -1,12 +1,13 @@
 //! Photographs as they go in.
 
 use crate::border::{
-    Failure, Result, TREE_ERROR_INVALID, Versioned, call, get, get_opt, init, read, read_rows,
-    slice, tree_status, vec2s,
+    Failure, Result, Versioned, call, get, get_opt, init, read, read_rows, tree_status, vec2s,
 };
 use crate::particle::view::VIEWS_MAX;
-use crate::photo::{tree_attractor, tree_matte, tree_particle_camera, tree_photo};
-use glam::Vec2;
+use crate::photo::{
+    projection, strokes, tree_attractor, tree_matte, tree_particle_camera, tree_photo,
+    tree_strokes_columns,
+};
 use tree_model::particle::session::{Attractor, Placing, Shot};
 use tree_model::tree_core::{Limits, Resource};
 
@@ -60,9 +61,9 @@ pub unsafe extern "C" fn tree_photo_placing_init(
 pub type tree_branches_kind = u32;
 /// Livewire from points on the silhouette.
 pub const TREE_BRANCHES_LIVEWIRE: u32 = 0;
-/// Livewire from `points`.
+/// Livewire from `seeds`.
 pub const TREE_BRANCHES_SEEDS: u32 = 1;
-/// Strokes as a person drew them: `points` and `starts`.
+/// `strokes`, as a person drew them.
 pub const TREE_BRANCHES_STROKES: u32 = 2;
 /// `graph`.
 pub const TREE_BRANCHES_GRAPH: u32 = 3;
@@ -75,15 +76,12 @@ pub const TREE_BRANCHES_NONE: u32 = 4;
 pub struct tree_photo_branches {
     /// `sizeof(tree_photo_branches)`.
     pub struct_size: usize,
-    /// Seeds and strokes: two floats for each point, in pixels from the top left. Default NULL.
-    pub points: *const f32,
-    /// Number of points.
-    pub n_points: usize,
-    /// Strokes: for each its first point; it goes on up to the first point of the next one. Ascending from
-    /// 0. Default NULL.
-    pub starts: *const u32,
-    /// Number of strokes.
-    pub n_starts: usize,
+    /// Seeds: two floats for each point, in pixels from the top left. Default NULL.
+    pub seeds: *const f32,
+    /// Number of seeds.
+    pub n_seeds: usize,
+    /// Strokes: as `tree_attractor_from_strokes` takes them. Default NULL.
+    pub strokes: *const tree_strokes_columns,
     /// Graph: the graph. Default NULL.
     pub graph: *const tree_attractor,
     /// Where they come from. Default `TREE_BRANCHES_LIVEWIRE`.
@@ -99,10 +97,9 @@ unsafe impl Versioned for tree_photo_branches {
     fn default_value() -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            points: std::ptr::null(),
-            n_points: 0,
-            starts: std::ptr::null(),
-            n_starts: 0,
+            seeds: std::ptr::null(),
+            n_seeds: 0,
+            strokes: std::ptr::null(),
             graph: std::ptr::null(),
             kind: TREE_BRANCHES_LIVEWIRE,
             reserved: 0,
@@ -167,7 +164,7 @@ pub(super) unsafe fn placing(placing: *const tree_photo_placing, name: &str) -> 
     }
     let tree_photo_placing { camera, yaw, pitch, fov, .. } = unsafe { read(placing, name) }?;
     if camera.is_null() {
-        return Ok(Placing::Aligned { yaw, pitch, projection: crate::photo::projection(fov) });
+        return Ok(Placing::Aligned { yaw, pitch, projection: projection(fov) });
     }
     let name = format!("{name}.camera");
     let camera = unsafe { read(camera, &name) }?.rust();
@@ -186,15 +183,16 @@ pub(super) unsafe fn branches(
     }
     let found = unsafe { read(branches, name) }?;
     let part = |field: &str| format!("{name}.{field}");
-    let (n, nodes) = (found.n_points, Resource::Nodes);
-    let points = || unsafe { vec2s(found.points, n, limits, nodes, &part("points")) };
     match found.kind {
         TREE_BRANCHES_LIVEWIRE => Ok(Attractor::Livewire),
-        TREE_BRANCHES_SEEDS => Ok(Attractor::Seeds(points()?.to_vec())),
+        TREE_BRANCHES_SEEDS => {
+            let (n, nodes) = (found.n_seeds, Resource::Nodes);
+            let seeds = unsafe { vec2s(found.seeds, n, limits, nodes, &part("seeds")) }?;
+            Ok(Attractor::Seeds(seeds.to_vec()))
+        }
         TREE_BRANCHES_STROKES => {
-            let n = found.n_starts;
-            let starts = unsafe { slice(found.starts, n, limits, nodes, &part("starts")) }?;
-            Ok(Attractor::Strokes(strokes(points()?, starts, &part("starts"))?))
+            let strokes = unsafe { strokes(found.strokes, limits, &part("strokes")) }?;
+            Ok(Attractor::Strokes(strokes))
         }
         TREE_BRANCHES_GRAPH => {
             let graph = unsafe { get(found.graph, &part("graph")) }?.rust();
@@ -203,28 +201,6 @@ pub(super) unsafe fn branches(
         TREE_BRANCHES_NONE => Ok(Attractor::None),
         other => Err(Failure::not_one_of(&part("kind"), other, "TREE_BRANCHES_")),
     }
-}
-
-fn strokes(points: &[Vec2], starts: &[u32], name: &str) -> Result<Vec<Vec<Vec2>>> {
-    let invalid = |text| Err(Failure::new(TREE_ERROR_INVALID, text));
-    if starts.first().is_some_and(|&first| first != 0) || (starts.is_empty() && !points.is_empty())
-    {
-        return invalid(format!(
-            "{name} must begin with 0: the first point is of the first stroke"
-        ));
-    }
-    let ends = starts.iter().skip(1).map(|&end| end as usize).chain([points.len()]);
-    let mut strokes = Vec::with_capacity(starts.len());
-    for (i, (&start, end)) in starts.iter().zip(ends).enumerate() {
-        let Some(stroke) = points.get(start as usize..end) else {
-            return invalid(format!(
-                "{name}[{i}]: the stroke ends at point {end} of {}",
-                points.len()
-            ));
-        };
-        strokes.push(stroke.to_vec());
-    }
-    Ok(strokes)
 }
 
 /// Copies of the photographs of an array.
