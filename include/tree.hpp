@@ -390,21 +390,30 @@ inline void rethrow(const Field &field) { field.rethrow(); }
 
 } // namespace detail
 
+class Aligned;
+class Attractor;
 class Axes;
 class Bytes;
 class Cancel;
 class Capsules;
+class Carved;
 class Crossings;
+class DirectionField;
 class FoundLeaves;
 class GltfAttributes;
 class GltfLeaves;
 class Graph;
 class GraphNodes;
+class Grid;
 class LeafModel;
+class Lines;
 class Look;
 class Mask;
+class Matte;
 class Mesh;
 class Packed;
+class Photo;
+class PhotoSession;
 class Picture;
 class Pieces;
 class Pool;
@@ -412,14 +421,25 @@ class Profile;
 class Rows;
 class Separation;
 class Skeleton;
+class Strokes;
 class Swc;
 class Texture;
+class Traces;
 class Tree;
+class Trimap;
 class Twigs;
 class Unpacked;
 class Volume;
+class Way;
 class WindBranches;
+struct AlignParams;
+struct AlignReport;
+using AlignWarning = tree_align_warning;
 struct Allocator;
+struct AttractorColumns;
+struct AttractorNearestPoint;
+struct AutomaticParams;
+struct AutomaticReport;
 struct AxisColumns;
 using BarkPatches = tree_bark_patches;
 struct BarkStyle;
@@ -428,9 +448,25 @@ struct BranchMotion;
 using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
+struct CarvedColumns;
+struct ColorSamples;
 struct ConventionTraits;
 struct CrossingPairs;
+struct CrownReport;
+struct DensityBrush;
+struct DensityParams;
+struct DensityReport;
+struct DensityStroke;
+using DensityView = tree_density_view;
+struct DifferenceParams;
+struct DirectionFieldColumns;
 struct DisplaceParams;
+struct EraseReport;
+struct FieldParams;
+struct FinishParams;
+struct FlowParams;
+struct FlowReport;
+struct FlowView;
 struct Foliage;
 struct GlbOptions;
 struct GltfAttribute;
@@ -439,6 +475,7 @@ struct GltfLevel;
 using GraphArc = tree_graph_arc;
 struct GraphColumns;
 struct GraphNodesColumns;
+struct GridColumns;
 struct ImportOptions;
 struct ImportReport;
 struct InstancingParams;
@@ -453,21 +490,36 @@ struct LeafReport;
 struct LeafShape;
 struct Limits;
 struct LinkParams;
+struct LivewireParams;
+struct LivewireReport;
+using Mark = tree_mark;
 struct MaskColumns;
 struct Material;
+struct MatteColumns;
 struct MeshParams;
 struct MeshPart;
 struct MeshReport;
 struct MeshTotals;
+struct NaturalParams;
+struct NaturalReport;
 struct OcclusionParams;
 struct PackedColumns;
 using PackedVertex = tree_packed_vertex;
 struct PackedVertices;
 struct Paint;
+struct ParticleCamera;
+struct ParticleStand;
+struct ParticleView;
 struct PathLevel;
 using PathLevelReport = tree_path_level_report;
 struct PathParams;
 struct PathReport;
+struct PhotoBranches;
+struct PhotoParams;
+struct PhotoPlacing;
+struct PhotoReport;
+struct PhotoShot;
+struct PhotoViewReport;
 using Piece = tree_piece;
 struct PivotElement;
 struct Pivots;
@@ -477,6 +529,8 @@ struct PoolOptions;
 struct ProfileColumns;
 struct ProfileOptions;
 struct RadiusRule;
+struct ScreenParams;
+struct SeedParams;
 struct SeparationColumns;
 struct SkeletonColumns;
 struct SkeletonizeParams;
@@ -485,6 +539,9 @@ struct Solid;
 struct Species;
 using Stream = tree_stream;
 struct StrewParams;
+struct StrokeParams;
+struct StrokeReport;
+struct StrokesColumns;
 struct Style;
 struct SubdivideParams;
 struct Surface;
@@ -492,6 +549,9 @@ struct SwcContents;
 struct SwcOptions;
 struct TexturePixels;
 struct Topology;
+struct TracesColumns;
+struct TrimapColumns;
+struct TrimapStroke;
 struct TwigInstances;
 struct TwigParams;
 struct TwigReport;
@@ -501,8 +561,32 @@ struct View;
 struct Wind;
 using WindBranch = tree_wind_branch;
 
+struct AlignParams : tree_align_params {
+    AlignParams() : tree_align_params{} { tree_align_params_init(this, sizeof(tree_align_params)); }
+};
+
+struct AlignReport : tree_align_report {
+    AlignReport() : tree_align_report{} { struct_size = sizeof *this; }
+};
+
 struct Allocator : tree_allocator {
     Allocator() : tree_allocator{} { struct_size = sizeof *this; }
+};
+
+struct AttractorColumns : tree_attractor_columns {
+    AttractorColumns() : tree_attractor_columns{} { struct_size = sizeof *this; }
+};
+
+struct AttractorNearestPoint : tree_attractor_nearest_point {
+    AttractorNearestPoint() : tree_attractor_nearest_point{} { struct_size = sizeof *this; }
+};
+
+struct AutomaticParams : tree_automatic_params {
+    AutomaticParams() : tree_automatic_params{} { tree_automatic_params_init(this, sizeof(tree_automatic_params)); }
+};
+
+struct AutomaticReport : tree_automatic_report {
+    AutomaticReport() : tree_automatic_report{} { struct_size = sizeof *this; }
 };
 
 struct AxisColumns : tree_axis_columns {
@@ -529,6 +613,14 @@ struct CapsuleReport : tree_capsule_report {
     CapsuleReport() : tree_capsule_report{} { struct_size = sizeof *this; }
 };
 
+struct CarvedColumns : tree_carved_columns {
+    CarvedColumns() : tree_carved_columns{} { struct_size = sizeof *this; }
+};
+
+struct ColorSamples : tree_color_samples {
+    ColorSamples() : tree_color_samples{} { tree_color_samples_init(this, sizeof(tree_color_samples)); }
+};
+
 struct ConventionTraits : tree_convention_traits {
     ConventionTraits() : tree_convention_traits{} { struct_size = sizeof *this; }
 };
@@ -537,8 +629,67 @@ struct CrossingPairs : tree_crossing_pairs {
     CrossingPairs() : tree_crossing_pairs{} { struct_size = sizeof *this; }
 };
 
+struct CrownReport : tree_crown_report {
+    CrownReport() : tree_crown_report{} { struct_size = sizeof *this; }
+};
+
+struct DensityBrush : tree_density_brush {
+    DensityBrush() : tree_density_brush{} { tree_density_brush_init(this, sizeof(tree_density_brush)); }
+};
+
+struct DensityParams : tree_density_params {
+    DensityParams() : tree_density_params{} { tree_density_params_init(this, sizeof(tree_density_params)); }
+    bool check() const;
+};
+
+struct DensityReport : tree_density_report {
+    DensityReport() : tree_density_report{} { struct_size = sizeof *this; }
+};
+
+struct DensityStroke : tree_density_stroke {
+    DensityStroke() : tree_density_stroke{} { tree_density_stroke_init(this, sizeof(tree_density_stroke)); }
+};
+
+struct DifferenceParams : tree_difference_params {
+    DifferenceParams() : tree_difference_params{} { tree_difference_params_init(this, sizeof(tree_difference_params)); }
+};
+
+struct DirectionFieldColumns : tree_direction_field_columns {
+    DirectionFieldColumns() : tree_direction_field_columns{} { struct_size = sizeof *this; }
+};
+
 struct DisplaceParams : tree_displace_params {
     DisplaceParams() : tree_displace_params{} { tree_displace_params_init(this, sizeof(tree_displace_params)); }
+};
+
+struct EraseReport : tree_erase_report {
+    EraseReport() : tree_erase_report{} { struct_size = sizeof *this; }
+};
+
+struct FieldParams : tree_field_params {
+    FieldParams() : tree_field_params{} { tree_field_params_init(this, sizeof(tree_field_params)); }
+    bool check() const;
+    float blend_at(float distance) const;
+};
+
+struct FinishParams : tree_finish_params {
+    FinishParams() : tree_finish_params{} { tree_finish_params_init(this, sizeof(tree_finish_params)); }
+    static FinishParams find(std::string_view name);
+    static FinishParams of(std::string_view name);
+    bool check() const;
+};
+
+struct FlowParams : tree_flow_params {
+    FlowParams() : tree_flow_params{} { tree_flow_params_init(this, sizeof(tree_flow_params)); }
+    bool check() const;
+};
+
+struct FlowReport : tree_flow_report {
+    FlowReport() : tree_flow_report{} { struct_size = sizeof *this; }
+};
+
+struct FlowView : tree_flow_view {
+    FlowView() : tree_flow_view{} { tree_flow_view_init(this, sizeof(tree_flow_view)); }
 };
 
 struct Foliage : tree_foliage {
@@ -567,6 +718,10 @@ struct GraphColumns : tree_graph_columns {
 
 struct GraphNodesColumns : tree_graph_nodes_columns {
     GraphNodesColumns() : tree_graph_nodes_columns{} { struct_size = sizeof *this; }
+};
+
+struct GridColumns : tree_grid_columns {
+    GridColumns() : tree_grid_columns{} { struct_size = sizeof *this; }
 };
 
 struct ImportOptions : tree_import_options {
@@ -635,12 +790,24 @@ struct LinkParams : tree_link_params {
     LinkParams &set_cost(const Field &&) = delete;
 };
 
+struct LivewireParams : tree_livewire_params {
+    LivewireParams() : tree_livewire_params{} { tree_livewire_params_init(this, sizeof(tree_livewire_params)); }
+};
+
+struct LivewireReport : tree_livewire_report {
+    LivewireReport() : tree_livewire_report{} { struct_size = sizeof *this; }
+};
+
 struct MaskColumns : tree_mask_columns {
     MaskColumns() : tree_mask_columns{} { struct_size = sizeof *this; }
 };
 
 struct Material : tree_material {
     Material() : tree_material{} { tree_material_init(this, sizeof(tree_material)); }
+};
+
+struct MatteColumns : tree_matte_columns {
+    MatteColumns() : tree_matte_columns{} { struct_size = sizeof *this; }
 };
 
 struct MeshParams : tree_mesh_params {
@@ -661,6 +828,14 @@ struct MeshTotals : tree_mesh_totals {
     MeshTotals() : tree_mesh_totals{} { struct_size = sizeof *this; }
 };
 
+struct NaturalParams : tree_natural_params {
+    NaturalParams() : tree_natural_params{} { tree_natural_params_init(this, sizeof(tree_natural_params)); }
+};
+
+struct NaturalReport : tree_natural_report {
+    NaturalReport() : tree_natural_report{} { struct_size = sizeof *this; }
+};
+
 struct OcclusionParams : tree_occlusion_params {
     OcclusionParams() : tree_occlusion_params{} { tree_occlusion_params_init(this, sizeof(tree_occlusion_params)); }
 };
@@ -675,6 +850,28 @@ struct PackedVertices : tree_packed_vertices {
 
 struct Paint : tree_paint {
     Paint() : tree_paint{} { tree_paint_init(this, sizeof(tree_paint)); }
+};
+
+struct ParticleCamera : tree_particle_camera {
+    ParticleCamera() : tree_particle_camera{} { tree_particle_camera_init(this, sizeof(tree_particle_camera)); }
+    bool check() const;
+    std::tuple<std::array<float, 3>, std::array<float, 3>, std::array<float, 3>> frame() const;
+    std::vector<float> project(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool project(Span<const float> points, Ref<tree_control> control, Span<float> spots) const;
+    std::vector<float> pixel_sizes(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool pixel_sizes(Span<const float> points, Ref<tree_control> control, Span<float> sizes) const;
+    std::vector<float> rays(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool rays(Span<const float> spots, Ref<tree_control> control, Span<float> rays) const;
+    ParticleStand stand() const;
+    View view() const;
+};
+
+struct ParticleStand : tree_particle_stand {
+    ParticleStand() : tree_particle_stand{} { struct_size = sizeof *this; }
+};
+
+struct ParticleView : tree_particle_view {
+    ParticleView() : tree_particle_view{} { tree_particle_view_init(this, sizeof(tree_particle_view)); }
 };
 
 struct PathLevel : tree_path_level {
@@ -694,6 +891,31 @@ struct PathParams : tree_path_params {
 
 struct PathReport : tree_path_report {
     PathReport() : tree_path_report{} { struct_size = sizeof *this; }
+};
+
+struct PhotoBranches : tree_photo_branches {
+    PhotoBranches() : tree_photo_branches{} { tree_photo_branches_init(this, sizeof(tree_photo_branches)); }
+};
+
+struct PhotoParams : tree_photo_params {
+    PhotoParams() : tree_photo_params{} { tree_photo_params_init(this, sizeof(tree_photo_params)); }
+    bool check(Ref<tree_control> control = nullptr) const;
+};
+
+struct PhotoPlacing : tree_photo_placing {
+    PhotoPlacing() : tree_photo_placing{} { tree_photo_placing_init(this, sizeof(tree_photo_placing)); }
+};
+
+struct PhotoReport : tree_photo_report {
+    PhotoReport() : tree_photo_report{} { struct_size = sizeof *this; }
+};
+
+struct PhotoShot : tree_photo_shot {
+    PhotoShot() : tree_photo_shot{} { tree_photo_shot_init(this, sizeof(tree_photo_shot)); }
+};
+
+struct PhotoViewReport : tree_photo_view_report {
+    PhotoViewReport() : tree_photo_view_report{} { struct_size = sizeof *this; }
 };
 
 struct PivotElement : tree_pivot_element {
@@ -729,6 +951,14 @@ struct RadiusRule : tree_radius_rule {
     bool check() const;
 };
 
+struct ScreenParams : tree_screen_params {
+    ScreenParams() : tree_screen_params{} { tree_screen_params_init(this, sizeof(tree_screen_params)); }
+};
+
+struct SeedParams : tree_seed_params {
+    SeedParams() : tree_seed_params{} { tree_seed_params_init(this, sizeof(tree_seed_params)); }
+};
+
 struct SeparationColumns : tree_separation_columns {
     SeparationColumns() : tree_separation_columns{} { struct_size = sizeof *this; }
 };
@@ -755,6 +985,18 @@ struct Species : tree_species {
 
 struct StrewParams : tree_strew_params {
     StrewParams() : tree_strew_params{} { tree_strew_params_init(this, sizeof(tree_strew_params)); }
+};
+
+struct StrokeParams : tree_stroke_params {
+    StrokeParams() : tree_stroke_params{} { tree_stroke_params_init(this, sizeof(tree_stroke_params)); }
+};
+
+struct StrokeReport : tree_stroke_report {
+    StrokeReport() : tree_stroke_report{} { struct_size = sizeof *this; }
+};
+
+struct StrokesColumns : tree_strokes_columns {
+    StrokesColumns() : tree_strokes_columns{} { struct_size = sizeof *this; }
 };
 
 struct Style : tree_style {
@@ -786,6 +1028,18 @@ struct Topology : tree_topology {
     Topology() : tree_topology{} { struct_size = sizeof *this; }
 };
 
+struct TracesColumns : tree_traces_columns {
+    TracesColumns() : tree_traces_columns{} { struct_size = sizeof *this; }
+};
+
+struct TrimapColumns : tree_trimap_columns {
+    TrimapColumns() : tree_trimap_columns{} { struct_size = sizeof *this; }
+};
+
+struct TrimapStroke : tree_trimap_stroke {
+    TrimapStroke() : tree_trimap_stroke{} { tree_trimap_stroke_init(this, sizeof(tree_trimap_stroke)); }
+};
+
 struct TwigInstances : tree_twig_instances {
     TwigInstances() : tree_twig_instances{} { struct_size = sizeof *this; }
 };
@@ -810,6 +1064,34 @@ struct View : tree_view {
 
 struct Wind : tree_wind {
     Wind() : tree_wind{} { tree_wind_init(this, sizeof(tree_wind)); }
+};
+
+class Aligned : public detail::Object<tree_aligned, tree_aligned_free> {
+public:
+    using Object::Object;
+    size_t count() const;
+    std::tuple<ParticleCamera, AlignReport> camera(size_t index) const;
+    Span<const tree_align_warning> warnings() const &;
+    Span<const tree_align_warning> warnings() const && = delete;
+};
+
+class Attractor : public detail::Object<tree_attractor, tree_attractor_free> {
+public:
+    using Object::Object;
+    static Attractor from_columns(Ref<tree_attractor_columns> columns, Ref<tree_control> control = nullptr);
+    AttractorColumns view() const &;
+    AttractorColumns view() const && = delete;
+    AttractorNearestPoint nearest(const Floats<2> &at_pixel) const;
+    float length() const;
+    Rows tips() const;
+    Photo draw(const Photo &photo, float width, uint32_t rgba) const;
+    std::tuple<float, Attractor> add_stroke(Span<const float> stroke, Ref<tree_stroke_params> params = nullptr, Ref<tree_control> control = nullptr, tree_stroke_report *report = nullptr) const;
+    Attractor erase(Span<const float> eraser, float radius, tree_cut_off cut_off, tree_erase_report *report = nullptr) const;
+    Attractor move_near(const Floats<2> &at_pixel, const Floats<2> &by_pixels, float radius) const;
+    Attractor mirrored(float width) const;
+    static Attractor livewire(const Matte &matte, Maybe<tree_photo> photo, const Floats<2> &base_pixel, Span<const float> seeds, Ref<tree_livewire_params> params = nullptr, Ref<tree_control> control = nullptr, tree_livewire_report *report = nullptr);
+    static std::tuple<std::vector<float>, Attractor> from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params = nullptr, Ref<tree_control> control = nullptr, tree_stroke_report *report = nullptr);
+    static Attractor from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report, Span<float> gaps);
 };
 
 class Axes : public detail::Object<tree_axes, tree_axes_free> {
@@ -840,11 +1122,34 @@ public:
     Span<const tree_capsule> view() const && = delete;
 };
 
+class Carved : public detail::Object<tree_carved, tree_carved_free> {
+public:
+    using Object::Object;
+    static Carved make(Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr);
+    CarvedColumns view() const &;
+    CarvedColumns view() const && = delete;
+    Grid alpha() const;
+    std::tuple<std::vector<tree_density_view>, Grid> solve(Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr, tree_density_report *report = nullptr) const;
+    Grid solve(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows) const;
+};
+
 class Crossings : public detail::Object<tree_crossings, tree_crossings_free> {
 public:
     using Object::Object;
     CrossingPairs view() const &;
     CrossingPairs view() const && = delete;
+};
+
+class DirectionField : public detail::Object<tree_direction_field, tree_direction_field_free> {
+public:
+    using Object::Object;
+    static DirectionField make(const Attractor &attractor, float width, float height, float base_x, float base_y, Ref<tree_field_params> params = nullptr, Ref<tree_control> control = nullptr);
+    DirectionFieldColumns view() const &;
+    DirectionFieldColumns view() const && = delete;
+    std::vector<float> sample(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> spots, Ref<tree_control> control, Span<float> directions) const;
+    Photo picture() const;
+    Photo draw_over(const Photo &photo, uint32_t color) const;
 };
 
 class FoundLeaves : public detail::Object<tree_found_leaves, tree_found_leaves_free> {
@@ -888,11 +1193,41 @@ public:
     GraphNodesColumns view() const && = delete;
 };
 
+class Grid : public detail::Object<tree_grid, tree_grid_free> {
+public:
+    using Object::Object;
+    static std::tuple<std::vector<tree_density_view>, Grid> from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr, tree_density_report *report = nullptr);
+    static Grid from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows);
+    Matte look_through(Ref<tree_particle_camera> camera, Ref<tree_control> control = nullptr) const;
+    double crown_volume(float threshold) const;
+    double overlap(float threshold, const Grid &other, float other_threshold) const;
+    std::vector<float> draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    bool draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control, Span<float> points) const;
+    Grid paint(Span<const tree_density_brush> brushes, Ref<tree_control> control = nullptr) const;
+    static Grid make(const Floats<3> &corner, float voxel, uint32_t nx, uint32_t ny, uint32_t nz, Span<const float> values = {}, Ref<tree_control> control = nullptr);
+    GridColumns view() const &;
+    GridColumns view() const && = delete;
+    std::array<float, 6> bounds() const;
+    size_t index(int32_t x, int32_t y, int32_t z) const;
+    std::array<int32_t, 3> voxel_at(const Floats<3> &point) const;
+    std::vector<float> sample(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
+    std::vector<float> nearest(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
+};
+
 class LeafModel : public detail::Object<tree_leaf_model, tree_leaf_model_free> {
 public:
     using Object::Object;
     LeafMesh view() const &;
     LeafMesh view() const && = delete;
+};
+
+class Lines : public detail::Object<tree_lines, tree_lines_free> {
+public:
+    using Object::Object;
+    Span<const tree_str> view() const &;
+    Span<const tree_str> view() const && = delete;
 };
 
 class Look : public detail::Object<tree_look, tree_look_free> {
@@ -922,6 +1257,29 @@ public:
     std::vector<uint8_t> bits() const;
     bool bits(Span<uint8_t> bits) const;
     Picture picture() const;
+};
+
+class Matte : public detail::Object<tree_matte, tree_matte_free> {
+public:
+    using Object::Object;
+    Matte paint(Span<const tree_density_stroke> strokes, Ref<tree_control> control = nullptr) const;
+    std::tuple<ParticleCamera, AlignReport> align(Ref<tree_align_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static std::tuple<Trimap, Lines, Matte> automatic(const Photo &photo, Ref<tree_automatic_params> params = nullptr, Ref<tree_control> control = nullptr, tree_automatic_report *report = nullptr);
+    std::tuple<std::vector<float>, size_t> silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    size_t silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const;
+    static Matte from_alpha(uint32_t width, uint32_t height, Span<const float> alpha, Ref<tree_control> control = nullptr);
+    static Matte of_photo(const Photo &photo);
+    MatteColumns view() const &;
+    MatteColumns view() const && = delete;
+    std::vector<float> sample(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> spots, Ref<tree_control> control, Span<float> values) const;
+    Matte mirrored() const;
+    std::tuple<ParticleCamera, Photo, Matte> turned(Maybe<tree_photo> photo, Ref<tree_particle_camera> camera) const;
+    Bytes to_png() const;
+    bool write_png(std::string_view path) const;
+    static std::tuple<Lines, Matte> natural(const Photo &photo, const Trimap &trimap, Ref<tree_natural_params> params = nullptr, Ref<tree_control> control = nullptr, tree_natural_report *report = nullptr);
+    static Matte screen(const Photo &photo, Ref<tree_screen_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Matte difference(const Photo &photo, const Photo &plate, Ref<tree_difference_params> params = nullptr, Ref<tree_control> control = nullptr);
 };
 
 class Mesh : public detail::Object<tree_mesh, tree_mesh_free> {
@@ -986,6 +1344,63 @@ public:
     Unpacked unpack(Maybe<tree_mesh> mesh = nullptr) const;
     PackedVertices vertices_view() const &;
     PackedVertices vertices_view() const && = delete;
+};
+
+class Photo : public detail::Object<tree_photo, tree_photo_free> {
+public:
+    using Object::Object;
+    Photo draw(Span<const tree_mark> marks, Ref<tree_control> control = nullptr) const;
+    static Photo blank(uint32_t width, uint32_t height, uint32_t rgba, Ref<tree_control> control = nullptr);
+    static Photo of_matte(const Matte &matte);
+    static Photo from_pixels(uint32_t width, uint32_t height, Span<const uint8_t> pixels, Ref<tree_control> control = nullptr);
+    static Photo read(std::string_view path, Ref<tree_control> control = nullptr);
+    static Photo from_bytes(Span<const uint8_t> data, Ref<tree_control> control = nullptr);
+    Pixels view() const &;
+    Pixels view() const && = delete;
+    bool has_alpha() const;
+    Photo mirrored() const;
+    Bytes to_png() const;
+    bool write_png(std::string_view path) const;
+};
+
+class PhotoSession : public detail::Object<tree_photo_session, tree_photo_session_free> {
+public:
+    using Object::Object;
+    static PhotoSession make(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    PhotoSession copy() const;
+    bool set_seed(uint64_t seed) const;
+    bool set_params(Ref<tree_photo_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool set_placing(size_t view, Ref<tree_photo_placing> placing = nullptr) const;
+    bool paint(size_t view, Span<const tree_density_stroke> strokes, Ref<tree_control> control = nullptr) const;
+    bool set_matte(size_t view, const Matte &matte) const;
+    bool paint_volume(Span<const tree_density_brush> brushes, Ref<tree_control> control = nullptr) const;
+    bool set_density(const Grid &density) const;
+    bool set_branches(size_t view, Ref<tree_photo_branches> branches = nullptr, Ref<tree_control> control = nullptr) const;
+    bool edit_attractor(size_t view, const Attractor &attractor, Ref<tree_control> control = nullptr) const;
+    bool redo_from(tree_photo_stage stage) const;
+    size_t count() const;
+    size_t count_views(Ref<tree_control> control = nullptr) const;
+    uint64_t seed() const;
+    PhotoParams params() const &;
+    PhotoParams params() const && = delete;
+    uint32_t runs(tree_photo_stage stage) const;
+    Matte matte(size_t view) const;
+    Photo photo(size_t view) const;
+    ParticleCamera camera(size_t view, Ref<tree_control> control = nullptr) const;
+    Attractor attractor(size_t view, Ref<tree_control> control = nullptr) const;
+    Grid density(Ref<tree_control> control = nullptr) const;
+    DirectionField field(size_t view, Ref<tree_control> control = nullptr) const;
+    Traces traces(Ref<tree_control> control = nullptr) const;
+    Skeleton wood(Ref<tree_control> control = nullptr) const;
+    Tree tree(Ref<tree_control> control = nullptr, tree_photo_report *report = nullptr) const;
+    PhotoViewReport view_report(size_t view, Ref<tree_control> control = nullptr) const;
+    bool gaps(size_t view, Ref<tree_control> control, Span<float> gaps) const;
+    Lines warnings(Ref<tree_control> control = nullptr) const;
+    Photo draw_matte(size_t view) const;
+    Photo draw_attractor(size_t view, Ref<tree_control> control = nullptr) const;
+    Photo draw_field(size_t view, Ref<tree_control> control = nullptr) const;
+    Photo draw_traces(size_t view, Ref<tree_control> control = nullptr) const;
+    Photo draw_density(Ref<tree_control> control = nullptr) const;
 };
 
 class Picture : public detail::Object<tree_picture, tree_picture_free> {
@@ -1057,6 +1472,7 @@ public:
     WindBranches wind_branches(tree_continuation continuation) const;
     Capsules capsules(Ref<tree_capsule_params> params = nullptr, Ref<tree_control> control = nullptr, tree_capsule_report *report = nullptr) const;
     std::tuple<Rows, Skeleton> refine(float bearing, float spacing, Ref<tree_control> control = nullptr) const;
+    Tree grow_crown(const Grid &density, Span<const tree_particle_view> views, float height, Ref<tree_finish_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_crown_report *report = nullptr) const;
     static Skeleton from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static std::tuple<std::vector<uint32_t>, Skeleton> from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static Skeleton from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, Span<uint32_t> rows);
@@ -1080,6 +1496,14 @@ public:
     bool children(Span<uint32_t> starts, Span<uint32_t> nodes) const;
     bool write_swc(std::string_view path, Ref<tree_swc_options> options = nullptr) const;
     Bytes to_swc(Ref<tree_swc_options> options = nullptr) const;
+};
+
+class Strokes : public detail::Object<tree_strokes, tree_strokes_free> {
+public:
+    using Object::Object;
+    static Strokes from_svg(std::string_view svg, float width, float height, Ref<tree_control> control = nullptr);
+    StrokesColumns view() const &;
+    StrokesColumns view() const && = delete;
 };
 
 class Swc : public detail::Object<tree_swc, tree_swc_free> {
@@ -1108,6 +1532,16 @@ public:
     bool write_png(std::string_view path) const;
 };
 
+class Traces : public detail::Object<tree_traces, tree_traces_free> {
+public:
+    using Object::Object;
+    Skeleton grow_wood(float height, float trunk_radius, Ref<tree_finish_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static Traces flow(const Way &way, Span<const tree_flow_view> views, Span<const float> starts, float height, Ref<tree_flow_params> params = nullptr, Ref<tree_control> control = nullptr, tree_flow_report *report = nullptr);
+    TracesColumns view() const &;
+    TracesColumns view() const && = delete;
+    Skeleton skeleton(Ref<tree_control> control = nullptr) const;
+};
+
 class Tree : public detail::Object<tree_tree, tree_tree_free> {
 public:
     using Object::Object;
@@ -1119,6 +1553,17 @@ public:
     Foliage foliage() const && = delete;
     Species species() const &;
     Species species() const && = delete;
+};
+
+class Trimap : public detail::Object<tree_trimap, tree_trimap_free> {
+public:
+    using Object::Object;
+    static Trimap from_levels(uint32_t width, uint32_t height, Span<const uint8_t> levels, Ref<tree_control> control = nullptr);
+    static Trimap of_photo(const Photo &photo);
+    static Trimap from_strokes(uint32_t width, uint32_t height, Span<const tree_trimap_stroke> strokes, Ref<tree_control> control = nullptr);
+    static Trimap from_colors(const Photo &photo, Ref<tree_color_samples> samples, Ref<tree_control> control = nullptr);
+    TrimapColumns view() const &;
+    TrimapColumns view() const && = delete;
 };
 
 class Twigs : public detail::Object<tree_twigs, tree_twigs_free> {
@@ -1179,6 +1624,17 @@ public:
     Volume part(size_t index) const;
 };
 
+class Way : public detail::Object<tree_way, tree_way_free> {
+public:
+    using Object::Object;
+    static Way make(const Grid &density, Ref<tree_flow_params> params = nullptr, Ref<tree_control> control = nullptr);
+    Grid costs() const;
+    std::vector<float> sample(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> points, Ref<tree_control> control, Span<float> directions) const;
+    std::vector<float> directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params, Ref<tree_control> control, Span<float> directions) const;
+};
+
 class WindBranches : public detail::Object<tree_wind_branches, tree_wind_branches_free> {
 public:
     using Object::Object;
@@ -1222,6 +1678,7 @@ void memory_reset_peak();
 void memory_set_budget(uint64_t bytes);
 uint64_t memory_budget();
 bool memory_set_allocator(Ref<tree_allocator> allocator = nullptr);
+Tree from_photos(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_photo_report *report = nullptr);
 Tree path_grow(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
 std::tuple<Bytes, Tree> path_grow_with_levels(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
 bool path_check(Ref<tree_path_params> params = nullptr, Ref<tree_control> control = nullptr);
@@ -1230,6 +1687,8 @@ size_t path_preset_count();
 std::tuple<std::string_view, std::string_view> path_preset_name(size_t index);
 float path_preset_paper_seconds(size_t index);
 PathParams path_preset(std::string_view name);
+Lines align_warnings_text(Span<const tree_align_warning> warnings);
+Aligned align_all(const Handles<tree_matte> &mattes, Span<const tree_align_params> params, float height, Ref<tree_control> control = nullptr);
 Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr);
 uint32_t abi_version();
 std::string_view version();
@@ -1920,6 +2379,390 @@ inline bool Mesh::check_colors() const {
 inline bool Mesh::check_normals() const {
     return detail::done(tree_mesh_check_normals(get()));
 }
+inline std::tuple<std::vector<tree_density_view>, Grid> Grid::from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report) {
+    std::vector<tree_density_view> rows(views.size());
+    Grid grid;
+    if (!(detail::done(tree_grid_from_views(views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control))) { rows.clear(); }
+    return {std::move(rows), std::move(grid)};
+}
+inline Grid Grid::from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows) {
+    Grid grid;
+    detail::done(tree_grid_from_views(views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control);
+    return grid;
+}
+inline Carved Carved::make(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control) {
+    Carved carved;
+    detail::done(tree_carved_new(views.data(), views.size(), params, control, carved.place()), control);
+    return carved;
+}
+inline CarvedColumns Carved::view() const & {
+    CarvedColumns columns;
+    if (!(detail::done(tree_carved_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Grid Carved::alpha() const {
+    Grid grid;
+    detail::done(tree_carved_alpha(get(), grid.place()));
+    return grid;
+}
+inline std::tuple<std::vector<tree_density_view>, Grid> Carved::solve(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report) const {
+    std::vector<tree_density_view> rows(views.size());
+    Grid grid;
+    if (!(detail::done(tree_carved_solve(get(), views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control))) { rows.clear(); }
+    return {std::move(rows), std::move(grid)};
+}
+inline Grid Carved::solve(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows) const {
+    Grid grid;
+    detail::done(tree_carved_solve(get(), views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control);
+    return grid;
+}
+inline Matte Grid::look_through(Ref<tree_particle_camera> camera, Ref<tree_control> control) const {
+    Matte matte;
+    detail::done(tree_grid_look_through(get(), camera, control, matte.place()), control);
+    return matte;
+}
+inline double Grid::crown_volume(float threshold) const {
+    double measure{};
+    detail::done(tree_grid_crown_volume(get(), threshold, &measure));
+    return measure;
+}
+inline double Grid::overlap(float threshold, const Grid &other, float other_threshold) const {
+    double measure{};
+    detail::done(tree_grid_overlap(get(), threshold, other.get(), other_threshold, &measure));
+    return measure;
+}
+inline std::vector<float> Grid::draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<float> points(3 * static_cast<size_t>(n_points));
+    if (!(detail::done(tree_grid_draw_points(get(), n_points, weight.function(), weight.user(), seed, control, points.data(), points.size()), weight, control))) { points.clear(); }
+    return points;
+}
+inline bool Grid::draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control, Span<float> points) const {
+    return detail::done(tree_grid_draw_points(get(), n_points, weight.function(), weight.user(), seed, control, points.data(), points.size()), weight, control);
+}
+inline Matte Matte::paint(Span<const tree_density_stroke> strokes, Ref<tree_control> control) const {
+    Matte painted;
+    detail::done(tree_matte_paint(get(), strokes.data(), strokes.size(), control, painted.place()), control);
+    return painted;
+}
+inline Grid Grid::paint(Span<const tree_density_brush> brushes, Ref<tree_control> control) const {
+    Grid painted;
+    detail::done(tree_grid_paint(get(), brushes.data(), brushes.size(), control, painted.place()), control);
+    return painted;
+}
+inline bool DensityParams::check() const {
+    return detail::done(tree_density_params_check(this));
+}
+inline bool FieldParams::check() const {
+    return detail::done(tree_field_params_check(this));
+}
+inline float FieldParams::blend_at(float distance) const {
+    float measure{};
+    detail::done(tree_field_params_blend_at(this, distance, &measure));
+    return measure;
+}
+inline DirectionField DirectionField::make(const Attractor &attractor, float width, float height, float base_x, float base_y, Ref<tree_field_params> params, Ref<tree_control> control) {
+    DirectionField field;
+    detail::done(tree_direction_field_new(attractor.get(), width, height, base_x, base_y, params, control, field.place()), control);
+    return field;
+}
+inline DirectionFieldColumns DirectionField::view() const & {
+    DirectionFieldColumns columns;
+    if (!(detail::done(tree_direction_field_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::vector<float> DirectionField::sample(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> directions(spots.size());
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_direction_field_sample(get(), spots.data(), spots.size() / 2, control, directions.data(), directions.size()), control))) { directions.clear(); }
+    return directions;
+}
+inline bool DirectionField::sample(Span<const float> spots, Ref<tree_control> control, Span<float> directions) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_direction_field_sample(get(), spots.data(), spots.size() / 2, control, directions.data(), directions.size()), control);
+}
+inline Photo DirectionField::picture() const {
+    Photo picture;
+    detail::done(tree_direction_field_picture(get(), picture.place()));
+    return picture;
+}
+inline Photo DirectionField::draw_over(const Photo &photo, uint32_t color) const {
+    Photo drawn;
+    detail::done(tree_direction_field_draw_over(get(), photo.get(), color, drawn.place()));
+    return drawn;
+}
+inline Skeleton Traces::grow_wood(float height, float trunk_radius, Ref<tree_finish_params> params, Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_traces_grow_wood(get(), height, trunk_radius, params, control, wood.place()), control);
+    return wood;
+}
+inline Tree Skeleton::grow_crown(const Grid &density, Span<const tree_particle_view> views, float height, Ref<tree_finish_params> params, uint64_t seed, Ref<tree_control> control, tree_crown_report *report) const {
+    Tree tree;
+    detail::done(tree_skeleton_grow_crown(get(), density.get(), views.data(), views.size(), height, params, seed, control, report, tree.place()), control);
+    return tree;
+}
+inline FinishParams FinishParams::find(std::string_view name) {
+    FinishParams params;
+    if (!(detail::done(tree_finish_params_find(&params, sizeof(tree_finish_params), name.data() ? name.data() : "", name.size())))) { params.struct_size = 0; }
+    return params;
+}
+inline FinishParams FinishParams::of(std::string_view name) {
+    FinishParams params;
+    if (!(detail::done(tree_finish_params_of(&params, sizeof(tree_finish_params), name.data() ? name.data() : "", name.size())))) { params.struct_size = 0; }
+    return params;
+}
+inline bool FinishParams::check() const {
+    return detail::done(tree_finish_params_check(this));
+}
+inline bool FlowParams::check() const {
+    return detail::done(tree_flow_params_check(this));
+}
+inline Traces Traces::flow(const Way &way, Span<const tree_flow_view> views, Span<const float> starts, float height, Ref<tree_flow_params> params, Ref<tree_control> control, tree_flow_report *report) {
+    Traces traces;
+    static_cast<void>(detail::expect(starts.size() % 3 == 0, TREE_ERROR_BUFFER, "starts: must have 3 numbers for each item")
+        && detail::done(tree_traces_flow(way.get(), views.data(), views.size(), starts.data(), starts.size() / 3, height, params, control, report, traces.place()), control));
+    return traces;
+}
+inline TracesColumns Traces::view() const & {
+    TracesColumns columns;
+    if (!(detail::done(tree_traces_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Skeleton Traces::skeleton(Ref<tree_control> control) const {
+    Skeleton skeleton;
+    detail::done(tree_traces_skeleton(get(), control, skeleton.place()), control);
+    return skeleton;
+}
+inline Way Way::make(const Grid &density, Ref<tree_flow_params> params, Ref<tree_control> control) {
+    Way way;
+    detail::done(tree_way_new(density.get(), params, control, way.place()), control);
+    return way;
+}
+inline Grid Way::costs() const {
+    Grid grid;
+    detail::done(tree_way_costs(get(), grid.place()));
+    return grid;
+}
+inline std::vector<float> Way::sample(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> directions(points.size());
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_sample(get(), points.data(), points.size() / 3, control, directions.data(), directions.size()), control))) { directions.clear(); }
+    return directions;
+}
+inline bool Way::sample(Span<const float> points, Ref<tree_control> control, Span<float> directions) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_sample(get(), points.data(), points.size() / 3, control, directions.data(), directions.size()), control);
+}
+inline std::vector<float> Way::directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params, Ref<tree_control> control) const {
+    std::vector<float> directions(points.size());
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_directions(get(), views.data(), views.size(), points.data(), points.size() / 3, params, control, directions.data(), directions.size()), control))) { directions.clear(); }
+    return directions;
+}
+inline bool Way::directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params, Ref<tree_control> control, Span<float> directions) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_directions(get(), views.data(), views.size(), points.data(), points.size() / 3, params, control, directions.data(), directions.size()), control);
+}
+inline Grid Grid::make(const Floats<3> &corner, float voxel, uint32_t nx, uint32_t ny, uint32_t nz, Span<const float> values, Ref<tree_control> control) {
+    Grid grid;
+    detail::done(tree_grid_new(corner, voxel, nx, ny, nz, values.data(), values.size(), control, grid.place()), control);
+    return grid;
+}
+inline GridColumns Grid::view() const & {
+    GridColumns columns;
+    if (!(detail::done(tree_grid_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::array<float, 6> Grid::bounds() const {
+    std::array<float, 6> min_max{};
+    detail::done(tree_grid_bounds(get(), reinterpret_cast<float(*)[6]>(min_max.data())));
+    return min_max;
+}
+inline size_t Grid::index(int32_t x, int32_t y, int32_t z) const {
+    size_t index{};
+    detail::done(tree_grid_index(get(), x, y, z, &index));
+    return index;
+}
+inline std::array<int32_t, 3> Grid::voxel_at(const Floats<3> &point) const {
+    std::array<int32_t, 3> voxel{};
+    detail::done(tree_grid_voxel_at(get(), point, reinterpret_cast<int32_t(*)[3]>(voxel.data())));
+    return voxel;
+}
+inline std::vector<float> Grid::sample(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> values(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_sample(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool Grid::sample(Span<const float> points, Ref<tree_control> control, Span<float> values) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_sample(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control);
+}
+inline std::vector<float> Grid::nearest(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> values(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_nearest(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool Grid::nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_nearest(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control);
+}
+inline PhotoSession PhotoSession::make(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control) {
+    PhotoSession session;
+    detail::done(tree_photo_session_new(shots.data(), shots.size(), params, seed, control, session.place()), control);
+    return session;
+}
+inline PhotoSession PhotoSession::copy() const {
+    PhotoSession copy;
+    detail::done(tree_photo_session_copy(get(), copy.place()));
+    return copy;
+}
+inline bool PhotoSession::set_seed(uint64_t seed) const {
+    return detail::done(tree_photo_session_set_seed(get(), seed));
+}
+inline bool PhotoSession::set_params(Ref<tree_photo_params> params, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_set_params(get(), params, control), control);
+}
+inline bool PhotoSession::set_placing(size_t view, Ref<tree_photo_placing> placing) const {
+    return detail::done(tree_photo_session_set_placing(get(), view, placing));
+}
+inline bool PhotoSession::paint(size_t view, Span<const tree_density_stroke> strokes, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_paint(get(), view, strokes.data(), strokes.size(), control), control);
+}
+inline bool PhotoSession::set_matte(size_t view, const Matte &matte) const {
+    return detail::done(tree_photo_session_set_matte(get(), view, matte.get()));
+}
+inline bool PhotoSession::paint_volume(Span<const tree_density_brush> brushes, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_paint_volume(get(), brushes.data(), brushes.size(), control), control);
+}
+inline bool PhotoSession::set_density(const Grid &density) const {
+    return detail::done(tree_photo_session_set_density(get(), density.get()));
+}
+inline bool PhotoSession::set_branches(size_t view, Ref<tree_photo_branches> branches, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_set_branches(get(), view, branches, control), control);
+}
+inline bool PhotoSession::edit_attractor(size_t view, const Attractor &attractor, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_edit_attractor(get(), view, attractor.get(), control), control);
+}
+inline bool PhotoSession::redo_from(tree_photo_stage stage) const {
+    return detail::done(tree_photo_session_redo_from(get(), stage));
+}
+inline size_t PhotoSession::count() const {
+    size_t n_shots{};
+    detail::done(tree_photo_session_count(get(), &n_shots));
+    return n_shots;
+}
+inline size_t PhotoSession::count_views(Ref<tree_control> control) const {
+    size_t n_views{};
+    detail::done(tree_photo_session_count_views(get(), control, &n_views), control);
+    return n_views;
+}
+inline uint64_t PhotoSession::seed() const {
+    uint64_t seed{};
+    detail::done(tree_photo_session_seed(get(), &seed));
+    return seed;
+}
+inline PhotoParams PhotoSession::params() const & {
+    PhotoParams params;
+    if (!(detail::done(tree_photo_session_params(get(), &params)))) { params.struct_size = 0; }
+    return params;
+}
+inline uint32_t PhotoSession::runs(tree_photo_stage stage) const {
+    uint32_t n_runs{};
+    detail::done(tree_photo_session_runs(get(), stage, &n_runs));
+    return n_runs;
+}
+inline Matte PhotoSession::matte(size_t view) const {
+    Matte matte;
+    detail::done(tree_photo_session_matte(get(), view, matte.place()));
+    return matte;
+}
+inline Photo PhotoSession::photo(size_t view) const {
+    Photo photo;
+    detail::done(tree_photo_session_photo(get(), view, photo.place()));
+    return photo;
+}
+inline ParticleCamera PhotoSession::camera(size_t view, Ref<tree_control> control) const {
+    ParticleCamera camera;
+    if (!(detail::done(tree_photo_session_camera(get(), view, control, &camera), control))) { camera.struct_size = 0; }
+    return camera;
+}
+inline Attractor PhotoSession::attractor(size_t view, Ref<tree_control> control) const {
+    Attractor attractor;
+    detail::done(tree_photo_session_attractor(get(), view, control, attractor.place()), control);
+    return attractor;
+}
+inline Grid PhotoSession::density(Ref<tree_control> control) const {
+    Grid density;
+    detail::done(tree_photo_session_density(get(), control, density.place()), control);
+    return density;
+}
+inline DirectionField PhotoSession::field(size_t view, Ref<tree_control> control) const {
+    DirectionField field;
+    detail::done(tree_photo_session_field(get(), view, control, field.place()), control);
+    return field;
+}
+inline Traces PhotoSession::traces(Ref<tree_control> control) const {
+    Traces traces;
+    detail::done(tree_photo_session_traces(get(), control, traces.place()), control);
+    return traces;
+}
+inline Skeleton PhotoSession::wood(Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_photo_session_wood(get(), control, wood.place()), control);
+    return wood;
+}
+inline Tree PhotoSession::tree(Ref<tree_control> control, tree_photo_report *report) const {
+    Tree tree;
+    detail::done(tree_photo_session_tree(get(), control, report, tree.place()), control);
+    return tree;
+}
+inline PhotoViewReport PhotoSession::view_report(size_t view, Ref<tree_control> control) const {
+    PhotoViewReport report;
+    if (!(detail::done(tree_photo_session_view_report(get(), view, control, &report), control))) { report.struct_size = 0; }
+    return report;
+}
+inline bool PhotoSession::gaps(size_t view, Ref<tree_control> control, Span<float> gaps) const {
+    return detail::done(tree_photo_session_gaps(get(), view, control, gaps.data(), gaps.size()), control);
+}
+inline Lines PhotoSession::warnings(Ref<tree_control> control) const {
+    Lines warnings;
+    detail::done(tree_photo_session_warnings(get(), control, warnings.place()), control);
+    return warnings;
+}
+inline bool PhotoParams::check(Ref<tree_control> control) const {
+    return detail::done(tree_photo_params_check(this, control), control);
+}
+inline Photo PhotoSession::draw_matte(size_t view) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_matte(get(), view, picture.place()));
+    return picture;
+}
+inline Photo PhotoSession::draw_attractor(size_t view, Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_attractor(get(), view, control, picture.place()), control);
+    return picture;
+}
+inline Photo PhotoSession::draw_field(size_t view, Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_field(get(), view, control, picture.place()), control);
+    return picture;
+}
+inline Photo PhotoSession::draw_traces(size_t view, Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_traces(get(), view, control, picture.place()), control);
+    return picture;
+}
+inline Photo PhotoSession::draw_density(Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_density(get(), control, picture.place()), control);
+    return picture;
+}
+inline Tree from_photos(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control, tree_photo_report *report) {
+    Tree tree;
+    detail::done(tree_from_photos(shots.data(), shots.size(), params, seed, control, report, tree.place()), control);
+    return tree;
+}
 inline Graph Graph::link(const GraphNodes &nodes, Ref<tree_link_params> params, uint64_t seed, Ref<tree_control> control) {
     Graph graph;
     detail::done(tree_graph_link(nodes.get(), params, seed, control, graph.place()), params, control);
@@ -2019,6 +2862,336 @@ inline bool Volume::obstacle_is_free(float clearance, const Floats<3> &a, const 
     uint32_t is_free = 0;
     detail::done(tree_obstacle_is_free(get(), clearance, a, b, &is_free));
     return is_free != 0;
+}
+inline Lines align_warnings_text(Span<const tree_align_warning> warnings) {
+    Lines lines;
+    detail::done(tree_align_warnings_text(warnings.data(), warnings.size(), lines.place()));
+    return lines;
+}
+inline std::tuple<ParticleCamera, AlignReport> Matte::align(Ref<tree_align_params> params, Ref<tree_control> control) const {
+    ParticleCamera camera;
+    AlignReport report;
+    if (!(detail::done(tree_align(get(), params, control, &camera, &report), control))) { camera.struct_size = 0; report.struct_size = 0; }
+    return {std::move(camera), std::move(report)};
+}
+inline Aligned align_all(const Handles<tree_matte> &mattes, Span<const tree_align_params> params, float height, Ref<tree_control> control) {
+    Aligned aligned;
+    static_cast<void>(detail::expect(mattes.size() == params.size(), TREE_ERROR_BUFFER, "mattes and params must be of one length")
+        && detail::done(tree_align_all(mattes.data(), params.data(), mattes.size(), height, control, aligned.place()), control));
+    return aligned;
+}
+inline size_t Aligned::count() const {
+    size_t n_views{};
+    detail::done(tree_aligned_count(get(), &n_views));
+    return n_views;
+}
+inline std::tuple<ParticleCamera, AlignReport> Aligned::camera(size_t index) const {
+    ParticleCamera camera;
+    AlignReport report;
+    if (!(detail::done(tree_aligned_camera(get(), index, &camera, &report)))) { camera.struct_size = 0; report.struct_size = 0; }
+    return {std::move(camera), std::move(report)};
+}
+inline Span<const tree_align_warning> Aligned::warnings() const & {
+    const tree_align_warning *warnings = nullptr;
+    size_t n_warnings = 0;
+    detail::done(tree_aligned_warnings(get(), &warnings, &n_warnings));
+    return Span<const tree_align_warning>(warnings, n_warnings);
+}
+inline Attractor Attractor::from_columns(Ref<tree_attractor_columns> columns, Ref<tree_control> control) {
+    Attractor attractor;
+    detail::done(tree_attractor_from_columns(columns, control, attractor.place()), control);
+    return attractor;
+}
+inline AttractorColumns Attractor::view() const & {
+    AttractorColumns columns;
+    if (!(detail::done(tree_attractor_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline AttractorNearestPoint Attractor::nearest(const Floats<2> &at_pixel) const {
+    AttractorNearestPoint nearest;
+    if (!(detail::done(tree_attractor_nearest(get(), at_pixel, &nearest)))) { nearest.struct_size = 0; }
+    return nearest;
+}
+inline float Attractor::length() const {
+    float length{};
+    detail::done(tree_attractor_length(get(), &length));
+    return length;
+}
+inline Rows Attractor::tips() const {
+    Rows tips;
+    detail::done(tree_attractor_tips(get(), tips.place()));
+    return tips;
+}
+inline Photo Attractor::draw(const Photo &photo, float width, uint32_t rgba) const {
+    Photo drawn;
+    detail::done(tree_attractor_draw(get(), photo.get(), width, rgba, drawn.place()));
+    return drawn;
+}
+inline std::tuple<Trimap, Lines, Matte> Matte::automatic(const Photo &photo, Ref<tree_automatic_params> params, Ref<tree_control> control, tree_automatic_report *report) {
+    Trimap trimap;
+    Lines warnings;
+    Matte matte;
+    detail::done(tree_matte_automatic(photo.get(), params, control, report, trimap.place(), warnings.place(), matte.place()), control);
+    return {std::move(trimap), std::move(warnings), std::move(matte)};
+}
+inline bool ParticleCamera::check() const {
+    return detail::done(tree_particle_camera_check(this));
+}
+inline std::tuple<std::array<float, 3>, std::array<float, 3>, std::array<float, 3>> ParticleCamera::frame() const {
+    std::array<float, 3> right{};
+    std::array<float, 3> up{};
+    std::array<float, 3> forward{};
+    detail::done(tree_particle_camera_frame(this, reinterpret_cast<float(*)[3]>(right.data()), reinterpret_cast<float(*)[3]>(up.data()), reinterpret_cast<float(*)[3]>(forward.data())));
+    return {std::move(right), std::move(up), std::move(forward)};
+}
+inline Photo Photo::draw(Span<const tree_mark> marks, Ref<tree_control> control) const {
+    Photo drawn;
+    detail::done(tree_photo_draw(get(), marks.data(), marks.size(), control, drawn.place()), control);
+    return drawn;
+}
+inline Photo Photo::blank(uint32_t width, uint32_t height, uint32_t rgba, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_blank(width, height, rgba, control, photo.place()), control);
+    return photo;
+}
+inline Photo Photo::of_matte(const Matte &matte) {
+    Photo photo;
+    detail::done(tree_photo_of_matte(matte.get(), photo.place()));
+    return photo;
+}
+inline std::tuple<float, Attractor> Attractor::add_stroke(Span<const float> stroke, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report) const {
+    float gap{};
+    Attractor changed;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_attractor_add_stroke(get(), stroke.data(), stroke.size() / 2, params, control, report, &gap, changed.place()), control));
+    return {std::move(gap), std::move(changed)};
+}
+inline Attractor Attractor::erase(Span<const float> eraser, float radius, tree_cut_off cut_off, tree_erase_report *report) const {
+    Attractor changed;
+    static_cast<void>(detail::expect(eraser.size() % 2 == 0, TREE_ERROR_BUFFER, "eraser: must have 2 numbers for each item")
+        && detail::done(tree_attractor_erase(get(), eraser.data(), eraser.size() / 2, radius, cut_off, report, changed.place())));
+    return changed;
+}
+inline Attractor Attractor::move_near(const Floats<2> &at_pixel, const Floats<2> &by_pixels, float radius) const {
+    Attractor changed;
+    detail::done(tree_attractor_move_near(get(), at_pixel, by_pixels, radius, changed.place()));
+    return changed;
+}
+inline Attractor Attractor::mirrored(float width) const {
+    Attractor changed;
+    detail::done(tree_attractor_mirrored(get(), width, changed.place()));
+    return changed;
+}
+inline Span<const tree_str> Lines::view() const & {
+    const tree_str *texts = nullptr;
+    size_t n_texts = 0;
+    detail::done(tree_lines_view(get(), &texts, &n_texts));
+    return Span<const tree_str>(texts, n_texts);
+}
+inline Attractor Attractor::livewire(const Matte &matte, Maybe<tree_photo> photo, const Floats<2> &base_pixel, Span<const float> seeds, Ref<tree_livewire_params> params, Ref<tree_control> control, tree_livewire_report *report) {
+    Attractor attractor;
+    static_cast<void>(detail::expect(photo.fits(), TREE_ERROR_NULL, "photo: empty; leave it out, or hand over nullptr")
+        && detail::expect(seeds.size() % 2 == 0, TREE_ERROR_BUFFER, "seeds: must have 2 numbers for each item")
+        && detail::done(tree_attractor_livewire(matte.get(), photo, base_pixel, seeds.data(), seeds.size() / 2, params, control, report, attractor.place()), control));
+    return attractor;
+}
+inline std::tuple<std::vector<float>, size_t> Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<float> seeds(2 * static_cast<size_t>(most));
+    size_t n_seeds{};
+    if (!(detail::done(tree_silhouette_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control))) { seeds.clear(); }
+    seeds.resize(2 * n_seeds);
+    return {std::move(seeds), std::move(n_seeds)};
+}
+inline size_t Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const {
+    size_t n_seeds{};
+    detail::done(tree_silhouette_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control);
+    return n_seeds;
+}
+inline Matte Matte::from_alpha(uint32_t width, uint32_t height, Span<const float> alpha, Ref<tree_control> control) {
+    Matte matte;
+    detail::done(tree_matte_from_alpha(width, height, alpha.data(), alpha.size(), control, matte.place()), control);
+    return matte;
+}
+inline Matte Matte::of_photo(const Photo &photo) {
+    Matte matte;
+    detail::done(tree_matte_of_photo(photo.get(), matte.place()));
+    return matte;
+}
+inline MatteColumns Matte::view() const & {
+    MatteColumns columns;
+    if (!(detail::done(tree_matte_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::vector<float> Matte::sample(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> values(spots.size() / 2);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_matte_sample(get(), spots.data(), spots.size() / 2, control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool Matte::sample(Span<const float> spots, Ref<tree_control> control, Span<float> values) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_matte_sample(get(), spots.data(), spots.size() / 2, control, values.data(), values.size()), control);
+}
+inline Matte Matte::mirrored() const {
+    Matte mirrored;
+    detail::done(tree_matte_mirrored(get(), mirrored.place()));
+    return mirrored;
+}
+inline std::tuple<ParticleCamera, Photo, Matte> Matte::turned(Maybe<tree_photo> photo, Ref<tree_particle_camera> camera) const {
+    ParticleCamera turned_camera;
+    Photo turned_photo;
+    Matte turned;
+    if (!(detail::expect(photo.fits(), TREE_ERROR_NULL, "photo: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_matte_turned(get(), photo, camera, &turned_camera, turned_photo.place(), turned.place())))) { turned_camera.struct_size = 0; }
+    return {std::move(turned_camera), std::move(turned_photo), std::move(turned)};
+}
+inline Bytes Matte::to_png() const {
+    Bytes bytes;
+    detail::done(tree_matte_to_png(get(), bytes.place()));
+    return bytes;
+}
+inline bool Matte::write_png(std::string_view path) const {
+    return detail::done(tree_matte_write_png(get(), path.data() ? path.data() : "", path.size()));
+}
+inline std::tuple<Lines, Matte> Matte::natural(const Photo &photo, const Trimap &trimap, Ref<tree_natural_params> params, Ref<tree_control> control, tree_natural_report *report) {
+    Lines warnings;
+    Matte matte;
+    detail::done(tree_matte_natural(photo.get(), trimap.get(), params, control, report, warnings.place(), matte.place()), control);
+    return {std::move(warnings), std::move(matte)};
+}
+inline Matte Matte::screen(const Photo &photo, Ref<tree_screen_params> params, Ref<tree_control> control) {
+    Matte matte;
+    detail::done(tree_matte_screen(photo.get(), params, control, matte.place()), control);
+    return matte;
+}
+inline Matte Matte::difference(const Photo &photo, const Photo &plate, Ref<tree_difference_params> params, Ref<tree_control> control) {
+    Matte matte;
+    detail::done(tree_matte_difference(photo.get(), plate.get(), params, control, matte.place()), control);
+    return matte;
+}
+inline Photo Photo::from_pixels(uint32_t width, uint32_t height, Span<const uint8_t> pixels, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_from_pixels(width, height, pixels.data(), pixels.size(), control, photo.place()), control);
+    return photo;
+}
+inline Photo Photo::read(std::string_view path, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_read(path.data() ? path.data() : "", path.size(), control, photo.place()), control);
+    return photo;
+}
+inline Photo Photo::from_bytes(Span<const uint8_t> data, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_from_bytes(data.data(), data.size(), control, photo.place()), control);
+    return photo;
+}
+inline Pixels Photo::view() const & {
+    Pixels pixels;
+    if (!(detail::done(tree_photo_view(get(), &pixels)))) { pixels.struct_size = 0; }
+    return pixels;
+}
+inline bool Photo::has_alpha() const {
+    uint32_t is_translucent = 0;
+    detail::done(tree_photo_has_alpha(get(), &is_translucent));
+    return is_translucent != 0;
+}
+inline Photo Photo::mirrored() const {
+    Photo mirrored;
+    detail::done(tree_photo_mirrored(get(), mirrored.place()));
+    return mirrored;
+}
+inline Bytes Photo::to_png() const {
+    Bytes bytes;
+    detail::done(tree_photo_to_png(get(), bytes.place()));
+    return bytes;
+}
+inline bool Photo::write_png(std::string_view path) const {
+    return detail::done(tree_photo_write_png(get(), path.data() ? path.data() : "", path.size()));
+}
+inline std::vector<float> ParticleCamera::project(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> spots(points.size() / 3 * 2);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_project(this, points.data(), points.size() / 3, control, spots.data(), spots.size()), control))) { spots.clear(); }
+    return spots;
+}
+inline bool ParticleCamera::project(Span<const float> points, Ref<tree_control> control, Span<float> spots) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_project(this, points.data(), points.size() / 3, control, spots.data(), spots.size()), control);
+}
+inline std::vector<float> ParticleCamera::pixel_sizes(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> sizes(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_pixel_sizes(this, points.data(), points.size() / 3, control, sizes.data(), sizes.size()), control))) { sizes.clear(); }
+    return sizes;
+}
+inline bool ParticleCamera::pixel_sizes(Span<const float> points, Ref<tree_control> control, Span<float> sizes) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_pixel_sizes(this, points.data(), points.size() / 3, control, sizes.data(), sizes.size()), control);
+}
+inline std::vector<float> ParticleCamera::rays(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> rays(spots.size() / 2 * 6);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_particle_camera_rays(this, spots.data(), spots.size() / 2, control, rays.data(), rays.size()), control))) { rays.clear(); }
+    return rays;
+}
+inline bool ParticleCamera::rays(Span<const float> spots, Ref<tree_control> control, Span<float> rays) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_particle_camera_rays(this, spots.data(), spots.size() / 2, control, rays.data(), rays.size()), control);
+}
+inline ParticleStand ParticleCamera::stand() const {
+    ParticleStand stand;
+    if (!(detail::done(tree_particle_camera_stand(this, &stand)))) { stand.struct_size = 0; }
+    return stand;
+}
+inline View ParticleCamera::view() const {
+    View view;
+    if (!(detail::done(tree_particle_camera_view(this, &view)))) { view.struct_size = 0; }
+    return view;
+}
+inline std::tuple<std::vector<float>, Attractor> Attractor::from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report) {
+    std::vector<float> gaps(columns ? columns->n_strokes : 0);
+    Attractor attractor;
+    if (!(detail::done(tree_attractor_from_strokes(columns, base_pixel, params, control, report, gaps.data(), gaps.size(), attractor.place()), control))) { gaps.clear(); }
+    return {std::move(gaps), std::move(attractor)};
+}
+inline Attractor Attractor::from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report, Span<float> gaps) {
+    Attractor attractor;
+    detail::done(tree_attractor_from_strokes(columns, base_pixel, params, control, report, gaps.data(), gaps.size(), attractor.place()), control);
+    return attractor;
+}
+inline Strokes Strokes::from_svg(std::string_view svg, float width, float height, Ref<tree_control> control) {
+    Strokes strokes;
+    detail::done(tree_strokes_from_svg(svg.data() ? svg.data() : "", svg.size(), width, height, control, strokes.place()), control);
+    return strokes;
+}
+inline StrokesColumns Strokes::view() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_strokes_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Trimap Trimap::from_levels(uint32_t width, uint32_t height, Span<const uint8_t> levels, Ref<tree_control> control) {
+    Trimap trimap;
+    detail::done(tree_trimap_from_levels(width, height, levels.data(), levels.size(), control, trimap.place()), control);
+    return trimap;
+}
+inline Trimap Trimap::of_photo(const Photo &photo) {
+    Trimap trimap;
+    detail::done(tree_trimap_of_photo(photo.get(), trimap.place()));
+    return trimap;
+}
+inline Trimap Trimap::from_strokes(uint32_t width, uint32_t height, Span<const tree_trimap_stroke> strokes, Ref<tree_control> control) {
+    Trimap trimap;
+    detail::done(tree_trimap_from_strokes(width, height, strokes.data(), strokes.size(), control, trimap.place()), control);
+    return trimap;
+}
+inline Trimap Trimap::from_colors(const Photo &photo, Ref<tree_color_samples> samples, Ref<tree_control> control) {
+    Trimap trimap;
+    detail::done(tree_trimap_from_colors(photo.get(), samples, control, trimap.place()), control);
+    return trimap;
+}
+inline TrimapColumns Trimap::view() const & {
+    TrimapColumns columns;
+    if (!(detail::done(tree_trimap_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
 }
 inline Pool Pool::make(Ref<tree_pool_options> options) {
     Pool pool;
