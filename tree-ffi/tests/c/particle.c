@@ -210,6 +210,7 @@ static tree_grid *densities(tree_matte *matte, const tree_particle_view views[2]
     OK(tree_carved_solve(carved, views, 2, &params, NULL, &report, NULL, 0, &solved));
     OK(tree_grid_overlap(solved, 0, grid, 0, &measure));
     CHECK(measure == 1);
+    OK(tree_grid_free(solved));
     FAILS(TREE_ERROR_BUFFER, "rows",
           tree_carved_solve(carved, views, 2, &params, NULL, &report, rows, 1, &solved));
     CHECK(solved == NULL);
