@@ -558,6 +558,7 @@ static void stages(tree_photo_session *session) {
     OK(tree_tree_free(tree));
     tree_photo_view_report row = {.struct_size = sizeof row};
     OK(tree_photo_session_view_report(session, 0, NULL, &row));
+    CHECK(row.n_warnings < TREE_ALIGN_WARNINGS && row.residual < 0.5);
     CHECK(row.has_livewire && row.n_tips > 1 && row.attracts && !row.has_strokes);
     tree_lines *warnings;
     const tree_str *texts;

@@ -48,7 +48,7 @@ pub struct tree_finish_params {
     pub fullness: f32,
     /// Times the leaves are counted in the pictures and their density put right, 0 to 10. Default 3.
     pub corrections: u32,
-    /// Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.3.
+    /// Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.5.
     pub empty: f32,
     /// 0.
     pub reserved: u32,
@@ -214,4 +214,21 @@ pub unsafe extern "C" fn tree_finish_params_check(
     params: *const tree_finish_params,
 ) -> tree_status {
     call(|| Ok(unsafe { read(params, "params")?.rust("params") }?.validate()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn species_come_back_from_c_as_they_went() {
+        assert_eq!(built().species.len(), SPECIES.len());
+        for (preset, (name, [sprays, single])) in SPECIES.iter().zip(&built().species) {
+            let back = |params: &tree_finish_params| unsafe { params.rust("params") }.unwrap();
+            assert_eq!(back(sprays), FinishParams::find(name).unwrap());
+            assert_eq!(back(single), FinishParams::of(preset));
+        }
+        let oak = tree_finish_params::default_value();
+        assert_eq!(unsafe { oak.rust("params") }.unwrap(), FinishParams::default());
+    }
 }

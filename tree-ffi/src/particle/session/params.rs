@@ -144,3 +144,34 @@ pub unsafe extern "C" fn tree_photo_params_check(
         Ok(unsafe { params.rust(&limits(control)?) }?.validate()?)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tree_model::particle::field::{Blend, FieldParams};
+
+    #[test]
+    fn parameters_come_back_from_c_as_they_went() {
+        let default = PhotoParams::default();
+        let limits = Limits::default();
+        let null = tree_photo_params::default_value();
+        assert_eq!(unsafe { null.rust(&limits) }.unwrap(), default);
+        let blends = [
+            Blend::Constant { share: 0.25 },
+            Blend::Linear { reach: 0.5, most: 0.75 },
+            Blend::Custom(vec![(0.0, 0.5), (0.25, 0.75)]),
+        ];
+        for blend in blends {
+            let field = FieldParams { blend, rows: 20, margin: 0.25 };
+            let mut params = PhotoParams { field, height: 3.0, branches: 7, ..default.clone() };
+            params.imagine = false;
+            params.flow.particles = 77;
+            params.density.rays = 0.5;
+            params.livewire.rows = 99;
+            params.finish.twigs = None;
+            let mut kept = Kept::default();
+            let there = tree_photo_params::of(&params, &mut kept);
+            assert_eq!(unsafe { there.rust(&limits) }.unwrap(), params);
+        }
+    }
+}

@@ -3,6 +3,7 @@
 use crate::border::Versioned;
 use crate::particle::density::rows;
 use crate::particle::{tree_crown_report, tree_density_report, tree_flow_report};
+use crate::photo::{TREE_ALIGN_WARNINGS, tree_align_warning};
 use tree_model::particle::session::PhotoReport;
 
 /// What was found, repaired and left out on the way from photographs to a tree. The fields that begin with
@@ -132,7 +133,7 @@ pub struct tree_photo_view_report {
     pub contradicts: u32,
     /// 1 when the view is covered all over.
     pub is_opaque: u32,
-    /// What its alignment is doubtful about: lines of `tree_photo_session_warnings`.
+    /// What its alignment is doubtful about: rows of `warnings`. 0 where the caller placed the camera.
     pub n_warnings: u32,
     /// 1 when the view gives directions: not without branches.
     pub attracts: u32,
@@ -162,6 +163,8 @@ pub struct tree_photo_view_report {
     pub n_bridged: u32,
     /// Strokes joined by their middle, in two parts.
     pub n_split: u32,
+    /// Doubts about its alignment, the first `n_warnings` rows.
+    pub warnings: [tree_align_warning; TREE_ALIGN_WARNINGS],
     /// 0.
     pub reserved: u32,
 }
@@ -181,12 +184,16 @@ impl tree_photo_view_report {
         let fit = rows(&report.density).get(view).copied();
         let wire = own.livewire.clone().unwrap_or_default();
         let strokes = own.strokes.clone().unwrap_or_default();
+        let mut warnings = [tree_align_warning::default(); TREE_ALIGN_WARNINGS];
+        for (row, warning) in warnings.iter_mut().zip(&own.warnings) {
+            *row = tree_align_warning::of(warning);
+        }
         Self {
             struct_size: size_of::<Self>(),
             residual: fit.map_or(0.0, |fit| fit.residual),
             contradicts: fit.map_or(0, |fit| fit.contradicts),
             is_opaque: fit.map_or(0, |fit| fit.is_opaque),
-            n_warnings: own.warnings.len() as u32,
+            n_warnings: own.warnings.len().min(TREE_ALIGN_WARNINGS) as u32,
             attracts: own.attracts.into(),
             has_livewire: own.livewire.is_some().into(),
             n_bad_seeds: wire.n_bad_seeds,
@@ -201,6 +208,7 @@ impl tree_photo_view_report {
             n_empty: strokes.n_empty,
             n_bridged: strokes.n_bridged,
             n_split: strokes.n_split,
+            warnings,
             reserved: 0,
         }
     }
