@@ -19,7 +19,8 @@
 // * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-//   its kind). Handles keep alive what they are made of.
+//   its kind). Handles keep alive what they are made of. One kind changes, `tree_photo_session`: one thread at
+//   a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -2513,7 +2514,7 @@ typedef struct tree_finish_params {
     float fullness;
     // Times the leaves are counted in the pictures and their density put right, 0 to 10. Default 3.
     uint32_t corrections;
-    // Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.3.
+    // Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.5.
     float empty;
     // 0.
     uint32_t reserved;
@@ -2871,6 +2872,23 @@ typedef struct tree_photo_report {
     double crown_leaves_asked;
 } tree_photo_report;
 
+// What may be wrong with an alignment: one of the `TREE_ALIGN_` constants.
+typedef uint32_t tree_align_problem;
+
+// What may be wrong with an alignment. Fields that the problem does not name are 0.
+typedef struct tree_align_warning {
+    // Which problem. New ones may be added.
+    tree_align_problem problem;
+    // Index into the views.
+    uint32_t view;
+    // Number of parts.
+    uint32_t parts;
+    // A share, 0 to 1 or more.
+    float found;
+    // What is found in most views.
+    float usual;
+} tree_align_warning;
+
 // What one view gave.
 typedef struct tree_photo_view_report {
     // `sizeof(tree_photo_view_report)`.
@@ -2882,7 +2900,7 @@ typedef struct tree_photo_view_report {
     uint32_t contradicts;
     // 1 when the view is covered all over.
     uint32_t is_opaque;
-    // What its alignment is doubtful about: lines of `tree_photo_session_warnings`.
+    // What its alignment is doubtful about: rows of `warnings`. 0 where the caller placed the camera.
     uint32_t n_warnings;
     // 1 when the view gives directions: not without branches.
     uint32_t attracts;
@@ -2912,6 +2930,8 @@ typedef struct tree_photo_view_report {
     uint32_t n_bridged;
     // Strokes joined by their middle, in two parts.
     uint32_t n_split;
+    // Doubts about its alignment, the first `n_warnings` rows.
+    struct tree_align_warning warnings[TREE_ALIGN_WARNINGS];
     // 0.
     uint32_t reserved;
 } tree_photo_view_report;
@@ -3223,23 +3243,6 @@ typedef struct tree_align_params {
     // See `tree_particle_camera`. Default 0: parallel projection.
     float fov;
 } tree_align_params;
-
-// What may be wrong with an alignment: one of the `TREE_ALIGN_` constants.
-typedef uint32_t tree_align_problem;
-
-// What may be wrong with an alignment. Fields that the problem does not name are 0.
-typedef struct tree_align_warning {
-    // Which problem. New ones may be added.
-    tree_align_problem problem;
-    // Index into the views.
-    uint32_t view;
-    // Number of parts.
-    uint32_t parts;
-    // A share, 0 to 1 or more.
-    float found;
-    // What is found in most views.
-    float usual;
-} tree_align_warning;
 
 // What was found in a matte. Lengths are in pixels from the top left.
 typedef struct tree_align_report {

@@ -3425,7 +3425,7 @@ namespace TreeFamily.Native
         /// </summary>
         public uint corrections;
         /// <summary>
-        /// Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.3.
+        /// Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.5.
         /// </summary>
         public float empty;
         /// <summary>
@@ -4101,6 +4101,34 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// What may be wrong with an alignment. Fields that the problem does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_align_warning
+    {
+        /// <summary>
+        /// Which problem. New ones may be added.
+        /// </summary>
+        public uint problem; // tree_align_problem
+        /// <summary>
+        /// Index into the views.
+        /// </summary>
+        public uint view;
+        /// <summary>
+        /// Number of parts.
+        /// </summary>
+        public uint parts;
+        /// <summary>
+        /// A share, 0 to 1 or more.
+        /// </summary>
+        public float found;
+        /// <summary>
+        /// What is found in most views.
+        /// </summary>
+        public float usual;
+    }
+
+    /// <summary>
     /// What one view gave.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -4124,7 +4152,7 @@ namespace TreeFamily.Native
         /// </summary>
         public uint is_opaque;
         /// <summary>
-        /// What its alignment is doubtful about: lines of `tree_photo_session_warnings`.
+        /// What its alignment is doubtful about: rows of `warnings`. 0 where the caller placed the camera.
         /// </summary>
         public uint n_warnings;
         /// <summary>
@@ -4183,6 +4211,10 @@ namespace TreeFamily.Native
         /// Strokes joined by their middle, in two parts.
         /// </summary>
         public uint n_split;
+        /// <summary>
+        /// Doubts about its alignment, the first `n_warnings` rows.
+        /// </summary>
+        public tree_align_warning warnings_0, warnings_1, warnings_2, warnings_3, warnings_4, warnings_5, warnings_6, warnings_7;
         /// <summary>
         /// 0.
         /// </summary>
@@ -4748,34 +4780,6 @@ namespace TreeFamily.Native
         /// See `tree_particle_camera`. Default 0: parallel projection.
         /// </summary>
         public float fov;
-    }
-
-    /// <summary>
-    /// What may be wrong with an alignment. Fields that the problem does not name are 0.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_align_warning
-    {
-        /// <summary>
-        /// Which problem. New ones may be added.
-        /// </summary>
-        public uint problem; // tree_align_problem
-        /// <summary>
-        /// Index into the views.
-        /// </summary>
-        public uint view;
-        /// <summary>
-        /// Number of parts.
-        /// </summary>
-        public uint parts;
-        /// <summary>
-        /// A share, 0 to 1 or more.
-        /// </summary>
-        public float found;
-        /// <summary>
-        /// What is found in most views.
-        /// </summary>
-        public float usual;
     }
 
     /// <summary>
@@ -6121,7 +6125,8 @@ namespace TreeFamily.Native
         /// * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-        /// its kind). Handles keep alive what they are made of.
+        /// its kind). Handles keep alive what they are made of. One kind changes, `tree_photo_session`: one thread at
+        /// a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
