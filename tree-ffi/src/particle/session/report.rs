@@ -182,7 +182,7 @@ impl tree_photo_view_report {
     pub(super) fn of(report: &PhotoReport, view: usize) -> Self {
         let own = report.views.get(view).cloned().unwrap_or_default();
         let fit = rows(&report.density).get(view).copied();
-        let wire = own.livewire.clone().unwrap_or_default();
+        let wire = own.livewire.unwrap_or_default();
         let strokes = own.strokes.clone().unwrap_or_default();
         let mut warnings = [tree_align_warning::default(); TREE_ALIGN_WARNINGS];
         for (row, warning) in warnings.iter_mut().zip(&own.warnings) {
