@@ -267,7 +267,7 @@ static void trimaps(void) {
 }
 
 static void screens(void) {
-    tree_photo *screen = a_photo(BLUE, 0), *photo = a_photo(SKY, 0), *plate, *small;
+    tree_photo *screen = a_photo(BLUE, 0), *photo = a_photo(SKY, 0), *plate, *small, *nothing;
     tree_matte *exact = a_matte(), *matte, *bad;
     OK(tree_matte_screen(screen, NULL, NULL, &matte));
     CHECK(difference(matte, exact) < 0.01f);
@@ -291,7 +291,7 @@ static void screens(void) {
     OK(tree_matte_free(matte));
     OK(tree_photo_blank(W, 1, 0, NULL, &small));
     FAILS(TREE_ERROR_NO_RESULT, "the same", tree_matte_difference(photo, small, NULL, NULL, &bad));
-    FAILS(TREE_ERROR_INVALID, "at least one", tree_photo_blank(W, 0, 0, NULL, &small));
+    FAILS(TREE_ERROR_INVALID, "at least one", tree_photo_blank(W, 0, 0, NULL, &nothing));
     OK(tree_photo_free(plate));
     FAILS(TREE_ERROR_HANDLE, "plate", tree_matte_difference(photo, plate, NULL, NULL, &bad));
 
