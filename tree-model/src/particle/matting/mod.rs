@@ -19,6 +19,7 @@ mod natural;
 mod palette;
 mod scene;
 mod simple;
+mod sky;
 mod solve;
 mod trimap;
 

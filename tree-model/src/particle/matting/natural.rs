@@ -260,3 +260,114 @@ fn solve_at(
     }
     Ok(solved)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Leaves (dots of soft edge) over a gradient: photograph, trimap and true alpha.
+    fn leafy(w: u32, h: u32) -> (Photo, Trimap, Vec<f32>) {
+        let (mut pixels, mut levels, mut truth) = (Vec::new(), Vec::new(), Vec::new());
+        for y in 0..h {
+            for x in 0..w {
+                let (u, v) = (x as f32 / w as f32, y as f32 / h as f32);
+                let wave = libm::sinf(40.0 * u + 3.0 * v) * libm::sinf(37.0 * v - 5.0 * u);
+                let from_middle = ((u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5)).sqrt();
+                let leaves = (2.0 + 3.0 * wave - 12.0 * (from_middle - 0.2)).clamp(0.0, 1.0);
+                let alpha = if from_middle < 0.1 { 1.0 } else { leaves };
+                let shade = 0.8 + 0.2 * libm::sinf(23.0 * u + 31.0 * v);
+                let (tree, sky) = ([0.25, 0.4, 0.12], [0.5 + 0.3 * v, 0.65 + 0.2 * v, 0.95]);
+                let mix =
+                    |k: usize| 255.0 * (alpha * shade * tree[k] + (1.0 - alpha) * sky[k]) + 0.5;
+                pixels.push([mix(0) as u8, mix(1) as u8, mix(2) as u8, 255]);
+                levels.push(match from_middle {
+                    d if d < 0.1 => Level::Foreground,
+                    d if d > 0.45 && alpha == 0.0 => Level::Background,
+                    _ => Level::Unknown,
+                });
+                truth.push(alpha);
+            }
+        }
+        (Photo::new(w, h, pixels).unwrap(), Trimap::new(w, h, levels).unwrap(), truth)
+    }
+
+    fn error(matte: &Matte, trimap: &Trimap, truth: &[f32]) -> f32 {
+        let unknown = (0..truth.len()).filter(|&i| trimap.levels()[i] == Level::Unknown);
+        let errors: Vec<f32> = unknown.map(|i| (matte.alpha()[i] - truth[i]).abs()).collect();
+        errors.iter().sum::<f32>() / errors.len() as f32
+    }
+
+    #[test]
+    fn leaves_over_a_gradient_come_out() {
+        let (photo, trimap, truth) = leafy(120, 100);
+        for (mark_clear, bound) in [(false, 0.1), (true, 0.06)] {
+            let params = NaturalParams { mark_clear, ..Default::default() };
+            let (matte, report) = natural(&photo, &trimap, &params, &Control::default()).unwrap();
+            let error = error(&matte, &trimap, &truth);
+            assert!(error < bound, "{error}, {report:?}");
+            assert!(report.residual < 1e-3 && report.warnings.is_empty(), "{report:?}");
+        }
+    }
+
+    #[test]
+    fn a_smaller_working_size_costs_little() {
+        let (photo, trimap, truth) = leafy(240, 200);
+        let params = NaturalParams { max_side: 120, ..Default::default() };
+        let (matte, report) = natural(&photo, &trimap, &params, &Control::default()).unwrap();
+        assert_eq!(report.size, [120, 100]);
+        let error = error(&matte, &trimap, &truth);
+        assert!(error < 0.07, "{error}");
+    }
+
+    #[test]
+    fn known_pixels_stay_known() {
+        let (photo, trimap, _) = leafy(60, 50);
+        let params = NaturalParams { max_side: 32, ..Default::default() };
+        let (matte, _) = natural(&photo, &trimap, &params, &Control::default()).unwrap();
+        for (alpha, level) in matte.alpha().iter().zip(trimap.levels()) {
+            match level {
+                Level::Background => assert_eq!(*alpha, 0.0),
+                Level::Foreground => assert_eq!(*alpha, 1.0),
+                Level::Unknown => {}
+            }
+        }
+    }
+
+    #[test]
+    fn the_same_bits_on_any_number_of_threads() {
+        let (photo, trimap, _) = leafy(100, 90);
+        let run = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                natural(&photo, &trimap, &Default::default(), &Control::default()).unwrap()
+            })
+        };
+        assert_eq!(run(1), run(3));
+    }
+
+    #[test]
+    fn a_trimap_of_another_shape_or_of_one_side_is_refused() {
+        let (photo, trimap, _) = leafy(60, 50);
+        let half = Trimap::new(30, 25, trimap.levels()[..750].to_vec()).unwrap();
+        let run =
+            |trimap: &Trimap| natural(&photo, trimap, &Default::default(), &Control::default());
+        let error = run(&half).unwrap_err();
+        assert!(error.to_string().contains("marks no tree"), "{error}");
+        let square = Trimap::new(50, 50, trimap.levels()[..2500].to_vec()).unwrap();
+        assert!(matches!(run(&square), Err(ModelError::Picture { .. })));
+        let mut small = Control::default();
+        small.limits.pixels = 100;
+        let error = natural(&photo, &trimap, &Default::default(), &small).unwrap_err();
+        assert!(matches!(error, ModelError::Limit(_)), "{error}");
+    }
+
+    #[test]
+    fn pictures_too_small_for_a_window_give_something() {
+        let photo = Photo::new(3, 1, vec![[0, 0, 0, 255], [9, 9, 9, 255], [255; 4]]).unwrap();
+        let levels = vec![Level::Background, Level::Unknown, Level::Foreground];
+        let trimap = Trimap::new(3, 1, levels).unwrap();
+        let (matte, _) =
+            natural(&photo, &trimap, &Default::default(), &Control::default()).unwrap();
+        assert_eq!((matte.alpha()[0], matte.alpha()[2]), (0.0, 1.0));
+    }
+}
