@@ -1,0 +1,92 @@
+//! What a person says of each photograph: which tree it is, and where strokes are needed, those.
+
+use tree_model::glam::Vec2;
+use tree_model::particle::matting::Stroke;
+
+/// How the tree is separated from what is behind it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum How {
+    /// By the picture's own alpha.
+    Alpha,
+    /// As a tree against the sky.
+    Auto,
+    /// By strokes of a person.
+    Scribbles(&'static [Scribble]),
+}
+
+impl How {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Alpha => "alpha",
+            Self::Auto => "auto",
+            Self::Scribbles(_) => "scribbles",
+        }
+    }
+}
+
+/// A photograph of the shared data.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hint {
+    pub(crate) file: &'static str,
+    pub(crate) species: &'static str,
+    /// Whether it stands without leaves.
+    pub(crate) bare: bool,
+    pub(crate) how: How,
+}
+
+/// A stroke of a brush over a photograph.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scribble {
+    tree: bool,
+    width: f32,
+    points: &'static [[f32; 2]],
+}
+
+impl Scribble {
+    pub(crate) fn stroke(&self) -> Stroke {
+        let points = self.points.iter().map(|&point| Vec2::from(point)).collect();
+        Stroke { points, width: self.width, foreground: self.tree }
+    }
+}
+
+/// On the tree.
+const fn on(width: f32, points: &'static [[f32; 2]]) -> Scribble {
+    Scribble { tree: true, width, points }
+}
+
+/// Off the tree.
+const fn off(width: f32, points: &'static [[f32; 2]]) -> Scribble {
+    Scribble { tree: false, width, points }
+}
+
+const fn leafy(file: &'static str, species: &'static str, how: How) -> Hint {
+    Hint { file, species, bare: false, how }
+}
+
+const fn bare(file: &'static str, species: &'static str, how: How) -> Hint {
+    Hint { file, species, bare: true, how }
+}
+
+pub(crate) const HINTS: [Hint; 21] = [
+    leafy("cutout_holm_oak.png", "oak", How::Alpha),
+    bare("cutout_birch_winter.png", "birch", How::Alpha),
+    leafy("cutout_pinnate_tree.png", "walnut", How::Alpha),
+    leafy("american_beech_young.jpg", "beech", How::Auto),
+    leafy("bald_cypress_pond.jpg", "larch", How::Auto),
+    leafy("boxelder_lawn.jpg", "maple", How::Auto),
+    leafy("bur_oak_sunset.jpg", "oak", How::Auto),
+    leafy("catalpa_park.jpg", "linden", How::Auto),
+    leafy("cherry_in_flower.jpg", "birch", How::Auto),
+    leafy("coast_redwood_conifer.jpg", "spruce", How::Auto),
+    leafy("eastern_redcedar_golf.jpg", "spruce", How::Auto),
+    leafy("osage_orange_autumn.jpg", "linden", How::Auto),
+    leafy("ponderosa_pine_slope.jpg", "pine", How::Auto),
+    leafy("sugar_maple_autumn.jpg", "maple", How::Auto),
+    leafy("western_redcedar_crown.jpg", "spruce", How::Auto),
+    leafy("white_ash_sapling.jpg", "ash", How::Auto),
+    bare("hard_bigleaf_maple_sparse.jpg", "maple", How::Auto),
+    bare("hard_flowering_sapling_campus.jpg", "birch", How::Auto),
+    leafy("hard_honey_locust_hedge.jpg", "mimosa", How::Auto),
+    leafy("hard_red_maple_house.jpg", "maple", How::Auto),
+    leafy("hard_redbud_garden.jpg", "linden", How::Auto),
+];
