@@ -16,8 +16,12 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 4] =
-    [("path", path::evaluate), ("particle", particle::evaluate), ("mesh", mesh::evaluate), ("ffi", ffi::evaluate)];
+const SYSTEMS: [(&str, Evaluation); 4] = [
+    ("path", path::evaluate),
+    ("particle", particle::evaluate),
+    ("mesh", mesh::evaluate),
+    ("ffi", ffi::evaluate),
+];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

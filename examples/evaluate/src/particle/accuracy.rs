@@ -49,8 +49,7 @@ fn density(table: &mut Table) -> Result<(), Box<dyn Error>> {
         let found = carved.voxels().iter().map(|&i| f64::from(grid.values()[i as usize]));
         let found = DVector::from_iterator(wanted.len(), found);
         let ours = 100.0 * (&found - &wanted).norm() / wanted.norm();
-        let case =
-            format!("density, {} voxels, {} views, λ {evenness}", wanted.len(), views.len());
+        let case = format!("density, {} voxels, {} views, λ {evenness}", wanted.len(), views.len());
         let (metric, unit, aim) = ("off dense solution, l2", "%", Aim::AtMost(DENSITY_ERROR));
         table.row(&Row { case: &case, metric, paper: None, peer: None, ours, unit, aim });
     }
@@ -189,7 +188,11 @@ impl Peer {
         Self { python, folder, absent }
     }
 
-    fn alpha(&mut self, photo: &Photo, trimap: &Trimap) -> Result<Option<Vec<f32>>, Box<dyn Error>> {
+    fn alpha(
+        &mut self,
+        photo: &Photo,
+        trimap: &Trimap,
+    ) -> Result<Option<Vec<f32>>, Box<dyn Error>> {
         if self.absent {
             return Ok(None);
         }
@@ -204,7 +207,8 @@ impl Peer {
         });
         Matte::new(trimap.width(), trimap.height(), levels.collect())?.save_png(&known)?;
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("matting_peer.py");
-        let run = Command::new(&self.python).arg(script).args([image, known, out.clone()]).output()?;
+        let run =
+            Command::new(&self.python).arg(script).args([image, known, out.clone()]).output()?;
         if run.status.code() == Some(NO_PEER) {
             eprintln!("{}", String::from_utf8_lossy(&run.stderr).trim());
             self.absent = true;

@@ -40,15 +40,10 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
         let height = shape.bounds().max.y;
         let shots = [0.0, FRAC_PI_2]
             .into_iter()
-            .map(|yaw| {
-                Ok(Shot::new(seen(&shape, &camera(&shape, yaw), &control)?, None, yaw))
-            })
+            .map(|yaw| Ok(Shot::new(seen(&shape, &camera(&shape, yaw), &control)?, None, yaw)))
             .collect::<Result<Vec<_>, Box<dyn Error>>>()?;
-        let params = PhotoParams {
-            height,
-            finish: FinishParams::find(species)?,
-            ..PhotoParams::default()
-        };
+        let params =
+            PhotoParams { height, finish: FinishParams::find(species)?, ..PhotoParams::default() };
         let grown = grow(shots, &params)?;
         let case = format!("synthetic {name}");
         grown.rows(table, &case, &["front".into(), "side".into()], 0.88);
