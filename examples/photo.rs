@@ -17,13 +17,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::str::FromStr;
 use tree_core::{Control, Seed, file, glam::Vec2};
-use tree_lod::preview::{self, Style, View};
+use tree_lod::preview::{self, Lens, Pose, Style, View};
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
 use tree_mesh::{Look, MeshParams};
 use tree_model::particle::finish::FinishParams;
 use tree_model::particle::matting::{self, AutoParams, NaturalParams, Trimap};
 use tree_model::particle::session::{Attractor, PhotoParams, Session, Shot};
-use tree_model::particle::{Matte, Photo, attractor};
+use tree_model::particle::{Camera, Matte, Photo, attractor};
 
 const USAGE: &str = "photo FRONT [SIDE …] [--trimap PICTURE …] [--strokes DRAWING.svg …] [--yaw DEGREES …] \
                      [--height METRES] [--species NAME] [--bare] [--particles N] [--seed N] [--stages] \
@@ -155,6 +155,9 @@ fn run() -> Result<(), Box<dyn Error>> {
             session.picture_of_attractor(view, &control)?.save_png(to("branches"))?;
             session.picture_of_field(view, &control)?.save_png(to("directions"))?;
             session.picture_of_traces(view, &control)?.save_png(to("traces"))?;
+            let camera = session.views(&control)?[view].camera;
+            preview::render(&mesh, &as_photographed(&camera), &Style::studio(), &control)?
+                .save_png(to("model"))?;
         }
         session.picture_of_density(&control)?.save_png(path("_density.png"))?;
     }
@@ -173,13 +176,29 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// The picture of a model from where a photograph was taken.
+fn as_photographed(camera: &Camera) -> View {
+    let stand = camera.stand();
+    let lens = match stand.fov {
+        Some(fov) => Lens::Perspective { fov },
+        None => Lens::Orthographic { height: stand.height },
+    };
+    let pose = Pose { eye: stand.eye, target: stand.target, up: stand.up, lens };
+    let (width, height) = (camera.size.x as u32, camera.size.y as u32);
+    View { width, height, samples: 2, camera: preview::Camera::Placed(pose) }
+}
+
 /// How much of each pixel the tree covers: by the trimap, by the photograph's alpha, or against the sky.
 fn matte(photo: &Photo, trimap: Option<&str>, control: &Control) -> Result<Matte, Box<dyn Error>> {
     if let Some(path) = trimap {
         let trimap = Trimap::from_photo(&Photo::open(path, &control.limits)?);
         return Ok(matting::natural(photo, &trimap, &NaturalParams::default(), control)?.0);
     }
-    let _ = AutoParams::default(); Ok(matting::alpha_of(photo)?)
+    let (matte, report) = matting::automatic(photo, &AutoParams::default(), control)?;
+    for warning in &report.warnings {
+        eprintln!("warning: {warning}");
+    }
+    Ok(matte)
 }
 
 fn number<T: FromStr>(name: &str, text: &str) -> Result<T, String> {

@@ -79,6 +79,14 @@ impl Matte {
         top * (1.0 - fy) + bottom * fy
     }
 
+    /// The matte with left and right exchanged.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let rows = self.alpha.chunks(self.width as usize);
+        let alpha = rows.flat_map(|row| row.iter().rev().copied()).collect();
+        Self { alpha, ..*self }
+    }
+
     /// Covered area in pixels.
     #[must_use]
     pub fn area(&self) -> f64 {

@@ -46,6 +46,14 @@ impl Photo {
         &self.pixels
     }
 
+    /// The picture with left and right exchanged.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let rows = self.pixels.chunks(self.width as usize);
+        let pixels = rows.flat_map(|row| row.iter().rev().copied()).collect();
+        Self { pixels, ..*self }
+    }
+
     /// Whether any pixel is not fully opaque.
     #[must_use]
     pub fn has_alpha(&self) -> bool {

@@ -28,7 +28,9 @@ const TREES: [(&str, &str); 8] = [
 /// Side of the pictures in pixels.
 const PIXELS: f32 = 512.0;
 /// Voxels along the height in which crowns are compared.
-const VOXELS: f32 = 20.0;
+const VOXELS: f32 = 40.0;
+/// A leaf makes so much space around it part of the crown, in heights.
+const REACH: f32 = 0.05;
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let control = Control::default();
@@ -93,18 +95,33 @@ fn camera(mesh: &Mesh, yaw: f32) -> Camera {
     }
 }
 
-/// Intersection over union of the voxels that hold a leaf, or a node where trees are bare.
+/// Intersection over union of the crowns: the space within [`REACH`] of a leaf, or of a node where the
+/// truth is bare. A crown is a space that leaves fill loosely; leaves themselves hardly ever coincide.
 fn crown_overlap(tree: &Tree, truth: &Tree) -> f64 {
-    let voxel = truth.skeleton().bounds().max.y / VOXELS;
-    let voxels = |tree: &Tree| -> BTreeSet<[i32; 3]> {
+    let height = truth.skeleton().bounds().max.y;
+    let voxel = height / VOXELS;
+    let reach = (REACH * VOXELS).ceil() as i32;
+    let ball: Vec<IVec3> = (0..(2 * reach + 1).pow(3))
+        .map(|i| {
+            let side = 2 * reach + 1;
+            IVec3::new(i % side, i / side % side, i / (side * side)) - reach
+        })
+        .filter(|step| step.as_vec3().length() <= REACH * VOXELS)
+        .collect();
+    let crown = |tree: &Tree| -> BTreeSet<[i32; 3]> {
         let points = if truth.foliage().is_empty() {
             tree.skeleton().positions()
         } else {
             tree.foliage().positions()
         };
-        points.iter().map(|&p| IVec3::to_array(&(p / voxel).floor().as_ivec3())).collect()
+        let filled: BTreeSet<[i32; 3]> =
+            points.iter().map(|&p| (p / voxel).floor().as_ivec3().to_array()).collect();
+        filled
+            .iter()
+            .flat_map(|&at| ball.iter().map(move |&step| (IVec3::from_array(at) + step).to_array()))
+            .collect()
     };
-    let (a, b) = (voxels(tree), voxels(truth));
+    let (a, b) = (crown(tree), crown(truth));
     let both = a.intersection(&b).count();
     both as f64 / (a.len() + b.len() - both).max(1) as f64
 }

@@ -84,6 +84,13 @@ impl AttractorGraph {
         &self.parents
     }
 
+    /// The graph with left and right exchanged, in a picture of this width.
+    #[must_use]
+    pub fn mirrored(&self, width: f32) -> Self {
+        let nodes = self.nodes.iter().map(|node| Vec2::new(width - node.x, node.y)).collect();
+        Self { nodes, parents: self.parents.clone() }
+    }
+
     /// Whether there is no segment.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -14,6 +14,10 @@ use tree_core::{Control, Foliage, NO_PARENT, Seed, Skeleton, SkeletonColumns, Tr
 const SPARE: f32 = 1.6;
 /// Most and least twigs, against what their parameters say.
 const TWIGS: (f32, f32) = (0.02, 4.0);
+/// Twigs are at least this share of the usual distance between the traces' ends long.
+const REACH: f32 = 0.8;
+/// Twigs are made longer by at most this factor.
+const LONGEST: f32 = 4.0;
 /// Twigs may reach into pixels whose matte is this share of [`FinishParams::empty`]: leaves hide their tips.
 const TWIG_SHARE: f32 = 0.5;
 /// Where a twig begins, its host's node is at most this share of its length away.
@@ -94,6 +98,7 @@ impl Crown<'_> {
         report: &mut CrownReport,
     ) -> Result<Skeleton> {
         let Self { density, params, seed, control, .. } = self;
+        let twigs = &self.reaching(wood, twigs);
         let wood = refine(wood, twigs.bearing, NODE_SHARE * twigs.length, control)?.skeleton;
         let grow = |share: f32| {
             let wanted = |point| if density.sample(point) > 0.0 { share } else { 0.0 };
@@ -111,6 +116,23 @@ impl Crown<'_> {
         report.twig_nodes = (cut.len() - wood.len()) as u64;
         report.twig_nodes_cut = (grown.len() - cut.len()) as u64;
         Ok(cut)
+    }
+
+    /// Twigs long enough to fill the space between the ends of the traces: real trees have one or two more
+    /// orders of branches there.
+    fn reaching(&self, wood: &Skeleton, twigs: &TwigParams) -> TwigParams {
+        let dense = self.density.values().iter().filter(|&&value| value > 0.0).count() as f32;
+        let voxel = self.density.voxel();
+        let n_tips = wood.children().starts().windows(2).filter(|run| run[0] == run[1]).count();
+        let gap = voxel * libm::cbrtf(dense / n_tips.max(1) as f32);
+        let longer = (REACH * gap / twigs.length).clamp(1.0, LONGEST);
+        let mut twigs = twigs.clone();
+        twigs.length = (twigs.length * longer).min(1e6);
+        twigs.bearing = (twigs.bearing * longer).min(1e6);
+        twigs.internode = (twigs.internode * longer.sqrt()).min(1e6);
+        twigs.per_metre = (twigs.per_metre / longer).max(1e-3);
+        twigs.stiffness = (twigs.stiffness * longer * longer).min(1e6);
+        twigs
     }
 
     /// Cuts twigs off where they reach into an empty part of an image; the first `n_wood` nodes stay.

@@ -20,10 +20,10 @@ pub struct FinishParams {
     pub slenderness: f32,
     /// Twigs on the traces' ends; `None` for none. Default those of an oak.
     pub twigs: Option<TwigParams>,
-    /// Leaves; `None` for a bare tree. Default those of an oak.
+    /// Leaves; `None` for a bare tree. Default sprays of an oak's leaves.
     pub leaves: Option<LeafParams>,
     /// Area of a blade as a share of its length squared, 1e-3 to 2: how much a leaf covers, and so how many it
-    /// takes. Default 0.28, an oak's; a needle has 0.04.
+    /// takes. Default 0.333, an oak's spray; an oak leaf has 0.28, a needle 0.04.
     pub blade: f32,
     /// Leaves against what the images ask for, 0 to 10. Default 1.
     pub fullness: f32,
@@ -38,13 +38,12 @@ pub struct FinishParams {
 
 impl Default for FinishParams {
     fn default() -> Self {
-        // The first row is the oak.
-        Self::of(&crate::foliage::SPECIES[0])
+        Self::find("oak").unwrap_or_else(|_| Self::of(&crate::foliage::SPECIES[0]))
     }
 }
 
 impl FinishParams {
-    /// The defaults with twigs and leaves of a species.
+    /// The defaults with twigs and single leaves of a species; [`find`](Self::find) has sprays, which are far fewer.
     #[must_use]
     pub fn of(preset: &SpeciesPreset) -> Self {
         Self {

@@ -1,48 +1,38 @@
 //! Twigs and leaves of well-known trees for trees from photographs.
 
 use super::params::FinishParams;
-use crate::error::{ModelError, Result};
+use crate::error::Result;
 use crate::foliage::{LeafParams, SPECIES, SpeciesPreset};
 use tree_core::Species;
 
 /// A spray of needles or leaves: one card for what would take hundreds.
 struct Spray {
     name: &'static str,
-    /// The species whose twigs bear it.
-    twigs: &'static str,
     leaf_kind: &'static str,
     size: f32,
     blade: f32,
     pitch: f32,
 }
 
-/// Conifers have too many needles to draw each, so their sprays come first; a species' own twigs with single
-/// needles are there in [`FinishParams::of`].
-const SPRAYS: [Spray; 3] = [
-    Spray {
-        name: "pine",
-        twigs: "pine",
-        leaf_kind: "pine-needles",
-        size: 0.3,
-        blade: 0.21,
-        pitch: 0.6,
-    },
-    Spray {
-        name: "spruce",
-        twigs: "spruce",
-        leaf_kind: "spruce-needles",
-        size: 0.22,
-        blade: 0.32,
-        pitch: 0.7,
-    },
-    Spray {
-        name: "larch",
-        twigs: "larch",
-        leaf_kind: "spruce-needles",
-        size: 0.14,
-        blade: 0.32,
-        pitch: 0.7,
-    },
+/// A spray of seven to nine leaves.
+const fn cluster(name: &'static str, leaf_kind: &'static str, blade: f32) -> Spray {
+    Spray { name, leaf_kind, size: 0.24, blade, pitch: 0.8 }
+}
+
+/// A tree of ten metres has some two hundred thousand leaves and millions of needles: sprays are what a renderer
+/// can bear. [`FinishParams::of`] has each leaf.
+const SPRAYS: [Spray; 11] = [
+    cluster("oak", "oak-cluster", 0.333),
+    cluster("maple", "maple-cluster", 0.354),
+    cluster("birch", "birch-cluster", 0.355),
+    cluster("beech", "beech-cluster", 0.409),
+    cluster("linden", "linden-cluster", 0.355),
+    cluster("willow", "willow-cluster", 0.176),
+    cluster("poplar", "poplar-cluster", 0.329),
+    Spray { name: "ash", leaf_kind: "ash", size: 0.3, blade: 0.178, pitch: 0.9 },
+    Spray { name: "pine", leaf_kind: "pine-needles", size: 0.3, blade: 0.21, pitch: 0.6 },
+    Spray { name: "spruce", leaf_kind: "spruce-needles", size: 0.22, blade: 0.32, pitch: 0.7 },
+    Spray { name: "larch", leaf_kind: "spruce-needles", size: 0.14, blade: 0.32, pitch: 0.7 },
 ];
 
 impl FinishParams {
@@ -51,16 +41,16 @@ impl FinishParams {
         SPECIES.iter().map(|species| species.name)
     }
 
-    /// Twigs and leaves of the species of this name. Conifers get sprays of needles.
+    /// Twigs of the species of this name, with sprays of its leaves or needles where tree-mesh has a picture of
+    /// one, and single leaves where not.
     ///
     /// # Errors
-    /// [`ModelError::UnknownPreset`] that lists the names there are.
+    /// [`ModelError::UnknownPreset`](crate::ModelError::UnknownPreset) that lists the names there are.
     pub fn find(name: &str) -> Result<Self> {
         let species: &SpeciesPreset = SpeciesPreset::find(name)?;
         let Some(spray) = SPRAYS.iter().find(|spray| spray.name == name) else {
             return Ok(Self::of(species));
         };
-        let twigs: Result<&SpeciesPreset, ModelError> = SpeciesPreset::find(spray.twigs);
         let leaves = LeafParams {
             spacing: 0.25 * spray.size,
             bearing: 2.0 * spray.size,
@@ -78,7 +68,7 @@ impl FinishParams {
                 bark: species.bark.into(),
                 leaf_kinds: vec![spray.leaf_kind.into()],
             },
-            ..Self::of(twigs?)
+            ..Self::of(species)
         })
     }
 }

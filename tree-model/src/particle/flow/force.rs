@@ -72,6 +72,9 @@ impl<'a> Forces<'a> {
     #[must_use]
     #[inline]
     pub fn direction(&self, point: Vec3, near: Option<(Vec3, f32)>) -> Vec3 {
+        if self.way.is_last(point) {
+            return self.homewards(point);
+        }
         let image = self.image_direction(point);
         let way = self.way.sample(point);
         let told = image.length();

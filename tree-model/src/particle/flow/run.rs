@@ -18,6 +18,8 @@ const LOOK_EVERY: u32 = 4;
 const EXTRA: u32 = 3;
 /// Within so many join distances of the base a particle has arrived.
 const ARRIVAL: f32 = 1.5;
+/// The way of turning is at most this share of the distance to the base.
+const TURN_SHARE: f32 = 0.5;
 /// A node is also left behind where the course has turned so far since the last: cosine of the angle.
 const TURN_COS: f32 = 0.94;
 
@@ -187,7 +189,10 @@ impl<'a> Simulation<'a> {
         let step = params.step * height;
         let tolerance = params.tolerance * params.join * height;
         let move_one = |particle: &mut Particle| {
-            let turning = params.turn * height * libm::powf(particle.mass, params.inertia);
+            // At the base a heavy particle would circle round it for want of a turn.
+            let near_base = TURN_SHARE * particle.state.position.length();
+            let turning = (params.turn * height * libm::powf(particle.mass, params.inertia))
+                .min(near_base.max(TURN_SHARE * step));
             let (state, parts) =
                 advance(particle.state, step, turning, tolerance, |point, time| {
                     if homewards {

@@ -19,6 +19,8 @@ const STEM_WIDTH: f32 = 0.9;
 const STEM_SMOOTHING: f32 = 0.2;
 /// The stem goes up to this share of the height.
 const STEM_TOP: f32 = 0.92;
+/// So many voxels beyond the outermost centres a point is outside.
+const OUTSIDE: f32 = 1.0;
 /// Within so many voxels of the base the way is straight.
 const LAST_VOXELS: f32 = 1.5;
 
@@ -55,13 +57,26 @@ impl Way {
         &self.grid
     }
 
-    /// The way on from `point`: a vector of length 0 to 1. Outside the grid, as from its nearest point.
+    /// Whether `point` is so close to the base that the way is straight.
+    #[must_use]
+    #[inline]
+    pub fn is_last(&self, point: Vec3) -> bool {
+        point.length() < LAST_VOXELS * self.grid.voxel()
+    }
+
+    /// The way on from `point`: a vector of length 0 to 1. From outside the grid it leads back into it.
     #[must_use]
     #[inline]
     pub fn sample(&self, point: Vec3) -> Vec3 {
         let last = (self.grid.size() - 1).as_vec3();
-        let at = (point - self.grid.corner()) / self.grid.voxel() - 0.5;
-        let at = at.max(Vec3::ZERO).min(last);
+        let wanted = (point - self.grid.corner()) / self.grid.voxel() - 0.5;
+        let at = wanted.max(Vec3::ZERO).min(last);
+        if (at - wanted).length_squared() > OUTSIDE * OUTSIDE {
+            return (at - wanted).normalize();
+        }
+        if self.is_last(point) {
+            return (-point).normalize_or(Vec3::NEG_Y);
+        }
         let low = at.as_uvec3();
         let share = at - low.as_vec3();
         let size = self.grid.size();

@@ -163,11 +163,11 @@ impl Scene {
             .map(|half| (follow_down(&colors, half, columns.clone(), top), half))
             .into_iter()
             .max_by(|(a, _), (b, _)| a.score.total_cmp(&b.score));
-        if let Some((path, half)) = best {
-            if top + path.columns.len() > self.crown_end + 2 {
-                self.trunk_top = top;
-                self.trunk = path.columns.iter().map(|&x| (x.min(w - 1), half)).collect();
-            }
+        if let Some((path, half)) = best
+            && top + path.columns.len() > self.crown_end + 2
+        {
+            self.trunk_top = top;
+            self.trunk = path.columns.iter().map(|&x| (x.min(w - 1), half)).collect();
         }
     }
 }

@@ -29,7 +29,7 @@ impl Session {
         let old = std::mem::replace(&mut self.params, params);
         let new = &self.params;
         let changed = [
-            (Stage::Views, old.height != new.height),
+            (Stage::Views, old.height != new.height || old.imagine != new.imagine),
             (
                 Stage::Attractors,
                 (old.branches, old.attractor_seed, &old.seeds, &old.livewire, &old.strokes)
@@ -89,6 +89,13 @@ impl Session {
         }
         shot.matte = matte.clone();
         if let Some(views) = &mut self.views {
+            // The imagined side shows what the first photograph shows.
+            if view == 0
+                && views.len() > self.shots.len()
+                && let Some(side) = views.last_mut()
+            {
+                side.matte = matte.mirrored();
+            }
             views[view].matte = matte;
             self.redo_from(Stage::Density);
         }

@@ -14,6 +14,9 @@ use tree_core::Seed;
 pub struct PhotoParams {
     /// Height of the tree in metres, 0.01 to 1000. Default 10.
     pub height: f32,
+    /// Whether a side is imagined where all photographs are from one side (or its back): the first photograph,
+    /// mirrored, from a quarter turn round. Without it the depth of the crown is filled evenly. Default true.
+    pub imagine: bool,
     /// Points on each silhouette from which livewire seeks branches, 0 to 10,000. Default 40.
     pub branches: u32,
     /// Where those points are drawn from. They do not change with the tree's seed: what a photograph shows is
@@ -39,6 +42,7 @@ impl Default for PhotoParams {
     fn default() -> Self {
         Self {
             height: 10.0,
+            imagine: true,
             branches: 40,
             attractor_seed: Seed(0),
             seeds: SeedParams::default(),

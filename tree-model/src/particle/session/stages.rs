@@ -10,6 +10,7 @@ use crate::particle::density::{carve, sample_points, solve};
 use crate::particle::field::{DirectionField, direction_field};
 use crate::particle::finish::{grow_crown, grow_wood};
 use crate::particle::flow::{Flow, Forces, Traces, Way, run};
+use crate::particle::view::are_of_one_side;
 use crate::particle::{AlignParams, AlignedViews, align_all};
 use crate::particle::{Grid, Matte, View};
 use glam::Vec3;
@@ -156,7 +157,8 @@ impl Session {
         self.redo_from(Stage::Flow);
     }
 
-    /// The views: mattes with cameras.
+    /// The views: mattes with cameras, one for each photograph. Where all are from one side, an imagined one
+    /// from another side comes last; see [`PhotoParams::imagine`].
     ///
     /// # Errors
     /// [`ModelError::View`] naming a photograph in which no tree is found;
@@ -217,10 +219,13 @@ impl Session {
             .into_iter()
             .map(|alignment| ViewReport { warnings: alignment.warnings, ..Default::default() })
             .collect();
+        if self.params.imagine && are_of_one_side(&views) {
+            views.extend(views.first().map(View::turned));
+        }
         Ok(views)
     }
 
-    /// Main branches in each view; an empty graph where there are none.
+    /// Main branches in each view, an imagined one included; an empty graph where there are none.
     ///
     /// # Errors
     /// As [`views`](Self::views), [`livewire`] and [`from_strokes`].
@@ -290,6 +295,11 @@ impl Session {
             let (graph, ViewReport { livewire, strokes, attracts, .. }) = found?;
             (report.livewire, report.strokes, report.attracts) = (livewire, strokes, attracts);
             graphs.push(graph);
+        }
+        if views.len() > graphs.len()
+            && let (Some(first), Some(side)) = (graphs.first(), views.last())
+        {
+            graphs.push(first.mirrored(side.camera.size.x));
         }
         Ok(graphs)
     }
