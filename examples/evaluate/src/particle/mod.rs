@@ -6,6 +6,7 @@ mod hints;
 mod photos;
 mod pictures;
 mod score;
+mod scribbles;
 mod speed;
 mod synthetic;
 

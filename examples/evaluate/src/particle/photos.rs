@@ -1,7 +1,7 @@
 //! Every photograph of the shared data, alone, and pairs of photographs of different trees.
 
 use super::cases::grow;
-use super::hints::{HINTS, Hint, How};
+use super::hints::{HINTS, Hint, How, Scribble};
 use super::pictures::photo_folder;
 use crate::table::Table;
 use std::error::Error;
@@ -83,8 +83,8 @@ fn matte(photo: &Photo, how: How) -> Result<Matte, Box<dyn Error>> {
         How::Alpha => alpha_of(photo)?,
         How::Auto => automatic(photo, &AutoParams::default(), &control)?.0,
         How::Scribbles(scribbles) => {
-            let strokes: Vec<Stroke> = scribbles.iter().map(|scribble| scribble.stroke()).collect();
-            let trimap = Trimap::from_strokes(photo.width(), photo.height(), &strokes)?;
+            let strokes: Result<Vec<Stroke>, _> = scribbles.iter().map(Scribble::stroke).collect();
+            let trimap = Trimap::from_strokes(photo.width(), photo.height(), &strokes?)?;
             natural(photo, &trimap, &NaturalParams::default(), &control)?.0
         }
     })
