@@ -90,13 +90,14 @@ fn matte(photo: &Photo, how: How) -> Result<Matte, Box<dyn Error>> {
     })
 }
 
-/// A file's name without its ending.
+/// A file's name without its ending, and without what it says of how hard it is.
 fn stem(file: &str) -> &str {
-    file.split('.').next().unwrap_or(file)
+    let name = file.strip_prefix("hard_").unwrap_or(file);
+    name.split('.').next().unwrap_or(name)
 }
 
 /// The first words of a file's name.
 fn short(file: &str) -> String {
-    let words: Vec<&str> = stem(file).trim_start_matches("hard_").split('_').take(2).collect();
+    let words: Vec<&str> = stem(file).split('_').take(2).collect();
     words.join(" ")
 }
