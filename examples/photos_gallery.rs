@@ -75,7 +75,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("no shared data, no picture");
         return Ok(());
     }
-    sheet(&columns).save(&out)?;
+    // No picture has holes: without alpha, any format will do.
+    image::DynamicImage::from(sheet(&columns)).to_rgb8().save(&out)?;
     println!("{}", out.display());
     Ok(())
 }

@@ -1,8 +1,8 @@
 //! What a person says of each photograph: which tree it is, and where strokes are needed, those.
 
 use super::scribbles::{
-    ASH, BEECH, BIGLEAF, BOXELDER, BUR_OAK, CHERRY, CYPRESS, LOCUST, PONDEROSA, RED_MAPLE, REDBUD,
-    REDCEDAR, REDWOOD, SAPLING,
+    ASH, BEECH, BIGLEAF, BOXELDER, BUR_OAK, CHERRY, CYPRESS, LOCUST, OSAGE_ORANGE, PONDEROSA,
+    RED_MAPLE, REDBUD, REDCEDAR, REDWOOD, SAPLING, WESTERN_REDCEDAR,
 };
 use std::error::Error;
 use tree_model::glam::Vec2;
@@ -91,10 +91,10 @@ pub(crate) const HINTS: [Hint; 21] = [
     leafy("cherry_in_flower.jpg", "birch", How::Scribbles(CHERRY)),
     leafy("coast_redwood_conifer.jpg", "spruce", How::Scribbles(REDWOOD)),
     leafy("eastern_redcedar_golf.jpg", "spruce", How::Scribbles(REDCEDAR)),
-    leafy("osage_orange_autumn.jpg", "linden", How::Auto),
+    leafy("osage_orange_autumn.jpg", "linden", How::Scribbles(OSAGE_ORANGE)),
     leafy("ponderosa_pine_slope.jpg", "pine", How::Scribbles(PONDEROSA)),
     leafy("sugar_maple_autumn.jpg", "maple", How::Auto),
-    leafy("western_redcedar_crown.jpg", "spruce", How::Auto),
+    leafy("western_redcedar_crown.jpg", "spruce", How::Scribbles(WESTERN_REDCEDAR)),
     leafy("white_ash_sapling.jpg", "ash", How::Scribbles(ASH)),
     bare("hard_bigleaf_maple_sparse.jpg", "maple", How::Scribbles(BIGLEAF)),
     bare("hard_flowering_sapling_campus.jpg", "birch", How::Scribbles(SAPLING)),
