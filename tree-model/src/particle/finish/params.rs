@@ -30,7 +30,7 @@ pub struct FinishParams {
     /// Times the leaves are counted in the images and their density put right, 0 to 10. Default 3.
     pub corrections: u32,
     /// Leaves and twigs where an image's matte is below this are discarded (section 5.4.1), 0 (none) to 1.
-    /// Default 0.3.
+    /// Default 0.5.
     pub empty: f32,
     /// What kind of tree it is. Default an oak.
     pub species: Species,
@@ -56,7 +56,7 @@ impl FinishParams {
             blade: preset.blade,
             fullness: 1.0,
             corrections: 3,
-            empty: 0.3,
+            empty: 0.5,
             species: Species {
                 name: preset.name.into(),
                 bark: preset.bark.into(),

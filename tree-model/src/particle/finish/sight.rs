@@ -10,8 +10,8 @@ use tree_core::Leaf;
 const ROWS: f32 = 96.0;
 /// Opaque pixels ask for this much of the light to be left: more leaves behind leaves do not show.
 const LEAST_LIGHT: f32 = 0.03;
-/// Where along the midrib a leaf looks at the image, in shares of its length.
-const LOOKS: [f32; 3] = [0.15, 0.5, 0.85];
+/// Where a leaf looks at the image: across and along the midrib, in shares of its length.
+const LOOKS: [(f32, f32); 5] = [(0.0, 0.15), (0.0, 0.5), (0.0, 0.85), (-0.25, 0.55), (0.25, 0.55)];
 
 /// One image, ready to be asked.
 pub(super) struct Sight<'a> {
@@ -62,9 +62,11 @@ impl<'a> Sight<'a> {
     /// Mean of the matte under a leaf; `None` outside the image.
     pub(super) fn under(&self, leaf: &Leaf) -> Option<f32> {
         let along = leaf.rotation * Vec3::Y * leaf.size;
+        let across = leaf.rotation * Vec3::X * leaf.size;
         let mut sum = 0.0;
-        for share in LOOKS {
-            let pixel = self.projector.project(leaf.position + share * along)?;
+        for (right, up) in LOOKS {
+            let at = leaf.position + right * across + up * along;
+            let pixel = self.projector.project(at)?;
             let inside = pixel.cmpge(Vec2::ZERO).all()
                 && pixel.x <= self.matte.width() as f32
                 && pixel.y <= self.matte.height() as f32;
@@ -95,6 +97,12 @@ impl<'a> Sight<'a> {
             }
         }
         depths
+    }
+
+    /// Area of what is covered as this image shows it, weighted by optical depth, in square metres.
+    pub(super) fn asked_area(&self) -> f32 {
+        let pixel = self.coarse * self.projector.pixel_size(Vec3::ZERO);
+        self.asked().iter().sum::<f32>() * pixel * pixel
     }
 
     /// The value of a coarse map at a point.
