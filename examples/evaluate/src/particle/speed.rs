@@ -59,6 +59,7 @@ fn flow(table: &mut Table, mesh: &Mesh) -> Result<(), Box<dyn Error>> {
             let all = params.join == APART;
             let aim = if all { Aim::AtLeast(f64::from(FLOW_STEPS)) } else { Aim::None };
             row("steps taken", None, f64::from(report.steps), "", aim);
+            row("Runge-Kutta parts", None, report.parts as f64, "", Aim::None);
             let joined = f64::from(report.joins + report.followed) / f64::from(particles);
             row("joined before the base", None, 100.0 * joined, "%", Aim::None);
             times.push(seconds);
