@@ -417,6 +417,67 @@
 // Rows for levels in a report: as many as there can be.
 #define TREE_PATH_REPORT_LEVELS 17
 
+// The foot is at the picture's bottom: the trunk may go on, and the tree be higher than it seems.
+#define TREE_ALIGN_BASE_CROPPED 0
+
+// The crown touches the picture's border: the tree may go on beyond it.
+#define TREE_ALIGN_CROWN_CROPPED 1
+
+// No bare trunk shows: the base is the lowest point near the middle.
+#define TREE_ALIGN_NO_TRUNK 2
+
+// `parts` parts apart from the tree are left out; `found` is their share of all that is covered.
+#define TREE_ALIGN_LEFT_OUT 3
+
+// The tree is in `parts` parts, as a crown in tufts is.
+#define TREE_ALIGN_PARTS 4
+
+// In `view` the crown begins at the share `found` of the tree's height, in the middle of all views at
+// `usual`.
+#define TREE_ALIGN_CROWN_BASE 5
+
+// In `view` the crown is `found` of the tree's height wide, in the middle of all views `usual`.
+#define TREE_ALIGN_CROWN_WIDTH 6
+
+// What this version of the interface has no name for.
+#define TREE_ALIGN_OTHER 7
+
+// Rows for warnings in a report: more than one view can have.
+#define TREE_ALIGN_WARNINGS 8
+
+// A line with round ends.
+#define TREE_MARK_LINE 0
+
+// A line with a head at `to`.
+#define TREE_MARK_ARROW 1
+
+// A disc round `from`; `to` is not looked at.
+#define TREE_MARK_DOT 2
+
+// The pixels whose corners lie from `from` up to `to`; `width` is not looked at.
+#define TREE_MARK_FILL 3
+
+// It goes too.
+#define TREE_CUT_OFF_DROP 0
+
+// It is joined to the nearest point of the rest by a straight line.
+#define TREE_CUT_OFF_RECONNECT 1
+
+// Blue: right for green leaves.
+#define TREE_SCREEN_BLUE 0
+
+// Green: for autumn leaves and bare branches.
+#define TREE_SCREEN_GREEN 1
+
+// Certainly not the tree.
+#define TREE_LEVEL_BACKGROUND 0
+
+// To be found.
+#define TREE_LEVEL_UNKNOWN 1
+
+// Certainly the tree.
+#define TREE_LEVEL_FOREGROUND 2
+
 // A clear sky.
 #define TREE_BACKDROP_SKY 0
 
@@ -537,6 +598,12 @@
 // Part 0, transformed.
 #define TREE_SOLID_TRANSFORMED 14
 
+// Cameras for several views of one tree.
+typedef struct tree_aligned tree_aligned;
+
+// Main branches in one picture, as a forest whose roots are at the tree's base.
+typedef struct tree_attractor tree_attractor;
+
 // All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
 typedef struct tree_axes tree_axes;
 
@@ -571,17 +638,26 @@ typedef struct tree_graph_nodes tree_graph_nodes;
 // see how much of its triangles is visible.
 typedef struct tree_leaf_model tree_leaf_model;
 
+// Lines of text, for people: warnings, mostly. There may be none.
+typedef struct tree_lines tree_lines;
+
 // What a species looks like: a material for the bark, and a leaf look for each leaf kind.
 typedef struct tree_look tree_look;
 
 // How much of each pixel a mesh covers.
 typedef struct tree_mask tree_mask;
 
+// How much of each pixel of a photograph the tree covers, 0 (nothing) to 1 (all).
+typedef struct tree_matte tree_matte;
+
 // Surfaces with their materials, and the branches that move in the wind.
 typedef struct tree_mesh tree_mesh;
 
 // A surface in the axes and the layout of an engine.
 typedef struct tree_packed tree_packed;
+
+// A photograph: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
+typedef struct tree_photo tree_photo;
 
 // A picture: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
 typedef struct tree_picture tree_picture;
@@ -597,7 +673,8 @@ typedef struct tree_pool tree_pool;
 // A drawn profile: radius over height, from the ground up.
 typedef struct tree_profile tree_profile;
 
-// For each node of a skeleton that was made of another, the node there that it comes from.
+// Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
+// or the tips of a graph.
 typedef struct tree_rows tree_rows;
 
 // The triangles of a mesh, welded and sorted into connected components, each of which is wood, a leaf, a
@@ -606,6 +683,9 @@ typedef struct tree_separation tree_separation;
 
 // Branches as a rooted tree of nodes with radii.
 typedef struct tree_skeleton tree_skeleton;
+
+// Strokes read from a drawing.
+typedef struct tree_strokes tree_strokes;
 
 // What an SWC file held: a skeleton, and what a skeleton has no column for.
 typedef struct tree_swc tree_swc;
@@ -616,6 +696,9 @@ typedef struct tree_texture tree_texture;
 // A whole tree: skeleton, leaves and species. Every leaf stands on a node that exists and has a kind
 // that exists.
 typedef struct tree_tree tree_tree;
+
+// What is known of each pixel of a photograph.
+typedef struct tree_trimap tree_trimap;
 
 // A tree as a base mesh and a few unique twigs, set down many times: at a tenth of its memory and less.
 typedef struct tree_twigs tree_twigs;
@@ -2404,45 +2487,360 @@ typedef struct tree_profile_columns {
     uint32_t reserved;
 } tree_profile_columns;
 
-// What the host runs on one of its threads: `run(worker)`, once. It returns when the pool is freed.
-typedef void (*tree_worker_fn)(void *worker);
-
-// Asks the host for a thread that calls `run(worker)`, on any thread but the asking one. Returns 0 when
-// it will, anything else when it cannot (then `run` must not be called).
-typedef int32_t (*tree_spawn_fn)(void *user, tree_worker_fn run, void *worker);
-
-// Which threads a pool has. Begin with `tree_pool_options_init`.
-typedef struct tree_pool_options {
-    // `sizeof(tree_pool_options)`.
+// What is known about a photograph. Begin with `tree_align_params_init`.
+typedef struct tree_align_params {
+    // `sizeof(tree_align_params)`.
     size_t struct_size;
-    // Number of threads, at most 1024. Default 0: one for each core.
-    uint32_t n_threads;
+    // Height of the tree in metres, 0.01 to 1000. Default 10. `tree_align_all` takes its own.
+    float height;
+    // See `tree_particle_camera`. Default 0.
+    float yaw;
+    // See `tree_particle_camera`. Default 0.
+    float pitch;
+    // See `tree_particle_camera`. Default 0: parallel projection.
+    float fov;
+} tree_align_params;
+
+// What may be wrong with an alignment: one of the `TREE_ALIGN_` constants.
+typedef uint32_t tree_align_problem;
+
+// What may be wrong with an alignment. Fields that the problem does not name are 0.
+typedef struct tree_align_warning {
+    // Which problem. New ones may be added.
+    tree_align_problem problem;
+    // Index into the views.
+    uint32_t view;
+    // Number of parts.
+    uint32_t parts;
+    // A share, 0 to 1 or more.
+    float found;
+    // What is found in most views.
+    float usual;
+} tree_align_warning;
+
+// The camera of one photograph. The tree's base is the world's origin, +Y is up. Begin with
+// `tree_particle_camera_init`, or let `tree_align` find it.
+typedef struct tree_particle_camera {
+    // `sizeof(tree_particle_camera)`.
+    size_t struct_size;
+    // Where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a quarter turn on
+    // +X. -1e6 to 1e6; default 0.
+    float yaw;
+    // How far the camera looks down, in radians, -1.5 to 1.5. A photograph from the ground looks up:
+    // negative. Default 0.
+    float pitch;
+    // Vertical field of view of the whole picture in radians, 0.017 to 2.8: a phone held upright has about
+    // 1.2. 0, the default, is parallel projection, close enough for a photograph from afar.
+    float fov;
+    // Size of the picture in pixels, 1 to 1e6 each. Default 1, 1: set it.
+    float size[2];
+    // Where the tree's base is in the picture, in pixels from the top left; may lie outside. Default 0.5, 1:
+    // set it.
+    float base[2];
+    // Metres for a pixel, at the tree's base, 1e-7 to 1e6. Default 1: set it.
+    float scale;
+} tree_particle_camera;
+
+// What was found in a matte. Lengths are in pixels from the top left.
+typedef struct tree_align_report {
+    // `sizeof(tree_align_report)`.
+    size_t struct_size;
+    // The foot of the trunk.
+    float base[2];
+    // The highest point of the tree.
+    float top[2];
+    // Top left corner of the crown.
+    float crown_low[2];
+    // Bottom right corner of the crown.
+    float crown_high[2];
+    // The row where the crown begins: between it and the base the trunk is bare. The base's row where no
+    // bare trunk shows.
+    float crown_base;
+    // Width of the bare trunk at about breast height (1.3 m); 0 where none shows.
+    float trunk_width;
+    // Number of warnings.
+    uint32_t n_warnings;
+    // What may be wrong; `tree_align_warnings_text` puts it into words.
+    struct tree_align_warning warnings[TREE_ALIGN_WARNINGS];
     // 0.
     uint32_t reserved;
-    // Bytes of stack of each thread that the library starts. Default 0: the system's.
-    size_t stack_size;
-    // Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
-    // the pool's whole life. Default NULL: the library starts threads.
-    tree_spawn_fn spawn;
-    // Handed to `spawn`.
-    void *user;
-} tree_pool_options;
+} tree_align_report;
 
-// A view of a mask.
-typedef struct tree_mask_columns {
-    // `sizeof(tree_mask_columns)`.
+// The columns of an attractor graph. Set `struct_size` first.
+typedef struct tree_attractor_columns {
+    // `sizeof(tree_attractor_columns)`.
+    size_t struct_size;
+    // Number of nodes.
+    size_t n_nodes;
+    // Two floats for each node, in pixels from the top left of the picture. Finite.
+    const float *positions;
+    // For each node the one that it leads to, nearer to the base, which comes before it; `TREE_NO_PARENT`
+    // at the base.
+    const uint32_t *parents;
+} tree_attractor_columns;
+
+// The point of a graph that is nearest to another.
+typedef struct tree_attractor_nearest_point {
+    // `sizeof(tree_attractor_nearest_point)`.
+    size_t struct_size;
+    // Whether there is one, 1 or 0: a graph without segments has none, a point that is not finite neither.
+    uint32_t found;
+    // The node at the upper end of the segment it lies on.
+    uint32_t node;
+    // Where on the segment: 0 at the parent, 1 at the node.
+    float share;
+    // The point, in pixels.
+    float point[2];
+    // How far off it is, in pixels.
+    float distance;
+} tree_attractor_nearest_point;
+
+// How a matte is found with a trimap. Begin with `tree_natural_params_init`.
+typedef struct tree_natural_params {
+    // `sizeof(tree_natural_params)`.
+    size_t struct_size;
+    // Longer side in pixels at which alpha is solved for, 16 to 4096. Default 768. Cost and memory grow
+    // with its square.
+    uint32_t max_side;
+    // How far alpha may depart from a linear function of colour within a window, 1e-9 to 1: a variance of
+    // colours 0 to 1. Low keeps fine structure, high is smooth. Default 1e-7.
+    float epsilon;
+    // Share of the right side's size at which the solution is good enough, 1e-8 to 0.1. Default 2e-4.
+    float tolerance;
+    // Most iterations at each size, 1 to 100,000. Default 400.
+    uint32_t max_iterations;
+    // Whether unknown pixels that clearly look like the known ones of one side count as known. Default 1;
+    // helps strokes much, full trimaps a little.
+    uint32_t mark_clear;
+    // 0.
+    uint32_t reserved;
+} tree_natural_params;
+
+// How a tree against sky is found. Begin with `tree_automatic_params_init`.
+typedef struct tree_automatic_params {
+    // `sizeof(tree_automatic_params)`.
+    size_t struct_size;
+    // How the alpha of the pixels left unknown is found. Default NULL: that of `tree_natural_params_init`.
+    const struct tree_natural_params *natural;
+} tree_automatic_params;
+
+// What was found in a photograph of a tree against sky.
+typedef struct tree_automatic_report {
+    // `sizeof(tree_automatic_report)`.
+    size_t struct_size;
+    // Whether the photograph's own alpha was taken, 1 or 0.
+    uint32_t has_alpha;
+    // Whether the place where the trunk meets the ground was found, 1 or 0.
+    uint32_t has_base;
+    // That place, in pixels of the photograph from the top left.
+    float base[2];
+    // How sure the result is, 0 to 1: below 0.5 look at it before you use it.
+    float confidence;
+    // Width at which alpha was solved for, in pixels; 0 where the photograph has alpha.
+    uint32_t width;
+    // Height at which alpha was solved for, in pixels.
+    uint32_t height;
+    // Iterations at that size.
+    uint32_t iterations;
+    // Pixels that the trimap leaves unknown, at that size.
+    uint64_t n_unknown;
+    // Of them, pixels marked by their colour.
+    uint64_t n_marked;
+    // What is left of the right side, as a share.
+    float residual;
+    // 0.
+    uint32_t reserved;
+} tree_automatic_report;
+
+// What is drawn: one of the `TREE_MARK_` constants.
+typedef uint32_t tree_mark_kind;
+
+// Something drawn onto a photograph. Coordinates are pixels from the top left; what lies outside is cut
+// off, and what is not finite is left out.
+typedef struct tree_mark {
+    // What it is.
+    tree_mark_kind kind;
+    // Where it begins.
+    float from[2];
+    // Where it ends.
+    float to[2];
+    // Width of a line, or a dot's diameter, in pixels.
+    float width;
+    // Its colour, as `0xRRGGBBAA`: red, green, blue (sRGB) and how much it covers, 0 to 255 each.
+    uint32_t color;
+} tree_mark;
+
+// How strokes are cleaned and joined. Begin with `tree_stroke_params_init`.
+typedef struct tree_stroke_params {
+    // `sizeof(tree_stroke_params)`.
+    size_t struct_size;
+    // Distance between nodes as a share of the drawing's size, 0.001 to 0.5. Default 0.02.
+    float spacing;
+    // Gaps up to this share of the drawing's size are closed by moving the stroke's end, 0 to 1; wider
+    // ones are bridged by a straight line and reported. Default 0.03.
+    float snap;
+} tree_stroke_params;
+
+// What became of strokes.
+typedef struct tree_stroke_report {
+    // `sizeof(tree_stroke_report)`.
+    size_t struct_size;
+    // Points left out because they were not finite.
+    uint32_t n_bad_points;
+    // Strokes left out because they had no length.
+    uint32_t n_empty;
+    // Strokes that were joined over a gap wider than the snapping distance.
+    uint32_t n_bridged;
+    // Strokes joined by their middle, in two parts.
+    uint32_t n_split;
+} tree_stroke_report;
+
+// What happens to what erasing cuts off from the base: one of the `TREE_CUT_OFF_` constants.
+typedef uint32_t tree_cut_off;
+
+// What erasing did.
+typedef struct tree_erase_report {
+    // `sizeof(tree_erase_report)`.
+    size_t struct_size;
+    // Segments under the eraser.
+    uint32_t n_erased;
+    // Segments that went because they were cut off.
+    uint32_t n_dropped;
+    // Parts that were cut off and joined again.
+    uint32_t n_reconnected;
+    // 0.
+    uint32_t reserved;
+} tree_erase_report;
+
+// How paths are found. Begin with `tree_livewire_params_init`.
+typedef struct tree_livewire_params {
+    // `sizeof(tree_livewire_params)`.
+    size_t struct_size;
+    // Rows of pixels over the height of the tree at which paths are sought, 16 to 1024. Default 256. Time
+    // and memory (120 bytes a pixel at most) grow with the square.
+    uint32_t rows;
+    // How closely paths follow visible structures, 0 (not at all) to 0.98. Default 0.88: a step along the
+    // clearest branch costs 12 % of one through leaves.
+    float follow;
+    // Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
+    float outside;
+    // How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
+    float centre;
+    // How much more a step costs that leads back towards the base and down than one that leads away from
+    // it and up, 0 to 10. Default 0.6.
+    float outwards;
+    // How much less than a step through leaves one costs along a path found before, 0 (paths do not
+    // attract each other) to 0.9. Default 0.3.
+    float join;
+    // Passes of smoothing over paths of working pixels, 0 to 1000. Default 12.
+    uint32_t smoothing;
+    // Distance between nodes as a share of the tree's height, 0.001 to 0.5. Default 0.02.
+    float spacing;
+    // Side branches shorter than this share of the tree's height are left out, 0 to 0.5. Default 0.05.
+    float stub;
+    // 0.
+    uint32_t reserved;
+} tree_livewire_params;
+
+// What livewire found.
+typedef struct tree_livewire_report {
+    // `sizeof(tree_livewire_report)`.
+    size_t struct_size;
+    // Seeds that were not finite and left out.
+    uint32_t n_bad_seeds;
+    // Seeds outside the picture, moved to its border.
+    uint32_t n_moved_seeds;
+    // Side branches left out as stubs.
+    uint32_t n_stubs;
+    // Tips of the graph.
+    uint32_t n_tips;
+    // Share of the paths' length that runs outside the tree, 0 to 1: gaps that were bridged.
+    float outside;
+    // How clearly the picture shows branches along the paths, 0 (arbitrary) to 1.
+    float evidence;
+    // Width of the trunk at its foot in pixels; 0 where no trunk is seen.
+    float trunk_width;
+    // 0.
+    uint32_t reserved;
+} tree_livewire_report;
+
+// Which points of the silhouette may be seeds. Begin with `tree_seed_params_init`.
+typedef struct tree_seed_params {
+    // `sizeof(tree_seed_params)`.
+    size_t struct_size;
+    // Distance that seeds keep from the trunk as a share of the tree's height, 0 to 1. Default 0.08.
+    float from_trunk;
+    // Lowest height of a seed over the base as a share of the tree's height, -1 to 1. Default 0.05: what
+    // hangs lower is left out.
+    float lowest;
+    // How far the silhouette may face down at a seed, 0 (aside) to 1 (straight down). Default 0.8.
+    float downwards;
+    // 0.
+    uint32_t reserved;
+} tree_seed_params;
+
+// A view of a matte. Pixel 0 is at the top left; its area runs from (0, 0) to (1, 1), so its centre is
+// (0.5, 0.5), as everywhere where pixels are counted with fractions.
+typedef struct tree_matte_columns {
+    // `sizeof(tree_matte_columns)`.
     size_t struct_size;
     // Width in pixels.
     uint32_t width;
     // Height in pixels.
     uint32_t height;
-    // One byte for each pixel, rows from top to bottom: 0 is empty, 255 is full.
-    const uint8_t *coverage;
+    // One float for each pixel, rows from top to bottom: 0 is empty, 1 is full.
+    const float *alpha;
     // Number of pixels: `width * height`.
     size_t n_pixels;
     // Covered area in pixels.
     double area;
-} tree_mask_columns;
+} tree_matte_columns;
+
+// What matting with a trimap did.
+typedef struct tree_natural_report {
+    // `sizeof(tree_natural_report)`.
+    size_t struct_size;
+    // Pixels that the trimap leaves unknown, at the size at which alpha was solved for.
+    uint64_t n_unknown;
+    // Of them, pixels marked by their colour.
+    uint64_t n_marked;
+    // That size: width and height in pixels.
+    uint32_t size[2];
+    // Iterations at that size; coarser ones cost little.
+    uint32_t iterations;
+    // What is left of the right side, as a share.
+    float residual;
+} tree_natural_report;
+
+// Colour of the screen behind a tree: one of the `TREE_SCREEN_` constants.
+typedef uint32_t tree_screen_color;
+
+// How a screen is found. Begin with `tree_screen_params_init`.
+typedef struct tree_screen_params {
+    // `sizeof(tree_screen_params)`.
+    size_t struct_size;
+    // Colour of the screen. Default `TREE_SCREEN_BLUE`.
+    tree_screen_color color;
+    // How fast alpha falls with the surplus of the screen's colour, 0 to 100. 1 over the surplus of the bare
+    // screen makes that fully transparent. Default 2.
+    float gain;
+    // How much of the screen's colour a pixel of the tree may hold for each part of the other one (green
+    // for blue, blue for green), 0 to 10. Default 1.
+    float balance;
+    // 0.
+    uint32_t reserved;
+} tree_screen_params;
+
+// How a tree is told from a picture without it. Begin with `tree_difference_params_init`.
+typedef struct tree_difference_params {
+    // `sizeof(tree_difference_params)`.
+    size_t struct_size;
+    // Difference of colours at which a pixel is half tree: distance in the RGB cube of side 1, 0 to 2.
+    // Default 0.15.
+    float threshold;
+    // Width of the soft step around the threshold, 0 (hard) to 2. Default 0.15.
+    float softness;
+} tree_difference_params;
 
 // A view of a picture's pixels.
 typedef struct tree_pixels {
@@ -2457,6 +2855,24 @@ typedef struct tree_pixels {
     // Number of bytes: `4 * width * height`.
     size_t n_bytes;
 } tree_pixels;
+
+// A camera as renderers want it: what it shows is what `tree_particle_camera_project` gives.
+typedef struct tree_particle_stand {
+    // `sizeof(tree_particle_stand)`.
+    size_t struct_size;
+    // Where it stands, in metres. A parallel one stands far enough off.
+    float eye[3];
+    // What is in the middle of the picture.
+    float target[3];
+    // Which way is up.
+    float up[3];
+    // Vertical field of view in radians; 0 for parallel projection.
+    float fov;
+    // Height of the picture in metres, at the target.
+    float height;
+    // 0.
+    uint32_t reserved;
+} tree_particle_stand;
 
 // How a camera is placed: one of the `TREE_CAMERA_` constants.
 typedef uint32_t tree_camera;
@@ -2499,6 +2915,114 @@ typedef struct tree_view {
     // 0.
     uint32_t reserved;
 } tree_view;
+
+// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
+// `starts[i + 1]`. Set `struct_size` first.
+typedef struct tree_strokes_columns {
+    // `sizeof(tree_strokes_columns)`.
+    size_t struct_size;
+    // Number of strokes.
+    size_t n_strokes;
+    // `n_strokes + 1` numbers: 0 first, none below the one before it, `n_points` last. NULL for no strokes.
+    const uint64_t *starts;
+    // Number of points of all strokes.
+    size_t n_points;
+    // Two floats for each point, in pixels from the top left of the picture.
+    const float *points;
+} tree_strokes_columns;
+
+// A scribble over a photograph. Begin with `tree_trimap_stroke_init`.
+typedef struct tree_trimap_stroke {
+    // `sizeof(tree_trimap_stroke)`.
+    size_t struct_size;
+    // Its course: two floats for each point, in pixels from the top left corner. One point makes a dot.
+    const float *points;
+    // Number of points. Default 0.
+    size_t n_points;
+    // Its width in pixels, above 0 to 1e6. Default 1.
+    float width;
+    // Whether it marks the tree; otherwise the background. Default 0.
+    uint32_t foreground;
+} tree_trimap_stroke;
+
+// Colours picked from a photograph. Begin with `tree_color_samples_init`.
+typedef struct tree_color_samples {
+    // `sizeof(tree_color_samples)`.
+    size_t struct_size;
+    // Colours of the tree: three bytes each, red, green and blue (sRGB).
+    const uint8_t *foreground;
+    // Number of colours of the tree; at least 1.
+    size_t n_foreground;
+    // Colours of the background.
+    const uint8_t *background;
+    // Number of colours of the background; at least 1.
+    size_t n_background;
+    // Pixels within this distance of a sample are known: a distance in the RGB cube of side 255, 0 to 442.
+    // Default 24.
+    float tolerance;
+    // 0.
+    uint32_t reserved;
+} tree_color_samples;
+
+// A view of a trimap.
+typedef struct tree_trimap_columns {
+    // `sizeof(tree_trimap_columns)`.
+    size_t struct_size;
+    // Width in pixels.
+    uint32_t width;
+    // Height in pixels.
+    uint32_t height;
+    // A `TREE_LEVEL_` constant for each pixel, rows from top to bottom.
+    const uint8_t *levels;
+    // Number of pixels: `width * height`.
+    size_t n_pixels;
+    // Pixels that are certainly not the tree.
+    size_t n_background;
+    // Pixels to be found.
+    size_t n_unknown;
+    // Pixels that are certainly the tree.
+    size_t n_foreground;
+} tree_trimap_columns;
+
+// What the host runs on one of its threads: `run(worker)`, once. It returns when the pool is freed.
+typedef void (*tree_worker_fn)(void *worker);
+
+// Asks the host for a thread that calls `run(worker)`, on any thread but the asking one. Returns 0 when
+// it will, anything else when it cannot (then `run` must not be called).
+typedef int32_t (*tree_spawn_fn)(void *user, tree_worker_fn run, void *worker);
+
+// Which threads a pool has. Begin with `tree_pool_options_init`.
+typedef struct tree_pool_options {
+    // `sizeof(tree_pool_options)`.
+    size_t struct_size;
+    // Number of threads, at most 1024. Default 0: one for each core.
+    uint32_t n_threads;
+    // 0.
+    uint32_t reserved;
+    // Bytes of stack of each thread that the library starts. Default 0: the system's.
+    size_t stack_size;
+    // Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
+    // the pool's whole life. Default NULL: the library starts threads.
+    tree_spawn_fn spawn;
+    // Handed to `spawn`.
+    void *user;
+} tree_pool_options;
+
+// A view of a mask.
+typedef struct tree_mask_columns {
+    // `sizeof(tree_mask_columns)`.
+    size_t struct_size;
+    // Width in pixels.
+    uint32_t width;
+    // Height in pixels.
+    uint32_t height;
+    // One byte for each pixel, rows from top to bottom: 0 is empty, 255 is full.
+    const uint8_t *coverage;
+    // Number of pixels: `width * height`.
+    size_t n_pixels;
+    // Covered area in pixels.
+    double area;
+} tree_mask_columns;
 
 // What is behind the mesh, and the light that comes from there: one of the `TREE_BACKDROP_` constants.
 typedef uint32_t tree_backdrop;
@@ -3126,10 +3650,8 @@ tree_status tree_foliage_preset(const char *name,
                                 struct tree_twig_params *twigs,
                                 struct tree_str *leaf_kind);
 
-// Views the numbers: where they begin and how many there are, one for each node of the new skeleton.
-tree_status tree_rows_view(const struct tree_rows *rows,
-                           const uint32_t **first,
-                           size_t *n);
+// Views the numbers: where they begin and how many there are.
+tree_status tree_rows_view(const struct tree_rows *rows, const uint32_t **first, size_t *n);
 
 // Frees the numbers.
 tree_status tree_rows_free(struct tree_rows *rows);
@@ -3919,6 +4441,476 @@ tree_status tree_obstacle_is_free(const struct tree_volume *obstacle,
                                   const float *a,
                                   const float *b,
                                   uint32_t *is_free);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_align_params_init(struct tree_align_params *params, size_t size);
+
+// Warnings as lines of text, one for each of `n_warnings`. Free them with `tree_lines_free`.
+tree_status tree_align_warnings_text(const struct tree_align_warning *warnings,
+                                     size_t n_warnings,
+                                     struct tree_lines **lines);
+
+// Finds the tree's base and top in a matte, and so its camera: a first arrangement, which says where it may
+// be wrong; a camera written by hand does as well. `params`, `control` and `report` may be NULL; set
+// `camera->struct_size` first. `TREE_ERROR_NO_RESULT` when nothing or everything is covered, the tree is
+// less than two rows high, or a camera of this pitch and field of view cannot see a tree so.
+tree_status tree_align(const struct tree_matte *matte,
+                       const struct tree_align_params *params,
+                       const struct tree_control *control,
+                       struct tree_particle_camera *camera,
+                       struct tree_align_report *report);
+
+// Several views of one tree, made consistent: each gets the scale that makes its tree `height` metres high,
+// 0.01 to 1000, so that tops and bases coincide. `mattes` and `params` have one for each of `n_views`, 1 to
+// 1000; the heights in `params` are not used. `control` may be NULL. Free the result with
+// `tree_aligned_free`. Errors as for `tree_align`; the text names the view.
+tree_status tree_align_all(const struct tree_matte *const *mattes,
+                           const struct tree_align_params *params,
+                           size_t n_views,
+                           float height,
+                           const struct tree_control *control,
+                           struct tree_aligned **aligned);
+
+// The number of views.
+tree_status tree_aligned_count(const struct tree_aligned *aligned, size_t *n_views);
+
+// The camera of one view, and what was found there. `report` may be NULL; set `camera->struct_size` first.
+// `TREE_ERROR_PARAMETER` for an index that names no view.
+tree_status tree_aligned_camera(const struct tree_aligned *aligned,
+                                size_t index,
+                                struct tree_particle_camera *camera,
+                                struct tree_align_report *report);
+
+// Views what disagrees between the views: where the warnings begin and how many there are.
+// `tree_align_warnings_text` puts them into words.
+tree_status tree_aligned_warnings(const struct tree_aligned *aligned,
+                                  const struct tree_align_warning **warnings,
+                                  size_t *n_warnings);
+
+// Frees cameras of views.
+tree_status tree_aligned_free(struct tree_aligned *aligned);
+
+// Makes a graph of columns, which are copied. `control` may be NULL; `nodes` of its limits counts. Free
+// the graph with `tree_attractor_free`. `TREE_ERROR_INVALID` where a parent does not come before its node.
+tree_status tree_attractor_from_columns(const struct tree_attractor_columns *columns,
+                                        const struct tree_control *control,
+                                        struct tree_attractor **attractor);
+
+// Views the columns of a graph. Set `columns->struct_size` first.
+tree_status tree_attractor_view(const struct tree_attractor *attractor,
+                                struct tree_attractor_columns *columns);
+
+// The point of a graph nearest to `at_pixel`, two floats in pixels from the top left. Set
+// `nearest->struct_size` first; `nearest->found` says whether there is one.
+tree_status tree_attractor_nearest(const struct tree_attractor *attractor,
+                                   const float *at_pixel,
+                                   struct tree_attractor_nearest_point *nearest);
+
+// Length of all segments together, in pixels.
+tree_status tree_attractor_length(const struct tree_attractor *attractor, float *length);
+
+// The nodes that none leads to, roots without children included. Free them with `tree_rows_free`.
+tree_status tree_attractor_tips(const struct tree_attractor *attractor, struct tree_rows **tips);
+
+// The graph drawn over a photograph or any other picture of the same size, with lines of `width` pixels
+// in a colour `0xRRGGBBAA`. Free the new photograph with `tree_photo_free`.
+tree_status tree_attractor_draw(const struct tree_attractor *attractor,
+                                const struct tree_photo *photo,
+                                float width,
+                                uint32_t rgba,
+                                struct tree_photo **drawn);
+
+// Frees a graph. What was made of it lives on.
+tree_status tree_attractor_free(struct tree_attractor *attractor);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_automatic_params_init(struct tree_automatic_params *params, size_t size);
+
+// The matte of a photograph of a tree against sky; of one with alpha, its alpha. `params`, `control` and
+// `report` may be NULL. `trimap`, which may be NULL, gets the trimap that was made, at a size of its own: to
+// look at, or to draw over and hand to `tree_matte_natural`. It gets NULL where the photograph has alpha.
+// `warnings`, which may be NULL, gets lines on what the result may suffer from. Free them with
+// `tree_lines_free`, the trimap with `tree_trimap_free` and the matte with `tree_matte_free`.
+// `TREE_ERROR_NO_RESULT` when no sky or nothing that could be a tree is found.
+tree_status tree_matte_automatic(const struct tree_photo *photo,
+                                 const struct tree_automatic_params *params,
+                                 const struct tree_control *control,
+                                 struct tree_automatic_report *report,
+                                 struct tree_trimap **trimap,
+                                 struct tree_lines **warnings,
+                                 struct tree_matte **matte);
+
+// Makes `camera`, of `size` bytes, the default.
+tree_status tree_particle_camera_init(struct tree_particle_camera *camera, size_t size);
+
+// Checks all numbers of a camera: `TREE_ERROR_PARAMETER` names the one out of range.
+tree_status tree_particle_camera_check(const struct tree_particle_camera *camera);
+
+// The directions of a camera in the world, as unit vectors: `right` in the picture, always horizontal,
+// `up` in it, and `forward` into it.
+tree_status tree_particle_camera_frame(const struct tree_particle_camera *camera,
+                                       float (*right)[3],
+                                       float (*up)[3],
+                                       float (*forward)[3]);
+
+// A copy of a photograph with `n_marks` marks drawn over it, in their order. `control` may be NULL;
+// `nodes` of its limits caps the marks. Free the new photograph with `tree_photo_free`.
+tree_status tree_photo_draw(const struct tree_photo *photo,
+                            const struct tree_mark *marks,
+                            size_t n_marks,
+                            const struct tree_control *control,
+                            struct tree_photo **drawn);
+
+// A photograph of one colour all over, `0xRRGGBBAA`, to draw on. `control` may be NULL; only its limits
+// matter. Free the photograph with `tree_photo_free`.
+tree_status tree_photo_blank(uint32_t width,
+                             uint32_t height,
+                             uint32_t rgba,
+                             const struct tree_control *control,
+                             struct tree_photo **photo);
+
+// A matte in grey, white where the tree covers, to draw on. Free the photograph with `tree_photo_free`.
+tree_status tree_photo_of_matte(const struct tree_matte *matte,
+                                struct tree_photo **photo);
+
+// A new graph with one more stroke of `n_points` points, two floats each in pixels, joined where it is
+// nearest. On an empty graph the stroke's lowest point becomes the root. `params`, `control` and `report`
+// may be NULL. `gap`, which may be NULL, gets the gap in pixels that was closed; NaN where the stroke was left
+// out. Free the new graph with `tree_attractor_free`.
+tree_status tree_attractor_add_stroke(const struct tree_attractor *attractor,
+                                      const float *stroke,
+                                      size_t n_points,
+                                      const struct tree_stroke_params *params,
+                                      const struct tree_control *control,
+                                      struct tree_stroke_report *report,
+                                      float *gap,
+                                      struct tree_attractor **changed);
+
+// A new graph without the segments that come within `radius` pixels (0 to 1e9) of an eraser's path of
+// `n_points` points, two floats each in pixels; one point is a dab. Points that are not finite are left
+// out. Roots stay. `cut_off` is a `TREE_CUT_OFF_` constant; `report` may be NULL. Free the new graph with
+// `tree_attractor_free`.
+tree_status tree_attractor_erase(const struct tree_attractor *attractor,
+                                 const float *eraser,
+                                 size_t n_points,
+                                 float radius,
+                                 tree_cut_off cut_off,
+                                 struct tree_erase_report *report,
+                                 struct tree_attractor **changed);
+
+// A new graph with everything within `radius` pixels (0 to 1e9) of `at_pixel` moved by `by_pixels`, less the
+// farther it is; both are two floats. Roots stay where they are. Free the new graph with
+// `tree_attractor_free`.
+tree_status tree_attractor_move_near(const struct tree_attractor *attractor,
+                                     const float *at_pixel,
+                                     const float *by_pixels,
+                                     float radius,
+                                     struct tree_attractor **changed);
+
+// A new graph with left and right exchanged, in a picture `width` pixels wide. Free it with
+// `tree_attractor_free`.
+tree_status tree_attractor_mirrored(const struct tree_attractor *attractor,
+                                    float width,
+                                    struct tree_attractor **changed);
+
+// Views the lines: where they begin and how many there are. Valid until `tree_lines_free`.
+tree_status tree_lines_view(const struct tree_lines *lines,
+                            const struct tree_str **texts,
+                            size_t *n_texts);
+
+// Frees lines of text.
+tree_status tree_lines_free(struct tree_lines *lines);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_livewire_params_init(struct tree_livewire_params *params, size_t size);
+
+// Finds paths from every seed to the base through what a photograph and its matte show, and joins them:
+// main branches as least-cost paths. `photo` may be NULL: then the matte alone is looked at. `base_pixel`
+// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_silhouette_seeds`, or
+// what a person clicked on. The root of the graph is at the base, its tips are at the seeds; without seeds the
+// graph is the base alone. `params`, `control` and `report` may be NULL. Free the graph with
+// `tree_attractor_free`. `TREE_ERROR_NO_RESULT` where the matte is empty, or the photograph is of another
+// size.
+tree_status tree_attractor_livewire(const struct tree_matte *matte,
+                                    const struct tree_photo *photo,
+                                    const float *base_pixel,
+                                    const float *seeds,
+                                    size_t n_seeds,
+                                    const struct tree_livewire_params *params,
+                                    const struct tree_control *control,
+                                    struct tree_livewire_report *report,
+                                    struct tree_attractor **attractor);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_seed_params_init(struct tree_seed_params *params, size_t size);
+
+// Up to `most` points (100,000 at most) on the silhouette of the crown, evenly spread, other ones for every
+// `seed`: two floats each in pixels into `seeds`, and their number into `n_seeds`. `capacity`, in floats,
+// must be twice the number found or more: `2 * most` is enough. `base_pixel`, two floats, is the tree's base.
+// `params` and `control` may be NULL. `TREE_ERROR_NO_RESULT` where the matte is empty.
+tree_status tree_silhouette_seeds(const struct tree_matte *matte,
+                                  const float *base_pixel,
+                                  uint32_t most,
+                                  const struct tree_seed_params *params,
+                                  uint64_t seed,
+                                  const struct tree_control *control,
+                                  float *seeds,
+                                  size_t capacity,
+                                  size_t *n_seeds);
+
+// Makes a matte of `width * height` floats, which are copied, rows from top to bottom; clamped to 0 to 1,
+// not NaN. `control` may be NULL; only its limits matter. Free the matte with `tree_matte_free`.
+tree_status tree_matte_from_alpha(uint32_t width,
+                                  uint32_t height,
+                                  const float *alpha,
+                                  size_t n_pixels,
+                                  const struct tree_control *control,
+                                  struct tree_matte **matte);
+
+// The alpha of a photograph as a matte. Free it with `tree_matte_free`. `TREE_ERROR_NO_RESULT` where all
+// pixels are opaque or all transparent.
+tree_status tree_matte_of_photo(const struct tree_photo *photo,
+                                struct tree_matte **matte);
+
+// Views a matte. Set `columns->struct_size` first.
+tree_status tree_matte_view(const struct tree_matte *matte, struct tree_matte_columns *columns);
+
+// Writes the values at `n_spots` points of a matte, two floats each in pixels from the top left, between
+// pixel centres by bilinear interpolation; 0 outside. `capacity` must be `n_spots` or more. `control` may
+// be NULL; `nodes` of its limits caps the points.
+tree_status tree_matte_sample(const struct tree_matte *matte,
+                              const float *spots,
+                              size_t n_spots,
+                              const struct tree_control *control,
+                              float *values,
+                              size_t capacity);
+
+// A matte with left and right exchanged. Free it with `tree_matte_free`.
+tree_status tree_matte_mirrored(const struct tree_matte *matte, struct tree_matte **mirrored);
+
+// A view mirrored and a quarter turn round: what a tree may look like from its side, where there is one
+// photograph only. `photo` may be NULL, and `turned_photo` too, which gets NULL without a photograph. Set
+// `turned_camera->struct_size` first. Free what comes out with `tree_photo_free` and `tree_matte_free`.
+tree_status tree_matte_turned(const struct tree_matte *matte,
+                              const struct tree_photo *photo,
+                              const struct tree_particle_camera *camera,
+                              struct tree_particle_camera *turned_camera,
+                              struct tree_photo **turned_photo,
+                              struct tree_matte **turned);
+
+// A matte as a PNG file in memory: grey, black for 0 and white for 1. Free it with `tree_bytes_free`.
+tree_status tree_matte_to_png(const struct tree_matte *matte,
+                              struct tree_bytes **bytes);
+
+// Writes a matte to a PNG file, as `tree_matte_to_png`, whole or not at all. The path, in UTF-8, has
+// `path_len` bytes, or ends with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
+tree_status tree_matte_write_png(const struct tree_matte *matte,
+                                 const char *path,
+                                 size_t path_len);
+
+// Frees a matte. What was made of it lives on.
+tree_status tree_matte_free(struct tree_matte *matte);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_natural_params_init(struct tree_natural_params *params, size_t size);
+
+// The matte of a photograph of which a trimap is known, by closed-form matting. A trimap of another size is
+// sampled when its proportions agree within 2 %. Known pixels keep their alpha; an alpha channel of the
+// photograph is ignored. `params`, `control` and `report` may be NULL. `warnings`, which may be NULL, gets
+// lines on what the result may suffer from; free them with `tree_lines_free`, and the matte with
+// `tree_matte_free`. `TREE_ERROR_NO_RESULT` when the trimap does not fit, or knows no tree or no background.
+tree_status tree_matte_natural(const struct tree_photo *photo,
+                               const struct tree_trimap *trimap,
+                               const struct tree_natural_params *params,
+                               const struct tree_control *control,
+                               struct tree_natural_report *report,
+                               struct tree_lines **warnings,
+                               struct tree_matte **matte);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_screen_params_init(struct tree_screen_params *params, size_t size);
+
+// The matte of a photograph taken before a blue or green screen. Its own alpha is ignored. `params` and
+// `control` may be NULL. Free the matte with `tree_matte_free`.
+tree_status tree_matte_screen(const struct tree_photo *photo,
+                              const struct tree_screen_params *params,
+                              const struct tree_control *control,
+                              struct tree_matte **matte);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_difference_params_init(struct tree_difference_params *params, size_t size);
+
+// The matte of a photograph of which `plate` shows the same view without the tree: the tree is where both
+// differ. Their own alpha is ignored. `params` and `control` may be NULL. Free the matte with
+// `tree_matte_free`. `TREE_ERROR_NO_RESULT` when the photographs differ in size.
+tree_status tree_matte_difference(const struct tree_photo *photo,
+                                  const struct tree_photo *plate,
+                                  const struct tree_difference_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_matte **matte);
+
+// Makes a photograph of `4 * width * height` bytes of a program's own, which are copied: red, green, blue
+// and alpha for each pixel, rows from top to bottom. `control` may be NULL; only its limits matter. Free
+// the photograph with `tree_photo_free`.
+tree_status tree_photo_from_pixels(uint32_t width,
+                                   uint32_t height,
+                                   const uint8_t *pixels,
+                                   size_t n_bytes,
+                                   const struct tree_control *control,
+                                   struct tree_photo **photo);
+
+// Reads a PNG or JPEG file, recognised by its content. A photograph is turned upright as its camera noted.
+// `control` may be NULL; `input_bytes` and `pixels` of its limits are looked at before the picture is
+// decoded. Free the photograph with `tree_photo_free`. `TREE_ERROR_FORMAT` for what is no such picture.
+tree_status tree_photo_read(const char *path,
+                            size_t path_len,
+                            const struct tree_control *control,
+                            struct tree_photo **photo);
+
+// As `tree_photo_read`, of a file held in memory: `len` bytes from `data` on, which are not kept.
+tree_status tree_photo_from_bytes(const uint8_t *data,
+                                  size_t len,
+                                  const struct tree_control *control,
+                                  struct tree_photo **photo);
+
+// Views a photograph's pixels, and says how large it is. Set `pixels->struct_size` first.
+tree_status tree_photo_view(const struct tree_photo *photo, struct tree_pixels *pixels);
+
+// Whether any pixel is not fully opaque: 1 or 0.
+tree_status tree_photo_has_alpha(const struct tree_photo *photo, uint32_t *is_translucent);
+
+// A photograph with left and right exchanged. Free it with `tree_photo_free`.
+tree_status tree_photo_mirrored(const struct tree_photo *photo, struct tree_photo **mirrored);
+
+// A photograph as a PNG file in memory, with alpha. Free it with `tree_bytes_free`.
+tree_status tree_photo_to_png(const struct tree_photo *photo, struct tree_bytes **bytes);
+
+// Writes a photograph to a PNG file, with alpha, whole or not at all. The path, in UTF-8, has `path_len`
+// bytes, or ends with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
+tree_status tree_photo_write_png(const struct tree_photo *photo,
+                                 const char *path,
+                                 size_t path_len);
+
+// Frees a photograph. What was made of it lives on.
+tree_status tree_photo_free(struct tree_photo *photo);
+
+// Writes the pixels that `n_points` points of the world fall on, of three floats each in metres: two floats
+// for each, in pixels from the top left; NaN behind the camera or beside it. `capacity`, in floats, must be
+// `2 * n_points` or more. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_particle_camera_project(const struct tree_particle_camera *camera,
+                                         const float *points,
+                                         size_t n_points,
+                                         const struct tree_control *control,
+                                         float *spots,
+                                         size_t capacity);
+
+// Writes for each of `n_points` points of the world, three floats each in metres, how many metres a pixel
+// is at its depth. `capacity` must be `n_points` or more. `control` as for `tree_particle_camera_project`.
+tree_status tree_particle_camera_pixel_sizes(const struct tree_particle_camera *camera,
+                                             const float *points,
+                                             size_t n_points,
+                                             const struct tree_control *control,
+                                             float *sizes,
+                                             size_t capacity);
+
+// Writes the rays through `n_spots` points of the picture, two floats each in pixels from the top left: six
+// floats for each, a point on it in metres and its unit direction. In perspective the point is where the
+// camera stands, in parallel projection it lies on the plane through the base. `capacity`, in floats, must
+// be `6 * n_spots` or more. `control` as for `tree_particle_camera_project`.
+tree_status tree_particle_camera_rays(const struct tree_particle_camera *camera,
+                                      const float *spots,
+                                      size_t n_spots,
+                                      const struct tree_control *control,
+                                      float *rays,
+                                      size_t capacity);
+
+// The camera for a renderer, to draw the tree as the photograph shows it. Set `stand->struct_size` first.
+tree_status tree_particle_camera_stand(const struct tree_particle_camera *camera,
+                                       struct tree_particle_stand *stand);
+
+// The same as a view for `tree_render` and `tree_render_mask`: of the photograph's size, with the camera
+// placed; everything else is the default. Set `view->struct_size` first.
+tree_status tree_particle_camera_view(const struct tree_particle_camera *camera,
+                                      struct tree_view *view);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_stroke_params_init(struct tree_stroke_params *params, size_t size);
+
+// Makes a graph of strokes that a person drew, whose root is at `base_pixel`, two floats. `params`,
+// `control` and `report` may be NULL; `nodes` of the limits caps the points. `gaps`, which may be NULL, gets
+// for each stroke the gap in pixels that was closed, NaN where the stroke was left out; `capacity` must be the
+// number of strokes or more. Free the graph with `tree_attractor_free`.
+tree_status tree_attractor_from_strokes(const struct tree_strokes_columns *columns,
+                                        const float *base_pixel,
+                                        const struct tree_stroke_params *params,
+                                        const struct tree_control *control,
+                                        struct tree_stroke_report *report,
+                                        float *gaps,
+                                        size_t capacity,
+                                        struct tree_attractor **attractor);
+
+// Reads the strokes of an SVG drawing made over a picture of `width` x `height` pixels, 1 to 1e6 each: `svg`
+// of `len` bytes or `TREE_NUL_TERMINATED`. Every path, line and polyline with its transforms is one, a
+// closed shape is a loop. The drawing's view box (or its width and height) is stretched to the picture;
+// without either its units are pixels. `control` may be NULL. Free the strokes with `tree_strokes_free`.
+// `TREE_ERROR_FORMAT` when the text is no SVG or draws nothing.
+tree_status tree_strokes_from_svg(const char *svg,
+                                  size_t len,
+                                  float width,
+                                  float height,
+                                  const struct tree_control *control,
+                                  struct tree_strokes **strokes);
+
+// Views strokes, as `tree_attractor_from_strokes` takes them. Set `columns->struct_size` first.
+tree_status tree_strokes_view(const struct tree_strokes *strokes,
+                              struct tree_strokes_columns *columns);
+
+// Frees strokes.
+tree_status tree_strokes_free(struct tree_strokes *strokes);
+
+// Makes a trimap of `width * height` bytes, each a `TREE_LEVEL_` constant, rows from top to bottom.
+// `control` may be NULL; only its limits matter. Free the trimap with `tree_trimap_free`.
+tree_status tree_trimap_from_levels(uint32_t width,
+                                    uint32_t height,
+                                    const uint8_t *levels,
+                                    size_t n_pixels,
+                                    const struct tree_control *control,
+                                    struct tree_trimap **trimap);
+
+// Reads a drawn trimap: black is background, white the tree, grey (and transparent) unknown. Free the
+// trimap with `tree_trimap_free`.
+tree_status tree_trimap_of_photo(const struct tree_photo *photo,
+                                 struct tree_trimap **trimap);
+
+// Makes `stroke`, of `size` bytes, the default: one without points.
+tree_status tree_trimap_stroke_init(struct tree_trimap_stroke *stroke, size_t size);
+
+// Paints `n_strokes` strokes, in their order, over a trimap of `width` x `height` pixels of which nothing is
+// known. `control` may be NULL; `pixels` of its limits caps the trimap, `nodes` the points of a stroke. Free
+// the trimap with `tree_trimap_free`.
+tree_status tree_trimap_from_strokes(uint32_t width,
+                                     uint32_t height,
+                                     const struct tree_trimap_stroke *strokes,
+                                     size_t n_strokes,
+                                     const struct tree_control *control,
+                                     struct tree_trimap **trimap);
+
+// Makes `samples`, of `size` bytes, the default: no colours.
+tree_status tree_color_samples_init(struct tree_color_samples *samples, size_t size);
+
+// Marks the pixels of a photograph that look like one of the sampled colours; where both sides do, the
+// nearer sample decides. `control` may be NULL; `nodes` of its limits caps the samples. Free the trimap
+// with `tree_trimap_free`. `TREE_ERROR_INVALID` when either side has no sample.
+tree_status tree_trimap_from_colors(const struct tree_photo *photo,
+                                    const struct tree_color_samples *samples,
+                                    const struct tree_control *control,
+                                    struct tree_trimap **trimap);
+
+// Views a trimap. Set `columns->struct_size` first.
+tree_status tree_trimap_view(const struct tree_trimap *trimap, struct tree_trimap_columns *columns);
+
+// Frees a trimap.
+tree_status tree_trimap_free(struct tree_trimap *trimap);
 
 // Makes `options`, of `size` bytes, the default.
 tree_status tree_pool_options_init(struct tree_pool_options *options, size_t size);

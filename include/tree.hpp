@@ -390,6 +390,8 @@ inline void rethrow(const Field &field) { field.rethrow(); }
 
 } // namespace detail
 
+class Aligned;
+class Attractor;
 class Axes;
 class Bytes;
 class Cancel;
@@ -401,10 +403,13 @@ class GltfLeaves;
 class Graph;
 class GraphNodes;
 class LeafModel;
+class Lines;
 class Look;
 class Mask;
+class Matte;
 class Mesh;
 class Packed;
+class Photo;
 class Picture;
 class Pieces;
 class Pool;
@@ -412,14 +417,23 @@ class Profile;
 class Rows;
 class Separation;
 class Skeleton;
+class Strokes;
 class Swc;
 class Texture;
 class Tree;
+class Trimap;
 class Twigs;
 class Unpacked;
 class Volume;
 class WindBranches;
+struct AlignParams;
+struct AlignReport;
+using AlignWarning = tree_align_warning;
 struct Allocator;
+struct AttractorColumns;
+struct AttractorNearestPoint;
+struct AutomaticParams;
+struct AutomaticReport;
 struct AxisColumns;
 using BarkPatches = tree_bark_patches;
 struct BarkStyle;
@@ -428,9 +442,12 @@ struct BranchMotion;
 using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
+struct ColorSamples;
 struct ConventionTraits;
 struct CrossingPairs;
+struct DifferenceParams;
 struct DisplaceParams;
+struct EraseReport;
 struct Foliage;
 struct GlbOptions;
 struct GltfAttribute;
@@ -453,17 +470,25 @@ struct LeafReport;
 struct LeafShape;
 struct Limits;
 struct LinkParams;
+struct LivewireParams;
+struct LivewireReport;
+using Mark = tree_mark;
 struct MaskColumns;
 struct Material;
+struct MatteColumns;
 struct MeshParams;
 struct MeshPart;
 struct MeshReport;
 struct MeshTotals;
+struct NaturalParams;
+struct NaturalReport;
 struct OcclusionParams;
 struct PackedColumns;
 using PackedVertex = tree_packed_vertex;
 struct PackedVertices;
 struct Paint;
+struct ParticleCamera;
+struct ParticleStand;
 struct PathLevel;
 using PathLevelReport = tree_path_level_report;
 struct PathParams;
@@ -477,6 +502,8 @@ struct PoolOptions;
 struct ProfileColumns;
 struct ProfileOptions;
 struct RadiusRule;
+struct ScreenParams;
+struct SeedParams;
 struct SeparationColumns;
 struct SkeletonColumns;
 struct SkeletonizeParams;
@@ -485,6 +512,9 @@ struct Solid;
 struct Species;
 using Stream = tree_stream;
 struct StrewParams;
+struct StrokeParams;
+struct StrokeReport;
+struct StrokesColumns;
 struct Style;
 struct SubdivideParams;
 struct Surface;
@@ -492,6 +522,8 @@ struct SwcContents;
 struct SwcOptions;
 struct TexturePixels;
 struct Topology;
+struct TrimapColumns;
+struct TrimapStroke;
 struct TwigInstances;
 struct TwigParams;
 struct TwigReport;
@@ -501,8 +533,32 @@ struct View;
 struct Wind;
 using WindBranch = tree_wind_branch;
 
+struct AlignParams : tree_align_params {
+    AlignParams() : tree_align_params{} { tree_align_params_init(this, sizeof(tree_align_params)); }
+};
+
+struct AlignReport : tree_align_report {
+    AlignReport() : tree_align_report{} { struct_size = sizeof *this; }
+};
+
 struct Allocator : tree_allocator {
     Allocator() : tree_allocator{} { struct_size = sizeof *this; }
+};
+
+struct AttractorColumns : tree_attractor_columns {
+    AttractorColumns() : tree_attractor_columns{} { struct_size = sizeof *this; }
+};
+
+struct AttractorNearestPoint : tree_attractor_nearest_point {
+    AttractorNearestPoint() : tree_attractor_nearest_point{} { struct_size = sizeof *this; }
+};
+
+struct AutomaticParams : tree_automatic_params {
+    AutomaticParams() : tree_automatic_params{} { tree_automatic_params_init(this, sizeof(tree_automatic_params)); }
+};
+
+struct AutomaticReport : tree_automatic_report {
+    AutomaticReport() : tree_automatic_report{} { struct_size = sizeof *this; }
 };
 
 struct AxisColumns : tree_axis_columns {
@@ -529,6 +585,10 @@ struct CapsuleReport : tree_capsule_report {
     CapsuleReport() : tree_capsule_report{} { struct_size = sizeof *this; }
 };
 
+struct ColorSamples : tree_color_samples {
+    ColorSamples() : tree_color_samples{} { tree_color_samples_init(this, sizeof(tree_color_samples)); }
+};
+
 struct ConventionTraits : tree_convention_traits {
     ConventionTraits() : tree_convention_traits{} { struct_size = sizeof *this; }
 };
@@ -537,8 +597,16 @@ struct CrossingPairs : tree_crossing_pairs {
     CrossingPairs() : tree_crossing_pairs{} { struct_size = sizeof *this; }
 };
 
+struct DifferenceParams : tree_difference_params {
+    DifferenceParams() : tree_difference_params{} { tree_difference_params_init(this, sizeof(tree_difference_params)); }
+};
+
 struct DisplaceParams : tree_displace_params {
     DisplaceParams() : tree_displace_params{} { tree_displace_params_init(this, sizeof(tree_displace_params)); }
+};
+
+struct EraseReport : tree_erase_report {
+    EraseReport() : tree_erase_report{} { struct_size = sizeof *this; }
 };
 
 struct Foliage : tree_foliage {
@@ -635,12 +703,24 @@ struct LinkParams : tree_link_params {
     LinkParams &set_cost(const Field &&) = delete;
 };
 
+struct LivewireParams : tree_livewire_params {
+    LivewireParams() : tree_livewire_params{} { tree_livewire_params_init(this, sizeof(tree_livewire_params)); }
+};
+
+struct LivewireReport : tree_livewire_report {
+    LivewireReport() : tree_livewire_report{} { struct_size = sizeof *this; }
+};
+
 struct MaskColumns : tree_mask_columns {
     MaskColumns() : tree_mask_columns{} { struct_size = sizeof *this; }
 };
 
 struct Material : tree_material {
     Material() : tree_material{} { tree_material_init(this, sizeof(tree_material)); }
+};
+
+struct MatteColumns : tree_matte_columns {
+    MatteColumns() : tree_matte_columns{} { struct_size = sizeof *this; }
 };
 
 struct MeshParams : tree_mesh_params {
@@ -661,6 +741,14 @@ struct MeshTotals : tree_mesh_totals {
     MeshTotals() : tree_mesh_totals{} { struct_size = sizeof *this; }
 };
 
+struct NaturalParams : tree_natural_params {
+    NaturalParams() : tree_natural_params{} { tree_natural_params_init(this, sizeof(tree_natural_params)); }
+};
+
+struct NaturalReport : tree_natural_report {
+    NaturalReport() : tree_natural_report{} { struct_size = sizeof *this; }
+};
+
 struct OcclusionParams : tree_occlusion_params {
     OcclusionParams() : tree_occlusion_params{} { tree_occlusion_params_init(this, sizeof(tree_occlusion_params)); }
 };
@@ -675,6 +763,24 @@ struct PackedVertices : tree_packed_vertices {
 
 struct Paint : tree_paint {
     Paint() : tree_paint{} { tree_paint_init(this, sizeof(tree_paint)); }
+};
+
+struct ParticleCamera : tree_particle_camera {
+    ParticleCamera() : tree_particle_camera{} { tree_particle_camera_init(this, sizeof(tree_particle_camera)); }
+    bool check() const;
+    std::tuple<std::array<float, 3>, std::array<float, 3>, std::array<float, 3>> frame() const;
+    std::vector<float> project(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool project(Span<const float> points, Ref<tree_control> control, Span<float> spots) const;
+    std::vector<float> pixel_sizes(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool pixel_sizes(Span<const float> points, Ref<tree_control> control, Span<float> sizes) const;
+    std::vector<float> rays(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool rays(Span<const float> spots, Ref<tree_control> control, Span<float> rays) const;
+    ParticleStand stand() const;
+    View view() const;
+};
+
+struct ParticleStand : tree_particle_stand {
+    ParticleStand() : tree_particle_stand{} { struct_size = sizeof *this; }
 };
 
 struct PathLevel : tree_path_level {
@@ -729,6 +835,14 @@ struct RadiusRule : tree_radius_rule {
     bool check() const;
 };
 
+struct ScreenParams : tree_screen_params {
+    ScreenParams() : tree_screen_params{} { tree_screen_params_init(this, sizeof(tree_screen_params)); }
+};
+
+struct SeedParams : tree_seed_params {
+    SeedParams() : tree_seed_params{} { tree_seed_params_init(this, sizeof(tree_seed_params)); }
+};
+
 struct SeparationColumns : tree_separation_columns {
     SeparationColumns() : tree_separation_columns{} { struct_size = sizeof *this; }
 };
@@ -755,6 +869,18 @@ struct Species : tree_species {
 
 struct StrewParams : tree_strew_params {
     StrewParams() : tree_strew_params{} { tree_strew_params_init(this, sizeof(tree_strew_params)); }
+};
+
+struct StrokeParams : tree_stroke_params {
+    StrokeParams() : tree_stroke_params{} { tree_stroke_params_init(this, sizeof(tree_stroke_params)); }
+};
+
+struct StrokeReport : tree_stroke_report {
+    StrokeReport() : tree_stroke_report{} { struct_size = sizeof *this; }
+};
+
+struct StrokesColumns : tree_strokes_columns {
+    StrokesColumns() : tree_strokes_columns{} { struct_size = sizeof *this; }
 };
 
 struct Style : tree_style {
@@ -786,6 +912,14 @@ struct Topology : tree_topology {
     Topology() : tree_topology{} { struct_size = sizeof *this; }
 };
 
+struct TrimapColumns : tree_trimap_columns {
+    TrimapColumns() : tree_trimap_columns{} { struct_size = sizeof *this; }
+};
+
+struct TrimapStroke : tree_trimap_stroke {
+    TrimapStroke() : tree_trimap_stroke{} { tree_trimap_stroke_init(this, sizeof(tree_trimap_stroke)); }
+};
+
 struct TwigInstances : tree_twig_instances {
     TwigInstances() : tree_twig_instances{} { struct_size = sizeof *this; }
 };
@@ -810,6 +944,34 @@ struct View : tree_view {
 
 struct Wind : tree_wind {
     Wind() : tree_wind{} { tree_wind_init(this, sizeof(tree_wind)); }
+};
+
+class Aligned : public detail::Object<tree_aligned, tree_aligned_free> {
+public:
+    using Object::Object;
+    size_t count() const;
+    std::tuple<ParticleCamera, AlignReport> camera(size_t index) const;
+    Span<const tree_align_warning> warnings() const &;
+    Span<const tree_align_warning> warnings() const && = delete;
+};
+
+class Attractor : public detail::Object<tree_attractor, tree_attractor_free> {
+public:
+    using Object::Object;
+    static Attractor from_columns(Ref<tree_attractor_columns> columns, Ref<tree_control> control = nullptr);
+    AttractorColumns view() const &;
+    AttractorColumns view() const && = delete;
+    AttractorNearestPoint nearest(const Floats<2> &at_pixel) const;
+    float length() const;
+    Rows tips() const;
+    Photo draw(const Photo &photo, float width, uint32_t rgba) const;
+    std::tuple<float, Attractor> add_stroke(Span<const float> stroke, Ref<tree_stroke_params> params = nullptr, Ref<tree_control> control = nullptr, tree_stroke_report *report = nullptr) const;
+    Attractor erase(Span<const float> eraser, float radius, tree_cut_off cut_off, tree_erase_report *report = nullptr) const;
+    Attractor move_near(const Floats<2> &at_pixel, const Floats<2> &by_pixels, float radius) const;
+    Attractor mirrored(float width) const;
+    static Attractor livewire(const Matte &matte, Maybe<tree_photo> photo, const Floats<2> &base_pixel, Span<const float> seeds, Ref<tree_livewire_params> params = nullptr, Ref<tree_control> control = nullptr, tree_livewire_report *report = nullptr);
+    static std::tuple<std::vector<float>, Attractor> from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params = nullptr, Ref<tree_control> control = nullptr, tree_stroke_report *report = nullptr);
+    static Attractor from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report, Span<float> gaps);
 };
 
 class Axes : public detail::Object<tree_axes, tree_axes_free> {
@@ -895,6 +1057,13 @@ public:
     LeafMesh view() const && = delete;
 };
 
+class Lines : public detail::Object<tree_lines, tree_lines_free> {
+public:
+    using Object::Object;
+    Span<const tree_str> view() const &;
+    Span<const tree_str> view() const && = delete;
+};
+
 class Look : public detail::Object<tree_look, tree_look_free> {
 public:
     using Object::Object;
@@ -922,6 +1091,28 @@ public:
     std::vector<uint8_t> bits() const;
     bool bits(Span<uint8_t> bits) const;
     Picture picture() const;
+};
+
+class Matte : public detail::Object<tree_matte, tree_matte_free> {
+public:
+    using Object::Object;
+    std::tuple<ParticleCamera, AlignReport> align(Ref<tree_align_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static std::tuple<Trimap, Lines, Matte> automatic(const Photo &photo, Ref<tree_automatic_params> params = nullptr, Ref<tree_control> control = nullptr, tree_automatic_report *report = nullptr);
+    std::tuple<std::vector<float>, size_t> silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    size_t silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const;
+    static Matte from_alpha(uint32_t width, uint32_t height, Span<const float> alpha, Ref<tree_control> control = nullptr);
+    static Matte of_photo(const Photo &photo);
+    MatteColumns view() const &;
+    MatteColumns view() const && = delete;
+    std::vector<float> sample(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> spots, Ref<tree_control> control, Span<float> values) const;
+    Matte mirrored() const;
+    std::tuple<ParticleCamera, Photo, Matte> turned(Maybe<tree_photo> photo, Ref<tree_particle_camera> camera) const;
+    Bytes to_png() const;
+    bool write_png(std::string_view path) const;
+    static std::tuple<Lines, Matte> natural(const Photo &photo, const Trimap &trimap, Ref<tree_natural_params> params = nullptr, Ref<tree_control> control = nullptr, tree_natural_report *report = nullptr);
+    static Matte screen(const Photo &photo, Ref<tree_screen_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Matte difference(const Photo &photo, const Photo &plate, Ref<tree_difference_params> params = nullptr, Ref<tree_control> control = nullptr);
 };
 
 class Mesh : public detail::Object<tree_mesh, tree_mesh_free> {
@@ -986,6 +1177,23 @@ public:
     Unpacked unpack(Maybe<tree_mesh> mesh = nullptr) const;
     PackedVertices vertices_view() const &;
     PackedVertices vertices_view() const && = delete;
+};
+
+class Photo : public detail::Object<tree_photo, tree_photo_free> {
+public:
+    using Object::Object;
+    Photo draw(Span<const tree_mark> marks, Ref<tree_control> control = nullptr) const;
+    static Photo blank(uint32_t width, uint32_t height, uint32_t rgba, Ref<tree_control> control = nullptr);
+    static Photo of_matte(const Matte &matte);
+    static Photo from_pixels(uint32_t width, uint32_t height, Span<const uint8_t> pixels, Ref<tree_control> control = nullptr);
+    static Photo read(std::string_view path, Ref<tree_control> control = nullptr);
+    static Photo from_bytes(Span<const uint8_t> data, Ref<tree_control> control = nullptr);
+    Pixels view() const &;
+    Pixels view() const && = delete;
+    bool has_alpha() const;
+    Photo mirrored() const;
+    Bytes to_png() const;
+    bool write_png(std::string_view path) const;
 };
 
 class Picture : public detail::Object<tree_picture, tree_picture_free> {
@@ -1082,6 +1290,14 @@ public:
     Bytes to_swc(Ref<tree_swc_options> options = nullptr) const;
 };
 
+class Strokes : public detail::Object<tree_strokes, tree_strokes_free> {
+public:
+    using Object::Object;
+    static Strokes from_svg(std::string_view svg, float width, float height, Ref<tree_control> control = nullptr);
+    StrokesColumns view() const &;
+    StrokesColumns view() const && = delete;
+};
+
 class Swc : public detail::Object<tree_swc, tree_swc_free> {
 public:
     using Object::Object;
@@ -1119,6 +1335,17 @@ public:
     Foliage foliage() const && = delete;
     Species species() const &;
     Species species() const && = delete;
+};
+
+class Trimap : public detail::Object<tree_trimap, tree_trimap_free> {
+public:
+    using Object::Object;
+    static Trimap from_levels(uint32_t width, uint32_t height, Span<const uint8_t> levels, Ref<tree_control> control = nullptr);
+    static Trimap of_photo(const Photo &photo);
+    static Trimap from_strokes(uint32_t width, uint32_t height, Span<const tree_trimap_stroke> strokes, Ref<tree_control> control = nullptr);
+    static Trimap from_colors(const Photo &photo, Ref<tree_color_samples> samples, Ref<tree_control> control = nullptr);
+    TrimapColumns view() const &;
+    TrimapColumns view() const && = delete;
 };
 
 class Twigs : public detail::Object<tree_twigs, tree_twigs_free> {
@@ -1230,6 +1457,8 @@ size_t path_preset_count();
 std::tuple<std::string_view, std::string_view> path_preset_name(size_t index);
 float path_preset_paper_seconds(size_t index);
 PathParams path_preset(std::string_view name);
+Lines align_warnings_text(Span<const tree_align_warning> warnings);
+Aligned align_all(const Handles<tree_matte> &mattes, Span<const tree_align_params> params, float height, Ref<tree_control> control = nullptr);
 Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr);
 uint32_t abi_version();
 std::string_view version();
@@ -2019,6 +2248,336 @@ inline bool Volume::obstacle_is_free(float clearance, const Floats<3> &a, const 
     uint32_t is_free = 0;
     detail::done(tree_obstacle_is_free(get(), clearance, a, b, &is_free));
     return is_free != 0;
+}
+inline Lines align_warnings_text(Span<const tree_align_warning> warnings) {
+    Lines lines;
+    detail::done(tree_align_warnings_text(warnings.data(), warnings.size(), lines.place()));
+    return lines;
+}
+inline std::tuple<ParticleCamera, AlignReport> Matte::align(Ref<tree_align_params> params, Ref<tree_control> control) const {
+    ParticleCamera camera;
+    AlignReport report;
+    if (!(detail::done(tree_align(get(), params, control, &camera, &report), control))) { camera.struct_size = 0; report.struct_size = 0; }
+    return {std::move(camera), std::move(report)};
+}
+inline Aligned align_all(const Handles<tree_matte> &mattes, Span<const tree_align_params> params, float height, Ref<tree_control> control) {
+    Aligned aligned;
+    static_cast<void>(detail::expect(mattes.size() == params.size(), TREE_ERROR_BUFFER, "mattes and params must be of one length")
+        && detail::done(tree_align_all(mattes.data(), params.data(), mattes.size(), height, control, aligned.place()), control));
+    return aligned;
+}
+inline size_t Aligned::count() const {
+    size_t n_views{};
+    detail::done(tree_aligned_count(get(), &n_views));
+    return n_views;
+}
+inline std::tuple<ParticleCamera, AlignReport> Aligned::camera(size_t index) const {
+    ParticleCamera camera;
+    AlignReport report;
+    if (!(detail::done(tree_aligned_camera(get(), index, &camera, &report)))) { camera.struct_size = 0; report.struct_size = 0; }
+    return {std::move(camera), std::move(report)};
+}
+inline Span<const tree_align_warning> Aligned::warnings() const & {
+    const tree_align_warning *warnings = nullptr;
+    size_t n_warnings = 0;
+    detail::done(tree_aligned_warnings(get(), &warnings, &n_warnings));
+    return Span<const tree_align_warning>(warnings, n_warnings);
+}
+inline Attractor Attractor::from_columns(Ref<tree_attractor_columns> columns, Ref<tree_control> control) {
+    Attractor attractor;
+    detail::done(tree_attractor_from_columns(columns, control, attractor.place()), control);
+    return attractor;
+}
+inline AttractorColumns Attractor::view() const & {
+    AttractorColumns columns;
+    if (!(detail::done(tree_attractor_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline AttractorNearestPoint Attractor::nearest(const Floats<2> &at_pixel) const {
+    AttractorNearestPoint nearest;
+    if (!(detail::done(tree_attractor_nearest(get(), at_pixel, &nearest)))) { nearest.struct_size = 0; }
+    return nearest;
+}
+inline float Attractor::length() const {
+    float length{};
+    detail::done(tree_attractor_length(get(), &length));
+    return length;
+}
+inline Rows Attractor::tips() const {
+    Rows tips;
+    detail::done(tree_attractor_tips(get(), tips.place()));
+    return tips;
+}
+inline Photo Attractor::draw(const Photo &photo, float width, uint32_t rgba) const {
+    Photo drawn;
+    detail::done(tree_attractor_draw(get(), photo.get(), width, rgba, drawn.place()));
+    return drawn;
+}
+inline std::tuple<Trimap, Lines, Matte> Matte::automatic(const Photo &photo, Ref<tree_automatic_params> params, Ref<tree_control> control, tree_automatic_report *report) {
+    Trimap trimap;
+    Lines warnings;
+    Matte matte;
+    detail::done(tree_matte_automatic(photo.get(), params, control, report, trimap.place(), warnings.place(), matte.place()), control);
+    return {std::move(trimap), std::move(warnings), std::move(matte)};
+}
+inline bool ParticleCamera::check() const {
+    return detail::done(tree_particle_camera_check(this));
+}
+inline std::tuple<std::array<float, 3>, std::array<float, 3>, std::array<float, 3>> ParticleCamera::frame() const {
+    std::array<float, 3> right{};
+    std::array<float, 3> up{};
+    std::array<float, 3> forward{};
+    detail::done(tree_particle_camera_frame(this, reinterpret_cast<float(*)[3]>(right.data()), reinterpret_cast<float(*)[3]>(up.data()), reinterpret_cast<float(*)[3]>(forward.data())));
+    return {std::move(right), std::move(up), std::move(forward)};
+}
+inline Photo Photo::draw(Span<const tree_mark> marks, Ref<tree_control> control) const {
+    Photo drawn;
+    detail::done(tree_photo_draw(get(), marks.data(), marks.size(), control, drawn.place()), control);
+    return drawn;
+}
+inline Photo Photo::blank(uint32_t width, uint32_t height, uint32_t rgba, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_blank(width, height, rgba, control, photo.place()), control);
+    return photo;
+}
+inline Photo Photo::of_matte(const Matte &matte) {
+    Photo photo;
+    detail::done(tree_photo_of_matte(matte.get(), photo.place()));
+    return photo;
+}
+inline std::tuple<float, Attractor> Attractor::add_stroke(Span<const float> stroke, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report) const {
+    float gap{};
+    Attractor changed;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_attractor_add_stroke(get(), stroke.data(), stroke.size() / 2, params, control, report, &gap, changed.place()), control));
+    return {std::move(gap), std::move(changed)};
+}
+inline Attractor Attractor::erase(Span<const float> eraser, float radius, tree_cut_off cut_off, tree_erase_report *report) const {
+    Attractor changed;
+    static_cast<void>(detail::expect(eraser.size() % 2 == 0, TREE_ERROR_BUFFER, "eraser: must have 2 numbers for each item")
+        && detail::done(tree_attractor_erase(get(), eraser.data(), eraser.size() / 2, radius, cut_off, report, changed.place())));
+    return changed;
+}
+inline Attractor Attractor::move_near(const Floats<2> &at_pixel, const Floats<2> &by_pixels, float radius) const {
+    Attractor changed;
+    detail::done(tree_attractor_move_near(get(), at_pixel, by_pixels, radius, changed.place()));
+    return changed;
+}
+inline Attractor Attractor::mirrored(float width) const {
+    Attractor changed;
+    detail::done(tree_attractor_mirrored(get(), width, changed.place()));
+    return changed;
+}
+inline Span<const tree_str> Lines::view() const & {
+    const tree_str *texts = nullptr;
+    size_t n_texts = 0;
+    detail::done(tree_lines_view(get(), &texts, &n_texts));
+    return Span<const tree_str>(texts, n_texts);
+}
+inline Attractor Attractor::livewire(const Matte &matte, Maybe<tree_photo> photo, const Floats<2> &base_pixel, Span<const float> seeds, Ref<tree_livewire_params> params, Ref<tree_control> control, tree_livewire_report *report) {
+    Attractor attractor;
+    static_cast<void>(detail::expect(photo.fits(), TREE_ERROR_NULL, "photo: empty; leave it out, or hand over nullptr")
+        && detail::expect(seeds.size() % 2 == 0, TREE_ERROR_BUFFER, "seeds: must have 2 numbers for each item")
+        && detail::done(tree_attractor_livewire(matte.get(), photo, base_pixel, seeds.data(), seeds.size() / 2, params, control, report, attractor.place()), control));
+    return attractor;
+}
+inline std::tuple<std::vector<float>, size_t> Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<float> seeds(2 * static_cast<size_t>(most));
+    size_t n_seeds{};
+    if (!(detail::done(tree_silhouette_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control))) { seeds.clear(); }
+    seeds.resize(2 * n_seeds);
+    return {std::move(seeds), std::move(n_seeds)};
+}
+inline size_t Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const {
+    size_t n_seeds{};
+    detail::done(tree_silhouette_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control);
+    return n_seeds;
+}
+inline Matte Matte::from_alpha(uint32_t width, uint32_t height, Span<const float> alpha, Ref<tree_control> control) {
+    Matte matte;
+    detail::done(tree_matte_from_alpha(width, height, alpha.data(), alpha.size(), control, matte.place()), control);
+    return matte;
+}
+inline Matte Matte::of_photo(const Photo &photo) {
+    Matte matte;
+    detail::done(tree_matte_of_photo(photo.get(), matte.place()));
+    return matte;
+}
+inline MatteColumns Matte::view() const & {
+    MatteColumns columns;
+    if (!(detail::done(tree_matte_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::vector<float> Matte::sample(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> values(spots.size() / 2);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_matte_sample(get(), spots.data(), spots.size() / 2, control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool Matte::sample(Span<const float> spots, Ref<tree_control> control, Span<float> values) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_matte_sample(get(), spots.data(), spots.size() / 2, control, values.data(), values.size()), control);
+}
+inline Matte Matte::mirrored() const {
+    Matte mirrored;
+    detail::done(tree_matte_mirrored(get(), mirrored.place()));
+    return mirrored;
+}
+inline std::tuple<ParticleCamera, Photo, Matte> Matte::turned(Maybe<tree_photo> photo, Ref<tree_particle_camera> camera) const {
+    ParticleCamera turned_camera;
+    Photo turned_photo;
+    Matte turned;
+    if (!(detail::expect(photo.fits(), TREE_ERROR_NULL, "photo: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_matte_turned(get(), photo, camera, &turned_camera, turned_photo.place(), turned.place())))) { turned_camera.struct_size = 0; }
+    return {std::move(turned_camera), std::move(turned_photo), std::move(turned)};
+}
+inline Bytes Matte::to_png() const {
+    Bytes bytes;
+    detail::done(tree_matte_to_png(get(), bytes.place()));
+    return bytes;
+}
+inline bool Matte::write_png(std::string_view path) const {
+    return detail::done(tree_matte_write_png(get(), path.data() ? path.data() : "", path.size()));
+}
+inline std::tuple<Lines, Matte> Matte::natural(const Photo &photo, const Trimap &trimap, Ref<tree_natural_params> params, Ref<tree_control> control, tree_natural_report *report) {
+    Lines warnings;
+    Matte matte;
+    detail::done(tree_matte_natural(photo.get(), trimap.get(), params, control, report, warnings.place(), matte.place()), control);
+    return {std::move(warnings), std::move(matte)};
+}
+inline Matte Matte::screen(const Photo &photo, Ref<tree_screen_params> params, Ref<tree_control> control) {
+    Matte matte;
+    detail::done(tree_matte_screen(photo.get(), params, control, matte.place()), control);
+    return matte;
+}
+inline Matte Matte::difference(const Photo &photo, const Photo &plate, Ref<tree_difference_params> params, Ref<tree_control> control) {
+    Matte matte;
+    detail::done(tree_matte_difference(photo.get(), plate.get(), params, control, matte.place()), control);
+    return matte;
+}
+inline Photo Photo::from_pixels(uint32_t width, uint32_t height, Span<const uint8_t> pixels, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_from_pixels(width, height, pixels.data(), pixels.size(), control, photo.place()), control);
+    return photo;
+}
+inline Photo Photo::read(std::string_view path, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_read(path.data() ? path.data() : "", path.size(), control, photo.place()), control);
+    return photo;
+}
+inline Photo Photo::from_bytes(Span<const uint8_t> data, Ref<tree_control> control) {
+    Photo photo;
+    detail::done(tree_photo_from_bytes(data.data(), data.size(), control, photo.place()), control);
+    return photo;
+}
+inline Pixels Photo::view() const & {
+    Pixels pixels;
+    if (!(detail::done(tree_photo_view(get(), &pixels)))) { pixels.struct_size = 0; }
+    return pixels;
+}
+inline bool Photo::has_alpha() const {
+    uint32_t is_translucent = 0;
+    detail::done(tree_photo_has_alpha(get(), &is_translucent));
+    return is_translucent != 0;
+}
+inline Photo Photo::mirrored() const {
+    Photo mirrored;
+    detail::done(tree_photo_mirrored(get(), mirrored.place()));
+    return mirrored;
+}
+inline Bytes Photo::to_png() const {
+    Bytes bytes;
+    detail::done(tree_photo_to_png(get(), bytes.place()));
+    return bytes;
+}
+inline bool Photo::write_png(std::string_view path) const {
+    return detail::done(tree_photo_write_png(get(), path.data() ? path.data() : "", path.size()));
+}
+inline std::vector<float> ParticleCamera::project(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> spots(points.size() / 3 * 2);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_project(this, points.data(), points.size() / 3, control, spots.data(), spots.size()), control))) { spots.clear(); }
+    return spots;
+}
+inline bool ParticleCamera::project(Span<const float> points, Ref<tree_control> control, Span<float> spots) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_project(this, points.data(), points.size() / 3, control, spots.data(), spots.size()), control);
+}
+inline std::vector<float> ParticleCamera::pixel_sizes(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> sizes(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_pixel_sizes(this, points.data(), points.size() / 3, control, sizes.data(), sizes.size()), control))) { sizes.clear(); }
+    return sizes;
+}
+inline bool ParticleCamera::pixel_sizes(Span<const float> points, Ref<tree_control> control, Span<float> sizes) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_particle_camera_pixel_sizes(this, points.data(), points.size() / 3, control, sizes.data(), sizes.size()), control);
+}
+inline std::vector<float> ParticleCamera::rays(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> rays(spots.size() / 2 * 6);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_particle_camera_rays(this, spots.data(), spots.size() / 2, control, rays.data(), rays.size()), control))) { rays.clear(); }
+    return rays;
+}
+inline bool ParticleCamera::rays(Span<const float> spots, Ref<tree_control> control, Span<float> rays) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_particle_camera_rays(this, spots.data(), spots.size() / 2, control, rays.data(), rays.size()), control);
+}
+inline ParticleStand ParticleCamera::stand() const {
+    ParticleStand stand;
+    if (!(detail::done(tree_particle_camera_stand(this, &stand)))) { stand.struct_size = 0; }
+    return stand;
+}
+inline View ParticleCamera::view() const {
+    View view;
+    if (!(detail::done(tree_particle_camera_view(this, &view)))) { view.struct_size = 0; }
+    return view;
+}
+inline std::tuple<std::vector<float>, Attractor> Attractor::from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report) {
+    std::vector<float> gaps(columns ? columns->n_strokes : 0);
+    Attractor attractor;
+    if (!(detail::done(tree_attractor_from_strokes(columns, base_pixel, params, control, report, gaps.data(), gaps.size(), attractor.place()), control))) { gaps.clear(); }
+    return {std::move(gaps), std::move(attractor)};
+}
+inline Attractor Attractor::from_strokes(Ref<tree_strokes_columns> columns, const Floats<2> &base_pixel, Ref<tree_stroke_params> params, Ref<tree_control> control, tree_stroke_report *report, Span<float> gaps) {
+    Attractor attractor;
+    detail::done(tree_attractor_from_strokes(columns, base_pixel, params, control, report, gaps.data(), gaps.size(), attractor.place()), control);
+    return attractor;
+}
+inline Strokes Strokes::from_svg(std::string_view svg, float width, float height, Ref<tree_control> control) {
+    Strokes strokes;
+    detail::done(tree_strokes_from_svg(svg.data() ? svg.data() : "", svg.size(), width, height, control, strokes.place()), control);
+    return strokes;
+}
+inline StrokesColumns Strokes::view() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_strokes_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Trimap Trimap::from_levels(uint32_t width, uint32_t height, Span<const uint8_t> levels, Ref<tree_control> control) {
+    Trimap trimap;
+    detail::done(tree_trimap_from_levels(width, height, levels.data(), levels.size(), control, trimap.place()), control);
+    return trimap;
+}
+inline Trimap Trimap::of_photo(const Photo &photo) {
+    Trimap trimap;
+    detail::done(tree_trimap_of_photo(photo.get(), trimap.place()));
+    return trimap;
+}
+inline Trimap Trimap::from_strokes(uint32_t width, uint32_t height, Span<const tree_trimap_stroke> strokes, Ref<tree_control> control) {
+    Trimap trimap;
+    detail::done(tree_trimap_from_strokes(width, height, strokes.data(), strokes.size(), control, trimap.place()), control);
+    return trimap;
+}
+inline Trimap Trimap::from_colors(const Photo &photo, Ref<tree_color_samples> samples, Ref<tree_control> control) {
+    Trimap trimap;
+    detail::done(tree_trimap_from_colors(photo.get(), samples, control, trimap.place()), control);
+    return trimap;
+}
+inline TrimapColumns Trimap::view() const & {
+    TrimapColumns columns;
+    if (!(detail::done(tree_trimap_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
 }
 inline Pool Pool::make(Ref<tree_pool_options> options) {
     Pool pool;

@@ -15,6 +15,16 @@ using System.Runtime.InteropServices;
 namespace TreeFamily.Native
 {
     /// <summary>
+    /// Cameras for several views of one tree.
+    /// </summary>
+    public struct tree_aligned { }
+
+    /// <summary>
+    /// Main branches in one picture, as a forest whose roots are at the tree's base.
+    /// </summary>
+    public struct tree_attractor { }
+
+    /// <summary>
     /// All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
     /// </summary>
     public struct tree_axes { }
@@ -71,6 +81,11 @@ namespace TreeFamily.Native
     public struct tree_leaf_model { }
 
     /// <summary>
+    /// Lines of text, for people: warnings, mostly. There may be none.
+    /// </summary>
+    public struct tree_lines { }
+
+    /// <summary>
     /// What a species looks like: a material for the bark, and a leaf look for each leaf kind.
     /// </summary>
     public struct tree_look { }
@@ -81,6 +96,11 @@ namespace TreeFamily.Native
     public struct tree_mask { }
 
     /// <summary>
+    /// How much of each pixel of a photograph the tree covers, 0 (nothing) to 1 (all).
+    /// </summary>
+    public struct tree_matte { }
+
+    /// <summary>
     /// Surfaces with their materials, and the branches that move in the wind.
     /// </summary>
     public struct tree_mesh { }
@@ -89,6 +109,11 @@ namespace TreeFamily.Native
     /// A surface in the axes and the layout of an engine.
     /// </summary>
     public struct tree_packed { }
+
+    /// <summary>
+    /// A photograph: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
+    /// </summary>
+    public struct tree_photo { }
 
     /// <summary>
     /// A picture: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
@@ -113,7 +138,8 @@ namespace TreeFamily.Native
     public struct tree_profile { }
 
     /// <summary>
-    /// For each node of a skeleton that was made of another, the node there that it comes from.
+    /// Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
+    /// or the tips of a graph.
     /// </summary>
     public struct tree_rows { }
 
@@ -127,6 +153,11 @@ namespace TreeFamily.Native
     /// Branches as a rooted tree of nodes with radii.
     /// </summary>
     public struct tree_skeleton { }
+
+    /// <summary>
+    /// Strokes read from a drawing.
+    /// </summary>
+    public struct tree_strokes { }
 
     /// <summary>
     /// What an SWC file held: a skeleton, and what a skeleton has no column for.
@@ -143,6 +174,11 @@ namespace TreeFamily.Native
     /// that exists.
     /// </summary>
     public struct tree_tree { }
+
+    /// <summary>
+    /// What is known of each pixel of a photograph.
+    /// </summary>
+    public struct tree_trimap { }
 
     /// <summary>
     /// A tree as a base mesh and a few unique twigs, set down many times: at a tenth of its memory and less.
@@ -3428,46 +3464,563 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// Which threads a pool has. Begin with `tree_pool_options_init`.
+    /// What is known about a photograph. Begin with `tree_align_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_pool_options
+    public unsafe struct tree_align_params
     {
         /// <summary>
-        /// `sizeof(tree_pool_options)`.
+        /// `sizeof(tree_align_params)`.
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
-        /// Number of threads, at most 1024. Default 0: one for each core.
+        /// Height of the tree in metres, 0.01 to 1000. Default 10. `tree_align_all` takes its own.
         /// </summary>
-        public uint n_threads;
+        public float height;
+        /// <summary>
+        /// See `tree_particle_camera`. Default 0.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// See `tree_particle_camera`. Default 0.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// See `tree_particle_camera`. Default 0: parallel projection.
+        /// </summary>
+        public float fov;
+    }
+
+    /// <summary>
+    /// What may be wrong with an alignment. Fields that the problem does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_align_warning
+    {
+        /// <summary>
+        /// Which problem. New ones may be added.
+        /// </summary>
+        public uint problem; // tree_align_problem
+        /// <summary>
+        /// Index into the views.
+        /// </summary>
+        public uint view;
+        /// <summary>
+        /// Number of parts.
+        /// </summary>
+        public uint parts;
+        /// <summary>
+        /// A share, 0 to 1 or more.
+        /// </summary>
+        public float found;
+        /// <summary>
+        /// What is found in most views.
+        /// </summary>
+        public float usual;
+    }
+
+    /// <summary>
+    /// The camera of one photograph. The tree's base is the world's origin, +Y is up. Begin with
+    /// `tree_particle_camera_init`, or let `tree_align` find it.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_particle_camera
+    {
+        /// <summary>
+        /// `sizeof(tree_particle_camera)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a quarter turn on
+        /// +X. -1e6 to 1e6; default 0.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// How far the camera looks down, in radians, -1.5 to 1.5. A photograph from the ground looks up:
+        /// negative. Default 0.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// Vertical field of view of the whole picture in radians, 0.017 to 2.8: a phone held upright has about
+        /// 1.2. 0, the default, is parallel projection, close enough for a photograph from afar.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// Size of the picture in pixels, 1 to 1e6 each. Default 1, 1: set it.
+        /// </summary>
+        public fixed float size[2];
+        /// <summary>
+        /// Where the tree's base is in the picture, in pixels from the top left; may lie outside. Default 0.5, 1:
+        /// set it.
+        /// </summary>
+        public fixed float @base[2];
+        /// <summary>
+        /// Metres for a pixel, at the tree's base, 1e-7 to 1e6. Default 1: set it.
+        /// </summary>
+        public float scale;
+    }
+
+    /// <summary>
+    /// What was found in a matte. Lengths are in pixels from the top left.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_align_report
+    {
+        /// <summary>
+        /// `sizeof(tree_align_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The foot of the trunk.
+        /// </summary>
+        public fixed float @base[2];
+        /// <summary>
+        /// The highest point of the tree.
+        /// </summary>
+        public fixed float top[2];
+        /// <summary>
+        /// Top left corner of the crown.
+        /// </summary>
+        public fixed float crown_low[2];
+        /// <summary>
+        /// Bottom right corner of the crown.
+        /// </summary>
+        public fixed float crown_high[2];
+        /// <summary>
+        /// The row where the crown begins: between it and the base the trunk is bare. The base's row where no
+        /// bare trunk shows.
+        /// </summary>
+        public float crown_base;
+        /// <summary>
+        /// Width of the bare trunk at about breast height (1.3 m); 0 where none shows.
+        /// </summary>
+        public float trunk_width;
+        /// <summary>
+        /// Number of warnings.
+        /// </summary>
+        public uint n_warnings;
+        /// <summary>
+        /// What may be wrong; `tree_align_warnings_text` puts it into words.
+        /// </summary>
+        public tree_align_warning warnings_0, warnings_1, warnings_2, warnings_3, warnings_4, warnings_5, warnings_6, warnings_7;
         /// <summary>
         /// 0.
         /// </summary>
         public uint reserved;
-        /// <summary>
-        /// Bytes of stack of each thread that the library starts. Default 0: the system's.
-        /// </summary>
-        public UIntPtr stack_size;
-        /// <summary>
-        /// Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
-        /// the pool's whole life. Default NULL: the library starts threads.
-        /// </summary>
-        public IntPtr spawn;
-        /// <summary>
-        /// Handed to `spawn`.
-        /// </summary>
-        public void* user;
     }
 
     /// <summary>
-    /// A view of a mask.
+    /// The columns of an attractor graph. Set `struct_size` first.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_mask_columns
+    public unsafe struct tree_attractor_columns
     {
         /// <summary>
-        /// `sizeof(tree_mask_columns)`.
+        /// `sizeof(tree_attractor_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Two floats for each node, in pixels from the top left of the picture. Finite.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// For each node the one that it leads to, nearer to the base, which comes before it; `TREE_NO_PARENT`
+        /// at the base.
+        /// </summary>
+        public uint* parents;
+    }
+
+    /// <summary>
+    /// The point of a graph that is nearest to another.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_attractor_nearest_point
+    {
+        /// <summary>
+        /// `sizeof(tree_attractor_nearest_point)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whether there is one, 1 or 0: a graph without segments has none, a point that is not finite neither.
+        /// </summary>
+        public uint found;
+        /// <summary>
+        /// The node at the upper end of the segment it lies on.
+        /// </summary>
+        public uint node;
+        /// <summary>
+        /// Where on the segment: 0 at the parent, 1 at the node.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// The point, in pixels.
+        /// </summary>
+        public fixed float point[2];
+        /// <summary>
+        /// How far off it is, in pixels.
+        /// </summary>
+        public float distance;
+    }
+
+    /// <summary>
+    /// How a matte is found with a trimap. Begin with `tree_natural_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_natural_params
+    {
+        /// <summary>
+        /// `sizeof(tree_natural_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Longer side in pixels at which alpha is solved for, 16 to 4096. Default 768. Cost and memory grow
+        /// with its square.
+        /// </summary>
+        public uint max_side;
+        /// <summary>
+        /// How far alpha may depart from a linear function of colour within a window, 1e-9 to 1: a variance of
+        /// colours 0 to 1. Low keeps fine structure, high is smooth. Default 1e-7.
+        /// </summary>
+        public float epsilon;
+        /// <summary>
+        /// Share of the right side's size at which the solution is good enough, 1e-8 to 0.1. Default 2e-4.
+        /// </summary>
+        public float tolerance;
+        /// <summary>
+        /// Most iterations at each size, 1 to 100,000. Default 400.
+        /// </summary>
+        public uint max_iterations;
+        /// <summary>
+        /// Whether unknown pixels that clearly look like the known ones of one side count as known. Default 1;
+        /// helps strokes much, full trimaps a little.
+        /// </summary>
+        public uint mark_clear;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a tree against sky is found. Begin with `tree_automatic_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_automatic_params
+    {
+        /// <summary>
+        /// `sizeof(tree_automatic_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How the alpha of the pixels left unknown is found. Default NULL: that of `tree_natural_params_init`.
+        /// </summary>
+        public tree_natural_params* natural;
+    }
+
+    /// <summary>
+    /// What was found in a photograph of a tree against sky.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_automatic_report
+    {
+        /// <summary>
+        /// `sizeof(tree_automatic_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whether the photograph's own alpha was taken, 1 or 0.
+        /// </summary>
+        public uint has_alpha;
+        /// <summary>
+        /// Whether the place where the trunk meets the ground was found, 1 or 0.
+        /// </summary>
+        public uint has_base;
+        /// <summary>
+        /// That place, in pixels of the photograph from the top left.
+        /// </summary>
+        public fixed float @base[2];
+        /// <summary>
+        /// How sure the result is, 0 to 1: below 0.5 look at it before you use it.
+        /// </summary>
+        public float confidence;
+        /// <summary>
+        /// Width at which alpha was solved for, in pixels; 0 where the photograph has alpha.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height at which alpha was solved for, in pixels.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Iterations at that size.
+        /// </summary>
+        public uint iterations;
+        /// <summary>
+        /// Pixels that the trimap leaves unknown, at that size.
+        /// </summary>
+        public ulong n_unknown;
+        /// <summary>
+        /// Of them, pixels marked by their colour.
+        /// </summary>
+        public ulong n_marked;
+        /// <summary>
+        /// What is left of the right side, as a share.
+        /// </summary>
+        public float residual;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Something drawn onto a photograph. Coordinates are pixels from the top left; what lies outside is cut
+    /// off, and what is not finite is left out.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mark
+    {
+        /// <summary>
+        /// What it is.
+        /// </summary>
+        public uint kind; // tree_mark_kind
+        /// <summary>
+        /// Where it begins.
+        /// </summary>
+        public fixed float from[2];
+        /// <summary>
+        /// Where it ends.
+        /// </summary>
+        public fixed float to[2];
+        /// <summary>
+        /// Width of a line, or a dot's diameter, in pixels.
+        /// </summary>
+        public float width;
+        /// <summary>
+        /// Its colour, as `0xRRGGBBAA`: red, green, blue (sRGB) and how much it covers, 0 to 255 each.
+        /// </summary>
+        public uint color;
+    }
+
+    /// <summary>
+    /// How strokes are cleaned and joined. Begin with `tree_stroke_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stroke_params
+    {
+        /// <summary>
+        /// `sizeof(tree_stroke_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Distance between nodes as a share of the drawing's size, 0.001 to 0.5. Default 0.02.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Gaps up to this share of the drawing's size are closed by moving the stroke's end, 0 to 1; wider
+        /// ones are bridged by a straight line and reported. Default 0.03.
+        /// </summary>
+        public float snap;
+    }
+
+    /// <summary>
+    /// What became of strokes.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stroke_report
+    {
+        /// <summary>
+        /// `sizeof(tree_stroke_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Points left out because they were not finite.
+        /// </summary>
+        public uint n_bad_points;
+        /// <summary>
+        /// Strokes left out because they had no length.
+        /// </summary>
+        public uint n_empty;
+        /// <summary>
+        /// Strokes that were joined over a gap wider than the snapping distance.
+        /// </summary>
+        public uint n_bridged;
+        /// <summary>
+        /// Strokes joined by their middle, in two parts.
+        /// </summary>
+        public uint n_split;
+    }
+
+    /// <summary>
+    /// What erasing did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_erase_report
+    {
+        /// <summary>
+        /// `sizeof(tree_erase_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Segments under the eraser.
+        /// </summary>
+        public uint n_erased;
+        /// <summary>
+        /// Segments that went because they were cut off.
+        /// </summary>
+        public uint n_dropped;
+        /// <summary>
+        /// Parts that were cut off and joined again.
+        /// </summary>
+        public uint n_reconnected;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How paths are found. Begin with `tree_livewire_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_livewire_params
+    {
+        /// <summary>
+        /// `sizeof(tree_livewire_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Rows of pixels over the height of the tree at which paths are sought, 16 to 1024. Default 256. Time
+        /// and memory (120 bytes a pixel at most) grow with the square.
+        /// </summary>
+        public uint rows;
+        /// <summary>
+        /// How closely paths follow visible structures, 0 (not at all) to 0.98. Default 0.88: a step along the
+        /// clearest branch costs 12 % of one through leaves.
+        /// </summary>
+        public float follow;
+        /// <summary>
+        /// Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
+        /// </summary>
+        public float outside;
+        /// <summary>
+        /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
+        /// </summary>
+        public float centre;
+        /// <summary>
+        /// How much more a step costs that leads back towards the base and down than one that leads away from
+        /// it and up, 0 to 10. Default 0.6.
+        /// </summary>
+        public float outwards;
+        /// <summary>
+        /// How much less than a step through leaves one costs along a path found before, 0 (paths do not
+        /// attract each other) to 0.9. Default 0.3.
+        /// </summary>
+        public float join;
+        /// <summary>
+        /// Passes of smoothing over paths of working pixels, 0 to 1000. Default 12.
+        /// </summary>
+        public uint smoothing;
+        /// <summary>
+        /// Distance between nodes as a share of the tree's height, 0.001 to 0.5. Default 0.02.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Side branches shorter than this share of the tree's height are left out, 0 to 0.5. Default 0.05.
+        /// </summary>
+        public float stub;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What livewire found.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_livewire_report
+    {
+        /// <summary>
+        /// `sizeof(tree_livewire_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Seeds that were not finite and left out.
+        /// </summary>
+        public uint n_bad_seeds;
+        /// <summary>
+        /// Seeds outside the picture, moved to its border.
+        /// </summary>
+        public uint n_moved_seeds;
+        /// <summary>
+        /// Side branches left out as stubs.
+        /// </summary>
+        public uint n_stubs;
+        /// <summary>
+        /// Tips of the graph.
+        /// </summary>
+        public uint n_tips;
+        /// <summary>
+        /// Share of the paths' length that runs outside the tree, 0 to 1: gaps that were bridged.
+        /// </summary>
+        public float outside;
+        /// <summary>
+        /// How clearly the picture shows branches along the paths, 0 (arbitrary) to 1.
+        /// </summary>
+        public float evidence;
+        /// <summary>
+        /// Width of the trunk at its foot in pixels; 0 where no trunk is seen.
+        /// </summary>
+        public float trunk_width;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Which points of the silhouette may be seeds. Begin with `tree_seed_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_seed_params
+    {
+        /// <summary>
+        /// `sizeof(tree_seed_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Distance that seeds keep from the trunk as a share of the tree's height, 0 to 1. Default 0.08.
+        /// </summary>
+        public float from_trunk;
+        /// <summary>
+        /// Lowest height of a seed over the base as a share of the tree's height, -1 to 1. Default 0.05: what
+        /// hangs lower is left out.
+        /// </summary>
+        public float lowest;
+        /// <summary>
+        /// How far the silhouette may face down at a seed, 0 (aside) to 1 (straight down). Default 0.8.
+        /// </summary>
+        public float downwards;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of a matte. Pixel 0 is at the top left; its area runs from (0, 0) to (1, 1), so its centre is
+    /// (0.5, 0.5), as everywhere where pixels are counted with fractions.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_matte_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_matte_columns)`.
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
@@ -3479,9 +4032,9 @@ namespace TreeFamily.Native
         /// </summary>
         public uint height;
         /// <summary>
-        /// One byte for each pixel, rows from top to bottom: 0 is empty, 255 is full.
+        /// One float for each pixel, rows from top to bottom: 0 is empty, 1 is full.
         /// </summary>
-        public byte* coverage;
+        public float* alpha;
         /// <summary>
         /// Number of pixels: `width * height`.
         /// </summary>
@@ -3490,6 +4043,89 @@ namespace TreeFamily.Native
         /// Covered area in pixels.
         /// </summary>
         public double area;
+    }
+
+    /// <summary>
+    /// What matting with a trimap did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_natural_report
+    {
+        /// <summary>
+        /// `sizeof(tree_natural_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Pixels that the trimap leaves unknown, at the size at which alpha was solved for.
+        /// </summary>
+        public ulong n_unknown;
+        /// <summary>
+        /// Of them, pixels marked by their colour.
+        /// </summary>
+        public ulong n_marked;
+        /// <summary>
+        /// That size: width and height in pixels.
+        /// </summary>
+        public fixed uint size[2];
+        /// <summary>
+        /// Iterations at that size; coarser ones cost little.
+        /// </summary>
+        public uint iterations;
+        /// <summary>
+        /// What is left of the right side, as a share.
+        /// </summary>
+        public float residual;
+    }
+
+    /// <summary>
+    /// How a screen is found. Begin with `tree_screen_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_screen_params
+    {
+        /// <summary>
+        /// `sizeof(tree_screen_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Colour of the screen. Default `TREE_SCREEN_BLUE`.
+        /// </summary>
+        public uint color; // tree_screen_color
+        /// <summary>
+        /// How fast alpha falls with the surplus of the screen's colour, 0 to 100. 1 over the surplus of the bare
+        /// screen makes that fully transparent. Default 2.
+        /// </summary>
+        public float gain;
+        /// <summary>
+        /// How much of the screen's colour a pixel of the tree may hold for each part of the other one (green
+        /// for blue, blue for green), 0 to 10. Default 1.
+        /// </summary>
+        public float balance;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a tree is told from a picture without it. Begin with `tree_difference_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_difference_params
+    {
+        /// <summary>
+        /// `sizeof(tree_difference_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Difference of colours at which a pixel is half tree: distance in the RGB cube of side 1, 0 to 2.
+        /// Default 0.15.
+        /// </summary>
+        public float threshold;
+        /// <summary>
+        /// Width of the soft step around the threshold, 0 (hard) to 2. Default 0.15.
+        /// </summary>
+        public float softness;
     }
 
     /// <summary>
@@ -3518,6 +4154,42 @@ namespace TreeFamily.Native
         /// Number of bytes: `4 * width * height`.
         /// </summary>
         public UIntPtr n_bytes;
+    }
+
+    /// <summary>
+    /// A camera as renderers want it: what it shows is what `tree_particle_camera_project` gives.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_particle_stand
+    {
+        /// <summary>
+        /// `sizeof(tree_particle_stand)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where it stands, in metres. A parallel one stands far enough off.
+        /// </summary>
+        public fixed float eye[3];
+        /// <summary>
+        /// What is in the middle of the picture.
+        /// </summary>
+        public fixed float target[3];
+        /// <summary>
+        /// Which way is up.
+        /// </summary>
+        public fixed float up[3];
+        /// <summary>
+        /// Vertical field of view in radians; 0 for parallel projection.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// Height of the picture in metres, at the target.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -3588,6 +4260,205 @@ namespace TreeFamily.Native
         /// 0.
         /// </summary>
         public uint reserved;
+    }
+
+    /// <summary>
+    /// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
+    /// `starts[i + 1]`. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_strokes_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_strokes_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of strokes.
+        /// </summary>
+        public UIntPtr n_strokes;
+        /// <summary>
+        /// `n_strokes + 1` numbers: 0 first, none below the one before it, `n_points` last. NULL for no strokes.
+        /// </summary>
+        public ulong* starts;
+        /// <summary>
+        /// Number of points of all strokes.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Two floats for each point, in pixels from the top left of the picture.
+        /// </summary>
+        public float* points;
+    }
+
+    /// <summary>
+    /// A scribble over a photograph. Begin with `tree_trimap_stroke_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_trimap_stroke
+    {
+        /// <summary>
+        /// `sizeof(tree_trimap_stroke)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Its course: two floats for each point, in pixels from the top left corner. One point makes a dot.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Number of points. Default 0.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Its width in pixels, above 0 to 1e6. Default 1.
+        /// </summary>
+        public float width;
+        /// <summary>
+        /// Whether it marks the tree; otherwise the background. Default 0.
+        /// </summary>
+        public uint foreground;
+    }
+
+    /// <summary>
+    /// Colours picked from a photograph. Begin with `tree_color_samples_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_color_samples
+    {
+        /// <summary>
+        /// `sizeof(tree_color_samples)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Colours of the tree: three bytes each, red, green and blue (sRGB).
+        /// </summary>
+        public byte* foreground;
+        /// <summary>
+        /// Number of colours of the tree; at least 1.
+        /// </summary>
+        public UIntPtr n_foreground;
+        /// <summary>
+        /// Colours of the background.
+        /// </summary>
+        public byte* background;
+        /// <summary>
+        /// Number of colours of the background; at least 1.
+        /// </summary>
+        public UIntPtr n_background;
+        /// <summary>
+        /// Pixels within this distance of a sample are known: a distance in the RGB cube of side 255, 0 to 442.
+        /// Default 24.
+        /// </summary>
+        public float tolerance;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of a trimap.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_trimap_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_trimap_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// A `TREE_LEVEL_` constant for each pixel, rows from top to bottom.
+        /// </summary>
+        public byte* levels;
+        /// <summary>
+        /// Number of pixels: `width * height`.
+        /// </summary>
+        public UIntPtr n_pixels;
+        /// <summary>
+        /// Pixels that are certainly not the tree.
+        /// </summary>
+        public UIntPtr n_background;
+        /// <summary>
+        /// Pixels to be found.
+        /// </summary>
+        public UIntPtr n_unknown;
+        /// <summary>
+        /// Pixels that are certainly the tree.
+        /// </summary>
+        public UIntPtr n_foreground;
+    }
+
+    /// <summary>
+    /// Which threads a pool has. Begin with `tree_pool_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pool_options
+    {
+        /// <summary>
+        /// `sizeof(tree_pool_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of threads, at most 1024. Default 0: one for each core.
+        /// </summary>
+        public uint n_threads;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// Bytes of stack of each thread that the library starts. Default 0: the system's.
+        /// </summary>
+        public UIntPtr stack_size;
+        /// <summary>
+        /// Gives the pool the host's own threads, for instance long-running jobs of its job system, each for
+        /// the pool's whole life. Default NULL: the library starts threads.
+        /// </summary>
+        public IntPtr spawn;
+        /// <summary>
+        /// Handed to `spawn`.
+        /// </summary>
+        public void* user;
+    }
+
+    /// <summary>
+    /// A view of a mask.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mask_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_mask_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// One byte for each pixel, rows from top to bottom: 0 is empty, 255 is full.
+        /// </summary>
+        public byte* coverage;
+        /// <summary>
+        /// Number of pixels: `width * height`.
+        /// </summary>
+        public UIntPtr n_pixels;
+        /// <summary>
+        /// Covered area in pixels.
+        /// </summary>
+        public double area;
     }
 
     /// <summary>
@@ -4788,6 +5659,107 @@ namespace TreeFamily.Native
         public const int TREE_PATH_REPORT_LEVELS = 17;
 
         /// <summary>
+        /// The foot is at the picture's bottom: the trunk may go on, and the tree be higher than it seems.
+        /// </summary>
+        public const int TREE_ALIGN_BASE_CROPPED = 0;
+
+        /// <summary>
+        /// The crown touches the picture's border: the tree may go on beyond it.
+        /// </summary>
+        public const int TREE_ALIGN_CROWN_CROPPED = 1;
+
+        /// <summary>
+        /// No bare trunk shows: the base is the lowest point near the middle.
+        /// </summary>
+        public const int TREE_ALIGN_NO_TRUNK = 2;
+
+        /// <summary>
+        /// `parts` parts apart from the tree are left out; `found` is their share of all that is covered.
+        /// </summary>
+        public const int TREE_ALIGN_LEFT_OUT = 3;
+
+        /// <summary>
+        /// The tree is in `parts` parts, as a crown in tufts is.
+        /// </summary>
+        public const int TREE_ALIGN_PARTS = 4;
+
+        /// <summary>
+        /// In `view` the crown begins at the share `found` of the tree's height, in the middle of all views at
+        /// `usual`.
+        /// </summary>
+        public const int TREE_ALIGN_CROWN_BASE = 5;
+
+        /// <summary>
+        /// In `view` the crown is `found` of the tree's height wide, in the middle of all views `usual`.
+        /// </summary>
+        public const int TREE_ALIGN_CROWN_WIDTH = 6;
+
+        /// <summary>
+        /// What this version of the interface has no name for.
+        /// </summary>
+        public const int TREE_ALIGN_OTHER = 7;
+
+        /// <summary>
+        /// Rows for warnings in a report: more than one view can have.
+        /// </summary>
+        public const int TREE_ALIGN_WARNINGS = 8;
+
+        /// <summary>
+        /// A line with round ends.
+        /// </summary>
+        public const int TREE_MARK_LINE = 0;
+
+        /// <summary>
+        /// A line with a head at `to`.
+        /// </summary>
+        public const int TREE_MARK_ARROW = 1;
+
+        /// <summary>
+        /// A disc round `from`; `to` is not looked at.
+        /// </summary>
+        public const int TREE_MARK_DOT = 2;
+
+        /// <summary>
+        /// The pixels whose corners lie from `from` up to `to`; `width` is not looked at.
+        /// </summary>
+        public const int TREE_MARK_FILL = 3;
+
+        /// <summary>
+        /// It goes too.
+        /// </summary>
+        public const int TREE_CUT_OFF_DROP = 0;
+
+        /// <summary>
+        /// It is joined to the nearest point of the rest by a straight line.
+        /// </summary>
+        public const int TREE_CUT_OFF_RECONNECT = 1;
+
+        /// <summary>
+        /// Blue: right for green leaves.
+        /// </summary>
+        public const int TREE_SCREEN_BLUE = 0;
+
+        /// <summary>
+        /// Green: for autumn leaves and bare branches.
+        /// </summary>
+        public const int TREE_SCREEN_GREEN = 1;
+
+        /// <summary>
+        /// Certainly not the tree.
+        /// </summary>
+        public const int TREE_LEVEL_BACKGROUND = 0;
+
+        /// <summary>
+        /// To be found.
+        /// </summary>
+        public const int TREE_LEVEL_UNKNOWN = 1;
+
+        /// <summary>
+        /// Certainly the tree.
+        /// </summary>
+        public const int TREE_LEVEL_FOREGROUND = 2;
+
+        /// <summary>
         /// A clear sky.
         /// </summary>
         public const int TREE_BACKDROP_SKY = 0;
@@ -5380,7 +6352,7 @@ namespace TreeFamily.Native
         public static extern int tree_foliage_preset(byte* name, UIntPtr len, tree_leaf_params* leaves, tree_twig_params* twigs, tree_str* leaf_kind);
 
         /// <summary>
-        /// Views the numbers: where they begin and how many there are, one for each node of the new skeleton.
+        /// Views the numbers: where they begin and how many there are.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_rows_view(tree_rows* rows, uint** first, UIntPtr* n);
@@ -6340,6 +7312,532 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_obstacle_is_free(tree_volume* obstacle, float clearance, float* a, float* b, uint* is_free);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_align_params_init(tree_align_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Warnings as lines of text, one for each of `n_warnings`. Free them with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_align_warnings_text(tree_align_warning* warnings, UIntPtr n_warnings, tree_lines** lines);
+
+        /// <summary>
+        /// Finds the tree's base and top in a matte, and so its camera: a first arrangement, which says where it may
+        /// be wrong; a camera written by hand does as well. `params`, `control` and `report` may be NULL; set
+        /// `camera-&gt;struct_size` first. `TREE_ERROR_NO_RESULT` when nothing or everything is covered, the tree is
+        /// less than two rows high, or a camera of this pitch and field of view cannot see a tree so.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_align(tree_matte* matte, tree_align_params* @params, tree_control* control, tree_particle_camera* camera, tree_align_report* report);
+
+        /// <summary>
+        /// Several views of one tree, made consistent: each gets the scale that makes its tree `height` metres high,
+        /// 0.01 to 1000, so that tops and bases coincide. `mattes` and `params` have one for each of `n_views`, 1 to
+        /// 1000; the heights in `params` are not used. `control` may be NULL. Free the result with
+        /// `tree_aligned_free`. Errors as for `tree_align`; the text names the view.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_align_all(tree_matte** mattes, tree_align_params* @params, UIntPtr n_views, float height, tree_control* control, tree_aligned** aligned);
+
+        /// <summary>
+        /// The number of views.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_aligned_count(tree_aligned* aligned, UIntPtr* n_views);
+
+        /// <summary>
+        /// The camera of one view, and what was found there. `report` may be NULL; set `camera-&gt;struct_size` first.
+        /// `TREE_ERROR_PARAMETER` for an index that names no view.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_aligned_camera(tree_aligned* aligned, UIntPtr index, tree_particle_camera* camera, tree_align_report* report);
+
+        /// <summary>
+        /// Views what disagrees between the views: where the warnings begin and how many there are.
+        /// `tree_align_warnings_text` puts them into words.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_aligned_warnings(tree_aligned* aligned, tree_align_warning** warnings, UIntPtr* n_warnings);
+
+        /// <summary>
+        /// Frees cameras of views.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_aligned_free(tree_aligned* aligned);
+
+        /// <summary>
+        /// Makes a graph of columns, which are copied. `control` may be NULL; `nodes` of its limits counts. Free
+        /// the graph with `tree_attractor_free`. `TREE_ERROR_INVALID` where a parent does not come before its node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_from_columns(tree_attractor_columns* columns, tree_control* control, tree_attractor** attractor);
+
+        /// <summary>
+        /// Views the columns of a graph. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_view(tree_attractor* attractor, tree_attractor_columns* columns);
+
+        /// <summary>
+        /// The point of a graph nearest to `at_pixel`, two floats in pixels from the top left. Set
+        /// `nearest-&gt;struct_size` first; `nearest-&gt;found` says whether there is one.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_nearest(tree_attractor* attractor, float* at_pixel, tree_attractor_nearest_point* nearest);
+
+        /// <summary>
+        /// Length of all segments together, in pixels.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_length(tree_attractor* attractor, float* length);
+
+        /// <summary>
+        /// The nodes that none leads to, roots without children included. Free them with `tree_rows_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_tips(tree_attractor* attractor, tree_rows** tips);
+
+        /// <summary>
+        /// The graph drawn over a photograph or any other picture of the same size, with lines of `width` pixels
+        /// in a colour `0xRRGGBBAA`. Free the new photograph with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_draw(tree_attractor* attractor, tree_photo* photo, float width, uint rgba, tree_photo** drawn);
+
+        /// <summary>
+        /// Frees a graph. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_free(tree_attractor* attractor);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_automatic_params_init(tree_automatic_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The matte of a photograph of a tree against sky; of one with alpha, its alpha. `params`, `control` and
+        /// `report` may be NULL. `trimap`, which may be NULL, gets the trimap that was made, at a size of its own: to
+        /// look at, or to draw over and hand to `tree_matte_natural`. It gets NULL where the photograph has alpha.
+        /// `warnings`, which may be NULL, gets lines on what the result may suffer from. Free them with
+        /// `tree_lines_free`, the trimap with `tree_trimap_free` and the matte with `tree_matte_free`.
+        /// `TREE_ERROR_NO_RESULT` when no sky or nothing that could be a tree is found.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_automatic(tree_photo* photo, tree_automatic_params* @params, tree_control* control, tree_automatic_report* report, tree_trimap** trimap, tree_lines** warnings, tree_matte** matte);
+
+        /// <summary>
+        /// Makes `camera`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_init(tree_particle_camera* camera, UIntPtr size);
+
+        /// <summary>
+        /// Checks all numbers of a camera: `TREE_ERROR_PARAMETER` names the one out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_check(tree_particle_camera* camera);
+
+        /// <summary>
+        /// The directions of a camera in the world, as unit vectors: `right` in the picture, always horizontal,
+        /// `up` in it, and `forward` into it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_frame(tree_particle_camera* camera, float* right, float* up, float* forward);
+
+        /// <summary>
+        /// A copy of a photograph with `n_marks` marks drawn over it, in their order. `control` may be NULL;
+        /// `nodes` of its limits caps the marks. Free the new photograph with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_draw(tree_photo* photo, tree_mark* marks, UIntPtr n_marks, tree_control* control, tree_photo** drawn);
+
+        /// <summary>
+        /// A photograph of one colour all over, `0xRRGGBBAA`, to draw on. `control` may be NULL; only its limits
+        /// matter. Free the photograph with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_blank(uint width, uint height, uint rgba, tree_control* control, tree_photo** photo);
+
+        /// <summary>
+        /// A matte in grey, white where the tree covers, to draw on. Free the photograph with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_of_matte(tree_matte* matte, tree_photo** photo);
+
+        /// <summary>
+        /// A new graph with one more stroke of `n_points` points, two floats each in pixels, joined where it is
+        /// nearest. On an empty graph the stroke's lowest point becomes the root. `params`, `control` and `report`
+        /// may be NULL. `gap`, which may be NULL, gets the gap in pixels that was closed; NaN where the stroke was left
+        /// out. Free the new graph with `tree_attractor_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_add_stroke(tree_attractor* attractor, float* stroke, UIntPtr n_points, tree_stroke_params* @params, tree_control* control, tree_stroke_report* report, float* gap, tree_attractor** changed);
+
+        /// <summary>
+        /// A new graph without the segments that come within `radius` pixels (0 to 1e9) of an eraser's path of
+        /// `n_points` points, two floats each in pixels; one point is a dab. Points that are not finite are left
+        /// out. Roots stay. `cut_off` is a `TREE_CUT_OFF_` constant; `report` may be NULL. Free the new graph with
+        /// `tree_attractor_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_erase(tree_attractor* attractor, float* eraser, UIntPtr n_points, float radius, uint cut_off, tree_erase_report* report, tree_attractor** changed);
+
+        /// <summary>
+        /// A new graph with everything within `radius` pixels (0 to 1e9) of `at_pixel` moved by `by_pixels`, less the
+        /// farther it is; both are two floats. Roots stay where they are. Free the new graph with
+        /// `tree_attractor_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_move_near(tree_attractor* attractor, float* at_pixel, float* by_pixels, float radius, tree_attractor** changed);
+
+        /// <summary>
+        /// A new graph with left and right exchanged, in a picture `width` pixels wide. Free it with
+        /// `tree_attractor_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_mirrored(tree_attractor* attractor, float width, tree_attractor** changed);
+
+        /// <summary>
+        /// Views the lines: where they begin and how many there are. Valid until `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lines_view(tree_lines* lines, tree_str** texts, UIntPtr* n_texts);
+
+        /// <summary>
+        /// Frees lines of text.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lines_free(tree_lines* lines);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_livewire_params_init(tree_livewire_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Finds paths from every seed to the base through what a photograph and its matte show, and joins them:
+        /// main branches as least-cost paths. `photo` may be NULL: then the matte alone is looked at. `base_pixel`
+        /// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_silhouette_seeds`, or
+        /// what a person clicked on. The root of the graph is at the base, its tips are at the seeds; without seeds the
+        /// graph is the base alone. `params`, `control` and `report` may be NULL. Free the graph with
+        /// `tree_attractor_free`. `TREE_ERROR_NO_RESULT` where the matte is empty, or the photograph is of another
+        /// size.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_livewire(tree_matte* matte, tree_photo* photo, float* base_pixel, float* seeds, UIntPtr n_seeds, tree_livewire_params* @params, tree_control* control, tree_livewire_report* report, tree_attractor** attractor);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_seed_params_init(tree_seed_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Up to `most` points (100,000 at most) on the silhouette of the crown, evenly spread, other ones for every
+        /// `seed`: two floats each in pixels into `seeds`, and their number into `n_seeds`. `capacity`, in floats,
+        /// must be twice the number found or more: `2 * most` is enough. `base_pixel`, two floats, is the tree's base.
+        /// `params` and `control` may be NULL. `TREE_ERROR_NO_RESULT` where the matte is empty.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_seeds(tree_matte* matte, float* base_pixel, uint most, tree_seed_params* @params, ulong seed, tree_control* control, float* seeds, UIntPtr capacity, UIntPtr* n_seeds);
+
+        /// <summary>
+        /// Makes a matte of `width * height` floats, which are copied, rows from top to bottom; clamped to 0 to 1,
+        /// not NaN. `control` may be NULL; only its limits matter. Free the matte with `tree_matte_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_from_alpha(uint width, uint height, float* alpha, UIntPtr n_pixels, tree_control* control, tree_matte** matte);
+
+        /// <summary>
+        /// The alpha of a photograph as a matte. Free it with `tree_matte_free`. `TREE_ERROR_NO_RESULT` where all
+        /// pixels are opaque or all transparent.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_of_photo(tree_photo* photo, tree_matte** matte);
+
+        /// <summary>
+        /// Views a matte. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_view(tree_matte* matte, tree_matte_columns* columns);
+
+        /// <summary>
+        /// Writes the values at `n_spots` points of a matte, two floats each in pixels from the top left, between
+        /// pixel centres by bilinear interpolation; 0 outside. `capacity` must be `n_spots` or more. `control` may
+        /// be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_sample(tree_matte* matte, float* spots, UIntPtr n_spots, tree_control* control, float* values, UIntPtr capacity);
+
+        /// <summary>
+        /// A matte with left and right exchanged. Free it with `tree_matte_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_mirrored(tree_matte* matte, tree_matte** mirrored);
+
+        /// <summary>
+        /// A view mirrored and a quarter turn round: what a tree may look like from its side, where there is one
+        /// photograph only. `photo` may be NULL, and `turned_photo` too, which gets NULL without a photograph. Set
+        /// `turned_camera-&gt;struct_size` first. Free what comes out with `tree_photo_free` and `tree_matte_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_turned(tree_matte* matte, tree_photo* photo, tree_particle_camera* camera, tree_particle_camera* turned_camera, tree_photo** turned_photo, tree_matte** turned);
+
+        /// <summary>
+        /// A matte as a PNG file in memory: grey, black for 0 and white for 1. Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_to_png(tree_matte* matte, tree_bytes** bytes);
+
+        /// <summary>
+        /// Writes a matte to a PNG file, as `tree_matte_to_png`, whole or not at all. The path, in UTF-8, has
+        /// `path_len` bytes, or ends with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_write_png(tree_matte* matte, byte* path, UIntPtr path_len);
+
+        /// <summary>
+        /// Frees a matte. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_free(tree_matte* matte);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_natural_params_init(tree_natural_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The matte of a photograph of which a trimap is known, by closed-form matting. A trimap of another size is
+        /// sampled when its proportions agree within 2 %. Known pixels keep their alpha; an alpha channel of the
+        /// photograph is ignored. `params`, `control` and `report` may be NULL. `warnings`, which may be NULL, gets
+        /// lines on what the result may suffer from; free them with `tree_lines_free`, and the matte with
+        /// `tree_matte_free`. `TREE_ERROR_NO_RESULT` when the trimap does not fit, or knows no tree or no background.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_natural(tree_photo* photo, tree_trimap* trimap, tree_natural_params* @params, tree_control* control, tree_natural_report* report, tree_lines** warnings, tree_matte** matte);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_screen_params_init(tree_screen_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The matte of a photograph taken before a blue or green screen. Its own alpha is ignored. `params` and
+        /// `control` may be NULL. Free the matte with `tree_matte_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_screen(tree_photo* photo, tree_screen_params* @params, tree_control* control, tree_matte** matte);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_difference_params_init(tree_difference_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The matte of a photograph of which `plate` shows the same view without the tree: the tree is where both
+        /// differ. Their own alpha is ignored. `params` and `control` may be NULL. Free the matte with
+        /// `tree_matte_free`. `TREE_ERROR_NO_RESULT` when the photographs differ in size.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_difference(tree_photo* photo, tree_photo* plate, tree_difference_params* @params, tree_control* control, tree_matte** matte);
+
+        /// <summary>
+        /// Makes a photograph of `4 * width * height` bytes of a program's own, which are copied: red, green, blue
+        /// and alpha for each pixel, rows from top to bottom. `control` may be NULL; only its limits matter. Free
+        /// the photograph with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_from_pixels(uint width, uint height, byte* pixels, UIntPtr n_bytes, tree_control* control, tree_photo** photo);
+
+        /// <summary>
+        /// Reads a PNG or JPEG file, recognised by its content. A photograph is turned upright as its camera noted.
+        /// `control` may be NULL; `input_bytes` and `pixels` of its limits are looked at before the picture is
+        /// decoded. Free the photograph with `tree_photo_free`. `TREE_ERROR_FORMAT` for what is no such picture.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_read(byte* path, UIntPtr path_len, tree_control* control, tree_photo** photo);
+
+        /// <summary>
+        /// As `tree_photo_read`, of a file held in memory: `len` bytes from `data` on, which are not kept.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_from_bytes(byte* data, UIntPtr len, tree_control* control, tree_photo** photo);
+
+        /// <summary>
+        /// Views a photograph's pixels, and says how large it is. Set `pixels-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_view(tree_photo* photo, tree_pixels* pixels);
+
+        /// <summary>
+        /// Whether any pixel is not fully opaque: 1 or 0.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_has_alpha(tree_photo* photo, uint* is_translucent);
+
+        /// <summary>
+        /// A photograph with left and right exchanged. Free it with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_mirrored(tree_photo* photo, tree_photo** mirrored);
+
+        /// <summary>
+        /// A photograph as a PNG file in memory, with alpha. Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_to_png(tree_photo* photo, tree_bytes** bytes);
+
+        /// <summary>
+        /// Writes a photograph to a PNG file, with alpha, whole or not at all. The path, in UTF-8, has `path_len`
+        /// bytes, or ends with a NUL and `path_len` is `TREE_NUL_TERMINATED`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_write_png(tree_photo* photo, byte* path, UIntPtr path_len);
+
+        /// <summary>
+        /// Frees a photograph. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_free(tree_photo* photo);
+
+        /// <summary>
+        /// Writes the pixels that `n_points` points of the world fall on, of three floats each in metres: two floats
+        /// for each, in pixels from the top left; NaN behind the camera or beside it. `capacity`, in floats, must be
+        /// `2 * n_points` or more. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_project(tree_particle_camera* camera, float* points, UIntPtr n_points, tree_control* control, float* spots, UIntPtr capacity);
+
+        /// <summary>
+        /// Writes for each of `n_points` points of the world, three floats each in metres, how many metres a pixel
+        /// is at its depth. `capacity` must be `n_points` or more. `control` as for `tree_particle_camera_project`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_pixel_sizes(tree_particle_camera* camera, float* points, UIntPtr n_points, tree_control* control, float* sizes, UIntPtr capacity);
+
+        /// <summary>
+        /// Writes the rays through `n_spots` points of the picture, two floats each in pixels from the top left: six
+        /// floats for each, a point on it in metres and its unit direction. In perspective the point is where the
+        /// camera stands, in parallel projection it lies on the plane through the base. `capacity`, in floats, must
+        /// be `6 * n_spots` or more. `control` as for `tree_particle_camera_project`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_rays(tree_particle_camera* camera, float* spots, UIntPtr n_spots, tree_control* control, float* rays, UIntPtr capacity);
+
+        /// <summary>
+        /// The camera for a renderer, to draw the tree as the photograph shows it. Set `stand-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_stand(tree_particle_camera* camera, tree_particle_stand* stand);
+
+        /// <summary>
+        /// The same as a view for `tree_render` and `tree_render_mask`: of the photograph's size, with the camera
+        /// placed; everything else is the default. Set `view-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_camera_view(tree_particle_camera* camera, tree_view* view);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stroke_params_init(tree_stroke_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes a graph of strokes that a person drew, whose root is at `base_pixel`, two floats. `params`,
+        /// `control` and `report` may be NULL; `nodes` of the limits caps the points. `gaps`, which may be NULL, gets
+        /// for each stroke the gap in pixels that was closed, NaN where the stroke was left out; `capacity` must be the
+        /// number of strokes or more. Free the graph with `tree_attractor_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_attractor_from_strokes(tree_strokes_columns* columns, float* base_pixel, tree_stroke_params* @params, tree_control* control, tree_stroke_report* report, float* gaps, UIntPtr capacity, tree_attractor** attractor);
+
+        /// <summary>
+        /// Reads the strokes of an SVG drawing made over a picture of `width` x `height` pixels, 1 to 1e6 each: `svg`
+        /// of `len` bytes or `TREE_NUL_TERMINATED`. Every path, line and polyline with its transforms is one, a
+        /// closed shape is a loop. The drawing's view box (or its width and height) is stretched to the picture;
+        /// without either its units are pixels. `control` may be NULL. Free the strokes with `tree_strokes_free`.
+        /// `TREE_ERROR_FORMAT` when the text is no SVG or draws nothing.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_strokes_from_svg(byte* svg, UIntPtr len, float width, float height, tree_control* control, tree_strokes** strokes);
+
+        /// <summary>
+        /// Views strokes, as `tree_attractor_from_strokes` takes them. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_strokes_view(tree_strokes* strokes, tree_strokes_columns* columns);
+
+        /// <summary>
+        /// Frees strokes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_strokes_free(tree_strokes* strokes);
+
+        /// <summary>
+        /// Makes a trimap of `width * height` bytes, each a `TREE_LEVEL_` constant, rows from top to bottom.
+        /// `control` may be NULL; only its limits matter. Free the trimap with `tree_trimap_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_trimap_from_levels(uint width, uint height, byte* levels, UIntPtr n_pixels, tree_control* control, tree_trimap** trimap);
+
+        /// <summary>
+        /// Reads a drawn trimap: black is background, white the tree, grey (and transparent) unknown. Free the
+        /// trimap with `tree_trimap_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_trimap_of_photo(tree_photo* photo, tree_trimap** trimap);
+
+        /// <summary>
+        /// Makes `stroke`, of `size` bytes, the default: one without points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_trimap_stroke_init(tree_trimap_stroke* stroke, UIntPtr size);
+
+        /// <summary>
+        /// Paints `n_strokes` strokes, in their order, over a trimap of `width` x `height` pixels of which nothing is
+        /// known. `control` may be NULL; `pixels` of its limits caps the trimap, `nodes` the points of a stroke. Free
+        /// the trimap with `tree_trimap_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_trimap_from_strokes(uint width, uint height, tree_trimap_stroke* strokes, UIntPtr n_strokes, tree_control* control, tree_trimap** trimap);
+
+        /// <summary>
+        /// Makes `samples`, of `size` bytes, the default: no colours.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_color_samples_init(tree_color_samples* samples, UIntPtr size);
+
+        /// <summary>
+        /// Marks the pixels of a photograph that look like one of the sampled colours; where both sides do, the
+        /// nearer sample decides. `control` may be NULL; `nodes` of its limits caps the samples. Free the trimap
+        /// with `tree_trimap_free`. `TREE_ERROR_INVALID` when either side has no sample.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_trimap_from_colors(tree_photo* photo, tree_color_samples* samples, tree_control* control, tree_trimap** trimap);
+
+        /// <summary>
+        /// Views a trimap. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_trimap_view(tree_trimap* trimap, tree_trimap_columns* columns);
+
+        /// <summary>
+        /// Frees a trimap.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_trimap_free(tree_trimap* trimap);
 
         /// <summary>
         /// Makes `options`, of `size` bytes, the default.

@@ -74,6 +74,23 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_swc", "tree_swc_from_text(swc, sizeof swc - 1, NULL, NULL, &made)"),
     ("tree_texture", "tree_look_texture(live_tree_look(), 0, &made)"),
     ("tree_wind_branches", "tree_skeleton_wind_branches(live_tree_skeleton(), 0, &made)"),
+    (
+        "tree_photo",
+        "(small_tree(), tree_photo_from_pixels(8, 12, small_rgba, sizeof small_rgba, NULL, &made))",
+    ),
+    ("tree_matte", "(small_tree(), tree_matte_from_alpha(8, 12, small_alpha, 96, NULL, &made))"),
+    (
+        "tree_trimap",
+        "(small_tree(), tree_trimap_from_levels(8, 12, small_levels, 96, NULL, &made))",
+    ),
+    ("tree_attractor", "tree_attractor_from_columns(&fork_pixels, NULL, &made)"),
+    ("tree_strokes", "tree_strokes_from_svg(svg, sizeof svg - 1, 8, 12, NULL, &made)"),
+    ("tree_lines", "tree_align_warnings_text(a_warning, 1, &made)"),
+    (
+        "tree_aligned",
+        "tree_align_all((const tree_matte *const[]){live_tree_matte()}, a_look_from_afar(), 1, 5, NULL, \
+         &made)",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

@@ -171,6 +171,33 @@ static const uint16_t leaf_kinds[2];
 static const tree_foliage two_leaves = {sizeof two_leaves, 2, leaf_nodes, leaf_positions,
                                         leaf_rotations, leaf_sizes, leaf_kinds};
 
+/* A crown on a trunk, in few pixels. */
+static uint8_t small_rgba[4 * 8 * 12];
+static uint8_t small_levels[8 * 12];
+static float small_alpha[8 * 12];
+static void small_tree(void) {
+    for (int y = 0; y < 12; y++) {
+        for (int x = 0; x < 8; x++) {
+            int i = 8 * y + x, crown = y > 0 && y < 7 && x > 0 && x < 7, trunk = y < 11 && x / 2 == 1;
+            int in = crown || (trunk && y >= 7), edge = crown && (y == 1 || x == 1 || x == 6);
+            small_alpha[i] = edge ? 0.5f : in ? 1.0f : 0.0f;
+            small_levels[i] = edge ? TREE_LEVEL_UNKNOWN : in ? TREE_LEVEL_FOREGROUND : TREE_LEVEL_BACKGROUND;
+            small_rgba[4 * i] = in ? 40 : 200;
+            small_rgba[4 * i + 1] = in ? 90 : 220;
+            small_rgba[4 * i + 2] = in ? 30 : 255;
+            small_rgba[4 * i + 3] = 255;
+        }
+    }
+}
+static const float fork_spots[] = {3, 11, 3, 6, 2, 2, 5, 2};
+static const tree_attractor_columns fork_pixels = {sizeof fork_pixels, 4, fork_spots, fork_parents};
+static const tree_align_warning a_warning[1];
+static const tree_align_params *a_look_from_afar(void) {
+    static tree_align_params params;
+    must(tree_align_params_init(&params, sizeof params));
+    return &params;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

@@ -176,6 +176,17 @@ pub(crate) unsafe fn out<T: Handle>(place: *mut *mut T, argument: &str) -> Resul
     Ok(Out(place))
 }
 
+/// As [`out`]; NULL where the object is not wanted.
+///
+/// # Safety
+/// As [`out`].
+pub(crate) unsafe fn out_opt<T: Handle>(
+    place: *mut *mut T,
+    argument: &str,
+) -> Result<Option<Out<T>>> {
+    if place.is_null() { Ok(None) } else { unsafe { out(place, argument) }.map(Some) }
+}
+
 /// As [`out`] for two places: both that are there are NULL before the first is an error.
 ///
 /// # Safety

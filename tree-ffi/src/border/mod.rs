@@ -18,7 +18,8 @@ mod text;
 
 pub(crate) use failure::{Failure, Result};
 pub(crate) use handle::{
-    Handle, free, free_owned, get, get_opt, n_live, out, out2, register_for_ever, register_owned,
+    Handle, free, free_owned, get, get_opt, n_live, out, out_opt, out2, register_for_ever,
+    register_owned,
 };
 pub(crate) use sized::{Versioned, foresee, init, read, read_or_default, read_rows, view, write};
 pub(crate) use slice::{fill, floats, out_value, slice, vec2s, vec3s};

@@ -1,19 +1,26 @@
 //! Nodes for long segments.
 
-use crate::border::{Handle, call, free, get, out, out_value, tree_status};
+use crate::border::{Handle, call, free, get, out, out_opt, out_value, tree_status};
 use crate::control::{run, tree_control};
 use crate::mesh::column;
 use crate::skeleton::tree_skeleton;
 use tree_model::foliage::refine;
 
-/// For each node of a skeleton that was made of another, the node there that it comes from.
+/// Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
+/// or the tips of a graph.
 pub struct tree_rows(Vec<u32>);
 
 impl Handle for tree_rows {
     const NAME: &'static str = "tree_rows";
 }
 
-/// Views the numbers: where they begin and how many there are, one for each node of the new skeleton.
+impl tree_rows {
+    pub(crate) fn new(rows: Vec<u32>) -> Self {
+        Self(rows)
+    }
+}
+
+/// Views the numbers: where they begin and how many there are.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_rows_view(
     rows: *const tree_rows,
@@ -49,13 +56,13 @@ pub unsafe extern "C" fn tree_skeleton_refine(
     refined: *mut *mut tree_skeleton,
 ) -> tree_status {
     call(|| {
-        let rows = if rows.is_null() { None } else { Some(unsafe { out(rows, "rows") }?) };
+        let rows = unsafe { out_opt(rows, "rows") }?;
         let place = unsafe { out(refined, "refined") }?;
         let skeleton = unsafe { get(skeleton, "skeleton") }?.rust();
         let made =
             unsafe { run(control, |control| Ok(refine(skeleton, bearing, spacing, control)?)) }?;
         if let Some(rows) = rows {
-            rows.put(tree_rows(made.rows));
+            rows.put(tree_rows::new(made.rows));
         }
         place.put(tree_skeleton::own(made.skeleton));
         Ok(())

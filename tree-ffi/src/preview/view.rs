@@ -71,7 +71,7 @@ unsafe impl Versioned for tree_view {
 }
 
 impl tree_view {
-    fn of(view: &View) -> Self {
+    pub(crate) fn of(view: &View) -> Self {
         let framing = Framing::default();
         let mut flat = Self {
             struct_size: size_of::<Self>(),

@@ -42,6 +42,7 @@ int main(void) {
     test_engine();
     test_io();
     test_preview();
+    test_photo();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

@@ -4,6 +4,8 @@ use crate::common::header::Header;
 
 /// Places for one number or one struct without a size.
 pub(crate) const SINGLES: &[&str] = &[
+    "gap",
+    "length",
     "measure",
     "metres",
     "phase",
@@ -22,12 +24,16 @@ pub(crate) const FLAGS: &[&str] = &["plain", "with_stalks"];
 /// Objects and arrays that may be left out.
 pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
     matches!(argument, "look" | "hints" | "mtl" | "branches")
-        || (function, argument) == ("tree_packed_unpack", "mesh")
+        || matches!(
+            (function, argument),
+            ("tree_packed_unpack", "mesh")
+                | ("tree_attractor_livewire" | "tree_matte_turned", "photo")
+        )
 }
 
 /// Structs that have no default.
 pub(crate) fn is_required(argument: &str) -> bool {
-    matches!(argument, "columns" | "pixels")
+    matches!(argument, "camera" | "columns" | "pixels" | "samples")
 }
 
 /// Arrays that have one count with those after them.
@@ -40,6 +46,7 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
     match (function, argument) {
         ("tree_convert_tangents", "from") => 4,
         ("tree_convert_uvs", "from") | (_, "edges" | "profile") => 2,
+        (_, "eraser" | "seeds" | "spots" | "stroke") => 2,
         (_, "from" | "points" | "positions" | "indices") => 3,
         _ => 1,
     }
@@ -47,7 +54,11 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
 
 /// Numbers in an array of one length that is taken without a count.
 pub(crate) fn fixed(argument: &str) -> usize {
-    if argument == "columns" { 12 } else { 3 }
+    match argument {
+        "columns" => 12,
+        "at_pixel" | "base_pixel" | "by_pixels" => 2,
+        _ => 3,
+    }
 }
 
 /// How many numbers or rows a call writes at most, as an expression of its arguments.
@@ -60,6 +71,12 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("mesh_bend", _) => "3 * this->surface(surface).n_vertices",
         ("mesh_points", _) => "this->surface(number).n_vertices",
         ("pieces_link", _) => "count()",
+        ("matte_sample", _) => "spots.size() / 2",
+        ("particle_camera_project", _) => "points.size() / 3 * 2",
+        ("particle_camera_pixel_sizes", _) => "points.size() / 3",
+        ("particle_camera_rays", _) => "spots.size() / 2 * 6",
+        ("silhouette_seeds", _) => "2 * static_cast<size_t>(most)",
+        ("attractor_from_strokes", _) => "columns ? columns->n_strokes : 0",
         ("graph_search", _) => "view().n_nodes",
         ("volume_sample", _) => "3 * n_points",
         ("volume_contains" | "volume_distance", _) => "points.size() / 3",
@@ -72,6 +89,7 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
 /// The count of what was written, where that can be less than the room.
 pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
     match (function, argument) {
+        ("tree_silhouette_seeds", "seeds") => Some("2 * n_seeds"),
         ("tree_mesh_points", "first") => Some("n_points"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
         _ => None,

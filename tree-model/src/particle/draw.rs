@@ -84,8 +84,8 @@ impl Canvas {
             let end = |piece: u32| from + along * (piece as f32 / pieces as f32);
             let (a, b) = (end(piece), end(piece + 1));
             let (low, high) = ((a.min(b) - reach).max(Vec2::ZERO), a.max(b) + reach);
-            let x1 = (high.x.max(0.0) as u32 + 1).min(self.width);
-            let y1 = (high.y.max(0.0) as u32 + 1).min(self.height);
+            let x1 = (high.x.max(0.0) as u32).saturating_add(1).min(self.width);
+            let y1 = (high.y.max(0.0) as u32).saturating_add(1).min(self.height);
             for y in low.y as u32..y1 {
                 for x in low.x as u32..x1 {
                     let point = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);

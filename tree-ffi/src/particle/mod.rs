@@ -1,0 +1,1 @@
+//! Trees from photographs by particle flow.
