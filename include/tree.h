@@ -19,7 +19,8 @@
 // * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-//   its kind). Handles keep alive what they are made of.
+//   its kind). Handles keep alive what they are made of. One kind changes, `tree_photo_session`: one thread at
+//   a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -374,6 +375,54 @@
 // 10 m that is 1e-13 m².
 #define TREE_FLAT_SHARE 1e-15
 
+// From 0 on a branch to `blend_most` at a distance of `blend_reach` and beyond.
+#define TREE_BLEND_LINEAR 0
+
+// `blend_share` at every distance but 0: particles meet branches at a fixed angle.
+#define TREE_BLEND_CONSTANT 1
+
+// Straight lines between the points of `blend_table`.
+#define TREE_BLEND_TABLE 2
+
+// What `blend_function` says.
+#define TREE_BLEND_FUNCTION 3
+
+// Cameras: base, height and scale of each view.
+#define TREE_PHOTO_STAGE_VIEWS 0
+
+// Main branches in each view.
+#define TREE_PHOTO_STAGE_ATTRACTORS 1
+
+// The density in space, and the way to the base through it.
+#define TREE_PHOTO_STAGE_DENSITY 2
+
+// The direction field of each view.
+#define TREE_PHOTO_STAGE_FIELDS 3
+
+// The particles' traces.
+#define TREE_PHOTO_STAGE_FLOW 4
+
+// Branches.
+#define TREE_PHOTO_STAGE_WOOD 5
+
+// Twigs and leaves.
+#define TREE_PHOTO_STAGE_CROWN 6
+
+// Livewire from points on the silhouette.
+#define TREE_BRANCHES_LIVEWIRE 0
+
+// Livewire from `seeds`.
+#define TREE_BRANCHES_SEEDS 1
+
+// `strokes`, as a person drew them.
+#define TREE_BRANCHES_STROKES 2
+
+// `graph`.
+#define TREE_BRANCHES_GRAPH 3
+
+// None: this view's branches are left to chance.
+#define TREE_BRANCHES_NONE 4
+
 // Predecessor of the root, and of nodes that no path leads to.
 #define TREE_NO_NODE 4294967295u
 
@@ -616,8 +665,14 @@ typedef struct tree_cancel tree_cancel;
 // Collision capsules of a tree.
 typedef struct tree_capsules tree_capsules;
 
+// The voxels that a tree may fill, and what they begin with.
+typedef struct tree_carved tree_carved;
+
 // Triangles of a surface that cross each other.
 typedef struct tree_crossings tree_crossings;
+
+// Directions on a grid of cells over a picture.
+typedef struct tree_direction_field tree_direction_field;
 
 // Leaves found in a mesh, and their kinds.
 typedef struct tree_found_leaves tree_found_leaves;
@@ -633,6 +688,10 @@ typedef struct tree_graph tree_graph;
 
 // Nodes strewn in a volume, ready to be linked.
 typedef struct tree_graph_nodes tree_graph_nodes;
+
+// Numbers on a regular grid of cubic voxels. The number of a voxel is that at its centre. Densities are
+// optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
+typedef struct tree_grid tree_grid;
 
 // The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
 // see how much of its triangles is visible.
@@ -658,6 +717,17 @@ typedef struct tree_packed tree_packed;
 
 // A photograph: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
 typedef struct tree_photo tree_photo;
+
+// A tree in the making: photographs, parameters, and what has been made of them so far.
+//
+// Every stage can be asked for by itself. What is there is kept, so that a change redoes only what comes
+// after it: painting density keeps the branches found in the pictures, another seed keeps density and
+// fields. A call that fails or is cancelled leaves the session as it was, with the stages done by then.
+//
+// It is the only object of the library that changes: do not use it from two threads at once. A call that
+// comes while another is at work on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands
+// out is copied, does not change with it, and outlives it.
+typedef struct tree_photo_session tree_photo_session;
 
 // A picture: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
 typedef struct tree_picture tree_picture;
@@ -693,6 +763,9 @@ typedef struct tree_swc tree_swc;
 // A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
 typedef struct tree_texture tree_texture;
 
+// What particles left behind: traces that join on their way to the base.
+typedef struct tree_traces tree_traces;
+
 // A whole tree: skeleton, leaves and species. Every leaf stands on a node that exists and has a kind
 // that exists.
 typedef struct tree_tree tree_tree;
@@ -709,6 +782,9 @@ typedef struct tree_unpacked tree_unpacked;
 // A solid, or a combination of solids. Plain solids contain their surface; revolutions and meshes
 // contain one side of it, so that solids set side by side share no point there.
 typedef struct tree_volume tree_volume;
+
+// The way to the base from everywhere in a density.
+typedef struct tree_way tree_way;
 
 // The branches of a skeleton, as the wind sees them.
 typedef struct tree_wind_branches tree_wind_branches;
@@ -2193,6 +2269,673 @@ typedef struct tree_bounds {
     float radius;
 } tree_bounds;
 
+// The camera of one photograph. The tree's base is the world's origin, +Y is up. Begin with
+// `tree_particle_camera_init`, or let `tree_align` find it.
+typedef struct tree_particle_camera {
+    // `sizeof(tree_particle_camera)`.
+    size_t struct_size;
+    // Where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a quarter turn on
+    // +X. -1e6 to 1e6; default 0.
+    float yaw;
+    // How far the camera looks down, in radians, -1.5 to 1.5. A photograph from the ground looks up:
+    // negative. Default 0.
+    float pitch;
+    // Vertical field of view of the whole picture in radians, 0.017 to 2.8: a phone held upright has about
+    // 1.2. 0, the default, is parallel projection, close enough for a photograph from afar.
+    float fov;
+    // Size of the picture in pixels, 1 to 1e6 each. Default 1, 1: set it.
+    float size[2];
+    // Where the tree's base is in the picture, in pixels from the top left; may lie outside. Default 0.5, 1:
+    // set it.
+    float base[2];
+    // Metres for a pixel, at the tree's base, 1e-7 to 1e6. Default 1: set it.
+    float scale;
+} tree_particle_camera;
+
+// One photograph, ready to be used: what it shows of the tree and where it was taken from. Begin with
+// `tree_particle_view_init`.
+typedef struct tree_particle_view {
+    // `sizeof(tree_particle_view)`.
+    size_t struct_size;
+    // How much of each pixel the tree covers. No default: NULL, which is refused.
+    const struct tree_matte *matte;
+    // The photograph itself, of the same size; may be NULL.
+    const struct tree_photo *photo;
+    // Where it was taken from; its `size` is that of the matte. No default: NULL, which is refused.
+    const struct tree_particle_camera *camera;
+} tree_particle_view;
+
+// What a density depends on. Begin with `tree_density_params_init`.
+typedef struct tree_density_params {
+    // `sizeof(tree_density_params)`.
+    size_t struct_size;
+    // Voxels along the tree's height, 4 to 256. Default 48. Memory and time grow with its cube. Trees more
+    // than four times as wide as high get larger voxels.
+    uint32_t resolution;
+    // Voxels are thrown away where a view covers less of them than this, 0 to 1. Default 0.05. Higher
+    // values cut off thin foliage.
+    float threshold;
+    // How far horizontal sections of the crown are rounded, 0 (boxes from two views) to 1 (ellipses of the
+    // widths seen). Default 1.
+    float rounding;
+    // Rays for every side of a voxel, 0.25 to 4, in each view. Default 1. Memory and time grow with its
+    // square.
+    float rays;
+    // Least transparency of a pixel, 1e-4 to 0.5: what is opaque counts as letting so much through.
+    // Default 0.02. Lower values make the densest parts denser.
+    float least_transparency;
+    // Weight of the demand that densities are small and even, 0.01 to 10. Default 0.7. Higher values thin
+    // out what is few voxels deep; lower ones leave specks where views differ, and take longer.
+    float evenness;
+    // Most iterations of the solver, 1 to 100,000. Default 500.
+    uint32_t iterations;
+    // The solver stops when the densities are surely within this share of the exact ones, 1e-4 to 1.
+    // Default 0.02.
+    float tolerance;
+} tree_density_params;
+
+// How a density came about.
+typedef struct tree_density_report {
+    // `sizeof(tree_density_report)`.
+    size_t struct_size;
+    // Rays: equations.
+    uint64_t n_rays;
+    // Voxels that were left after carving: unknowns.
+    uint64_t n_voxels;
+    // Voxels thrown away by carving.
+    uint64_t n_carved;
+    // Voxels that no picture shows.
+    uint64_t n_unseen;
+    // Entries of the system of equations that are not zero.
+    uint64_t n_entries;
+    // What looking through the density misses of the mattes, as a share: 0 when it gives them exactly.
+    double residual;
+    // Iterations of the solver.
+    uint32_t n_iterations;
+    // 1 when the solver stopped at the most iterations allowed, and the density is not final.
+    uint32_t not_converged;
+    // Views that contradict the others.
+    uint32_t n_contradictions;
+    // Views that are covered all over, and say nothing about the tree's outline.
+    uint32_t n_opaque;
+} tree_density_report;
+
+// How one view fits a density.
+typedef struct tree_density_view {
+    // What looking through the density misses of the view's matte, as a share: 0 when it gives it exactly.
+    double residual;
+    // 1 when the view contradicts the others.
+    uint32_t contradicts;
+    // 1 when the view is covered all over, and says nothing about the tree's outline.
+    uint32_t is_opaque;
+} tree_density_view;
+
+// A view of what carving left.
+typedef struct tree_carved_columns {
+    // `sizeof(tree_carved_columns)`.
+    size_t struct_size;
+    // Number of voxels that are left.
+    size_t n_voxels;
+    // For each of them its row in the grid, rising.
+    const uint32_t *voxels;
+    // For each of them how far it lies inside the rounded crown, 0 to 1.
+    const float *weights;
+    // Voxels that were thrown away although a view shows them.
+    uint64_t n_carved;
+    // Voxels that no picture shows.
+    uint64_t n_unseen;
+} tree_carved_columns;
+
+// How much more points are wanted at `position`, three floats in metres, than the density says: 1 as much,
+// 0 none. Negative and not a number count as 0. Asked once for the centre of each voxel that is not empty,
+// from any thread and from several at a time; must give the same answer for the same place, and must not
+// unwind.
+typedef float (*tree_weight_fn)(void *user, const float *position);
+
+// A stroke over a matte. Begin with `tree_density_stroke_init`.
+typedef struct tree_density_stroke {
+    // `sizeof(tree_density_stroke)`.
+    size_t struct_size;
+    // Its course: two floats for each point, in pixels from the top left. One point makes a dot.
+    const float *points;
+    // Number of points.
+    size_t n_points;
+    // Width in pixels, above 0. Default 20.
+    float width;
+    // What the matte becomes in its middle, 0 (erase) to 1 (opaque). Default 1.
+    float value;
+    // Share of its width over which it fades, 0 (hard) to 1. Default 0.5.
+    float softness;
+    // 0.
+    uint32_t reserved;
+} tree_density_stroke;
+
+// A stroke of a ball through a grid. Begin with `tree_density_brush_init`.
+typedef struct tree_density_brush {
+    // `sizeof(tree_density_brush)`.
+    size_t struct_size;
+    // Its course: three floats for each point, in metres. One point makes a ball.
+    const float *points;
+    // Number of points.
+    size_t n_points;
+    // Radius in metres, above 0. Default 0.5.
+    float radius;
+    // What the grid becomes in its middle, 0 (erase) to 1e6 per metre. Default 1.
+    float value;
+    // Share of its radius over which it fades, 0 (hard) to 1. Default 0.5.
+    float softness;
+    // 0.
+    uint32_t reserved;
+} tree_density_brush;
+
+// The share of the direction towards the nearest branch, 0 to 1, at a distance as a share of the picture's
+// height. Not a number counts as 0. Called from any thread, by several at once; must give the same answer
+// for the same distance, and must not unwind.
+typedef float (*tree_blend_fn)(void *user, float distance);
+
+// How much a particle is directed towards the branches instead of along them, by its distance: one of the
+// `TREE_BLEND_` constants.
+typedef uint32_t tree_blend;
+
+// How a direction field is made. Begin with `tree_field_params_init`.
+typedef struct tree_field_params {
+    // `sizeof(tree_field_params)`.
+    size_t struct_size;
+    // Table: two floats for each point: a distance as a share of the picture's height, ascending, and a
+    // share, 0 to 1. Before the first and after the last it is as there. Default NULL.
+    const float *blend_table;
+    // Table: number of points, at least 1.
+    size_t n_blend_table;
+    // Function. Default NULL. Sessions and `tree_from_photos` keep parameters longer than a call and take
+    // no functions: give them a table.
+    tree_blend_fn blend_function;
+    // Handed to `blend_function`.
+    void *blend_user;
+    // How directions towards and along branches are blended. Default `TREE_BLEND_LINEAR`.
+    tree_blend blend;
+    // Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.1.
+    float blend_reach;
+    // Linear: greatest share, 0 to 1. Default 0.85.
+    float blend_most;
+    // Constant: share, 0 to 1. Default 0.
+    float blend_share;
+    // Cells over the height of the picture, 1 to 4096. Default 100. Cost grows with the square.
+    uint32_t rows;
+    // How far the grid reaches beyond the picture on every side, as a share of its height, 0 to 2. Default
+    // 0.1.
+    float margin;
+} tree_field_params;
+
+// A view of a direction field.
+typedef struct tree_direction_field_columns {
+    // `sizeof(tree_direction_field_columns)`.
+    size_t struct_size;
+    // Two floats for each cell, row by row from the top left: x to the right, y up, length 0 to 1. 0, 0
+    // where there is no direction.
+    const float *vectors;
+    // Number of cells: `size[0] * size[1]`.
+    size_t n_vectors;
+    // Cells across and down.
+    uint32_t size[2];
+    // Pixels for a cell.
+    float cell;
+    // 0.
+    uint32_t reserved;
+} tree_direction_field_columns;
+
+// How traces become a tree. Begin with `tree_finish_params_init`, which makes it an oak, or with
+// `tree_finish_params_find`. What it points at then belongs to the library, lives for ever and is not to be
+// written: to alter twigs or leaves, copy them to a struct of your own and point at that.
+typedef struct tree_finish_params {
+    // `sizeof(tree_finish_params)`.
+    size_t struct_size;
+    // How thick branches are: a rule of the kind `TREE_RADII_PIPE`. Without a `trunk_radius` that seen in
+    // the pictures is taken, and where they show no bare trunk, `slenderness`. NULL for the default: an
+    // exponent of 2.2.
+    const struct tree_radius_rule *radii;
+    // Twigs on the ends of the traces; NULL for none. Default those of an oak.
+    const struct tree_twig_params *twigs;
+    // Leaves; NULL for a bare tree. Default sprays of an oak's leaves.
+    const struct tree_leaf_params *leaves;
+    // Names of species, bark and leaves; NULL for an oak's. With leaves it must have the kind that they
+    // name.
+    const struct tree_species *species;
+    // Passes of smoothing along branches, 0 to 100. Default 4.
+    uint32_t smoothing;
+    // Nodes nearer to the one below than this share of the tree's height are left out, 0 to 0.1. Default
+    // 0.005.
+    float spacing;
+    // Radius of the trunk as a share of the height where nothing tells it, 1e-4 to 0.2. Default 0.017.
+    float slenderness;
+    // Area of a blade as a share of its length squared, 1e-3 to 2: how much a leaf covers, and so how many
+    // it takes. Default 0.333, an oak's spray; an oak leaf has 0.28, a needle 0.04.
+    float blade;
+    // Leaves against what the pictures ask for, 0 to 10. Default 1.
+    float fullness;
+    // Times the leaves are counted in the pictures and their density put right, 0 to 10. Default 3.
+    uint32_t corrections;
+    // Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.5.
+    float empty;
+    // 0.
+    uint32_t reserved;
+} tree_finish_params;
+
+// What growing twigs and leaves did.
+typedef struct tree_crown_report {
+    // `sizeof(tree_crown_report)`.
+    size_t struct_size;
+    // Nodes of twigs.
+    uint64_t n_twig_nodes;
+    // Nodes of twigs cut off because they reached where a picture is empty.
+    uint64_t n_twig_nodes_cut;
+    // Leaves (blades) that stayed.
+    uint64_t n_leaves;
+    // Leaves discarded because a picture is empty there.
+    uint64_t n_leaves_discarded;
+    // Leaves the pictures ask for, as far as the last correction knows.
+    double leaves_asked;
+} tree_crown_report;
+
+// How particles move and join. Lengths are shares of the tree's height, so that the same numbers do for a
+// shrub and a giant. Begin with `tree_flow_params_init`.
+typedef struct tree_flow_params {
+    // `sizeof(tree_flow_params)`.
+    size_t struct_size;
+    // Particles, 1 to 10 million: 500 to 1000 for trees of medium size, 1000 to 2000 for large ones.
+    // Default 1500. Cost grows a little more than linearly.
+    uint32_t particles;
+    // Steps after which particles still on their way are steered straight to the base, 1 to 100,000.
+    // Default 200.
+    uint32_t steps;
+    // Way of a particle in one step, 1e-4 to 0.1. Default 0.008. Smaller is smoother and slower.
+    float step;
+    // Particles nearer than this join, 1e-5 to 0.2. Default 0.01. Larger gives fewer, longer branches.
+    float join;
+    // How far a particle sees its nearest neighbour, 0 to 1. Default 0.06.
+    float sight;
+    // Pull along the pictures' direction fields, 0 to 10. Default 1. The pulls decide the direction only,
+    // so just their proportions matter.
+    float image;
+    // Pull towards the base, through the densest way, 0 to 10. Default 0.15. Where no field says anything
+    // it counts in full.
+    float base;
+    // Pull of the nearest neighbour when it is close, 0 to 10. Default 0.45. Larger joins twigs sooner.
+    float neighbour;
+    // Way on which a lone particle turns most of the way into a new direction, 1e-4 to 1. Default 0.012.
+    float turn;
+    // How much more reluctant joined particles are: the way of turning grows with mass to this power, 0
+    // to 1. Default 0.15.
+    float inertia;
+    // Cost of the way down the stem against that through the crown, 0.05 to 1 (no stem). Default 0.6.
+    // Where no picture shows branches, they leave the stem at the angle whose cosine this is.
+    float stem;
+    // Least distance between nodes of a trace, 1e-4 to 0.2. Default 0.01.
+    float spacing;
+    // Error of one step that is tolerated, as a share of `join`, 1e-4 to 1; worse steps are halved.
+    // Default 0.05.
+    float tolerance;
+    // 0.
+    uint32_t reserved;
+} tree_flow_params;
+
+// A view that steers particles. Begin with `tree_flow_view_init`.
+typedef struct tree_flow_view {
+    // `sizeof(tree_flow_view)`.
+    size_t struct_size;
+    // Where its photograph was taken from. No default: NULL, which is refused.
+    const struct tree_particle_camera *camera;
+    // Where particles go in its picture. No default: NULL, which is refused.
+    const struct tree_direction_field *field;
+} tree_flow_view;
+
+// What became of the particles.
+typedef struct tree_flow_report {
+    // `sizeof(tree_flow_report)`.
+    size_t struct_size;
+    // Parts that the integrator cut all steps of all particles into.
+    uint64_t n_parts;
+    // Particles that started.
+    uint32_t n_particles;
+    // Joins of two particles.
+    uint32_t n_joins;
+    // Particles that joined a trace whose particle had gone on.
+    uint32_t n_followed;
+    // Particles, after joins, that reached the base on traces of their own.
+    uint32_t n_arrived;
+    // Particles that were still on their way after `steps` and were steered to the base without heed to
+    // the pictures.
+    uint32_t n_steered;
+    // Particles that could not even be steered and were led straight to the nearest trace.
+    uint32_t n_led;
+    // Steps taken.
+    uint32_t n_steps;
+    // 0.
+    uint32_t reserved;
+} tree_flow_report;
+
+// A view of traces. Nodes are in the order in which they were left behind; node 0 is the base.
+typedef struct tree_traces_columns {
+    // `sizeof(tree_traces_columns)`.
+    size_t struct_size;
+    // Number of nodes, at least 1.
+    size_t n_nodes;
+    // Three floats for each node: where it is, in metres.
+    const float *positions;
+    // For each node the one it leads to, on the way to the base; `TREE_NO_PARENT` at the base.
+    const uint32_t *next;
+    // For each node the number of particles whose way led through it.
+    const uint32_t *masses;
+} tree_traces_columns;
+
+// A view of a grid. Voxel (x, y, z) is row `(z * size[1] + y) * size[0] + x`; its centre is
+// `corner + voxel * (x + 0.5, y + 0.5, z + 0.5)`.
+typedef struct tree_grid_columns {
+    // `sizeof(tree_grid_columns)`.
+    size_t struct_size;
+    // One for each voxel: x runs fastest, then y, then z.
+    const float *values;
+    // Number of voxels: `size[0] * size[1] * size[2]`.
+    size_t n_values;
+    // Lowest corner in metres.
+    float corner[3];
+    // Side of a voxel in metres.
+    float voxel;
+    // Voxels along x, y and z.
+    uint32_t size[3];
+    // 0.
+    uint32_t reserved;
+} tree_grid_columns;
+
+// Where a photograph was taken from: found in the matte, or as the caller knows. Begin with
+// `tree_photo_placing_init`.
+typedef struct tree_photo_placing {
+    // `sizeof(tree_photo_placing)`.
+    size_t struct_size;
+    // The camera, where it is known; then the other fields do not count. Default NULL: base, height and
+    // scale are found in the matte.
+    const struct tree_particle_camera *camera;
+    // Where the camera stood around the trunk, in radians: 0, the default, on +Z, a quarter turn on +X.
+    float yaw;
+    // How far it looked down, in radians, -1.5 to 1.5. Default 0.
+    float pitch;
+    // Vertical field of view of the whole picture in radians, 0.017 to 2.8; 0, the default, is parallel
+    // projection.
+    float fov;
+    // 0.
+    uint32_t reserved;
+} tree_photo_placing;
+
+// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
+// `starts[i + 1]`. Set `struct_size` first.
+typedef struct tree_strokes_columns {
+    // `sizeof(tree_strokes_columns)`.
+    size_t struct_size;
+    // Number of strokes.
+    size_t n_strokes;
+    // `n_strokes + 1` numbers: 0 first, none below the one before it, `n_points` last. NULL for no strokes.
+    const uint64_t *starts;
+    // Number of points of all strokes.
+    size_t n_points;
+    // Two floats for each point, in pixels from the top left of the picture.
+    const float *points;
+} tree_strokes_columns;
+
+// Where a photograph's main branches come from: one of the `TREE_BRANCHES_` constants.
+typedef uint32_t tree_branches_kind;
+
+// A photograph's main branches. Begin with `tree_photo_branches_init`.
+typedef struct tree_photo_branches {
+    // `sizeof(tree_photo_branches)`.
+    size_t struct_size;
+    // Seeds: two floats for each point, in pixels from the top left. Default NULL.
+    const float *seeds;
+    // Number of seeds.
+    size_t n_seeds;
+    // Strokes: as `tree_attractor_from_strokes` takes them. Default NULL.
+    const struct tree_strokes_columns *strokes;
+    // Graph: the graph. Default NULL.
+    const struct tree_attractor *graph;
+    // Where they come from. Default `TREE_BRANCHES_LIVEWIRE`.
+    tree_branches_kind kind;
+    // 0.
+    uint32_t reserved;
+} tree_photo_branches;
+
+// One photograph as it goes in. Begin with `tree_photo_shot_init`.
+typedef struct tree_photo_shot {
+    // `sizeof(tree_photo_shot)`.
+    size_t struct_size;
+    // How much of each pixel the tree covers. No default: NULL, which is refused.
+    const struct tree_matte *matte;
+    // The photograph, of the same size, where livewire looks for branches. Default NULL: it looks at the
+    // matte.
+    const struct tree_photo *photo;
+    // Where it was taken from. Default NULL: from the front.
+    const struct tree_photo_placing *placing;
+    // Its main branches. Default NULL: livewire from points on the silhouette.
+    const struct tree_photo_branches *branches;
+} tree_photo_shot;
+
+// Which points of the silhouette may be seeds. Begin with `tree_seed_params_init`.
+typedef struct tree_seed_params {
+    // `sizeof(tree_seed_params)`.
+    size_t struct_size;
+    // Distance that seeds keep from the trunk as a share of the tree's height, 0 to 1. Default 0.08.
+    float from_trunk;
+    // Lowest height of a seed over the base as a share of the tree's height, -1 to 1. Default 0.05: what
+    // hangs lower is left out.
+    float lowest;
+    // How far the silhouette may face down at a seed, 0 (aside) to 1 (straight down). Default 0.8.
+    float downwards;
+    // 0.
+    uint32_t reserved;
+} tree_seed_params;
+
+// How paths are found. Begin with `tree_livewire_params_init`.
+typedef struct tree_livewire_params {
+    // `sizeof(tree_livewire_params)`.
+    size_t struct_size;
+    // Rows of pixels over the height of the tree at which paths are sought, 16 to 1024. Default 256. Time
+    // and memory (120 bytes a pixel at most) grow with the square.
+    uint32_t rows;
+    // How closely paths follow visible structures, 0 (not at all) to 0.98. Default 0.88: a step along the
+    // clearest branch costs 12 % of one through leaves.
+    float follow;
+    // Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
+    float outside;
+    // How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
+    float centre;
+    // How much more a step costs that leads back towards the base and down than one that leads away from
+    // it and up, 0 to 10. Default 0.6.
+    float outwards;
+    // How much less than a step through leaves one costs along a path found before, 0 (paths do not
+    // attract each other) to 0.9. Default 0.3.
+    float join;
+    // Passes of smoothing over paths of working pixels, 0 to 1000. Default 12.
+    uint32_t smoothing;
+    // Distance between nodes as a share of the tree's height, 0.001 to 0.5. Default 0.02.
+    float spacing;
+    // Side branches shorter than this share of the tree's height are left out, 0 to 0.5. Default 0.05.
+    float stub;
+    // 0.
+    uint32_t reserved;
+} tree_livewire_params;
+
+// How strokes are cleaned and joined. Begin with `tree_stroke_params_init`.
+typedef struct tree_stroke_params {
+    // `sizeof(tree_stroke_params)`.
+    size_t struct_size;
+    // Distance between nodes as a share of the drawing's size, 0.001 to 0.5. Default 0.02.
+    float spacing;
+    // Gaps up to this share of the drawing's size are closed by moving the stroke's end, 0 to 1; wider
+    // ones are bridged by a straight line and reported. Default 0.03.
+    float snap;
+} tree_stroke_params;
+
+// All parameters of the way from photographs to a tree. A part that is NULL, as all are after
+// `tree_photo_params_init`, is its default.
+typedef struct tree_photo_params {
+    // `sizeof(tree_photo_params)`.
+    size_t struct_size;
+    // What points on the silhouettes are drawn with. They do not change with the tree's seed: what a
+    // photograph shows is the same for all trees made of it. Default 0.
+    uint64_t attractor_seed;
+    // Which points of a silhouette may be seeds.
+    const struct tree_seed_params *seeds;
+    // How livewire finds branches.
+    const struct tree_livewire_params *livewire;
+    // How drawn strokes are joined.
+    const struct tree_stroke_params *strokes;
+    // How the density is found.
+    const struct tree_density_params *density;
+    // How branches steer particles.
+    const struct tree_field_params *field;
+    // How particles move.
+    const struct tree_flow_params *flow;
+    // How traces become a tree.
+    const struct tree_finish_params *finish;
+    // Height of the tree in metres, 0.01 to 1000. Default 10.
+    float height;
+    // Points on each silhouette from which livewire seeks branches, 0 to 10,000. Default 40.
+    uint32_t branches;
+    // Whether a side is imagined where all photographs are from one side (or its back): the first photograph,
+    // mirrored, from a quarter turn round. Without it the depth of the crown is filled evenly. Default 1.
+    uint32_t imagine;
+    // 0.
+    uint32_t reserved;
+} tree_photo_params;
+
+// A stage of a session: one of the `TREE_PHOTO_STAGE_` constants, in the order in which they are done.
+typedef uint32_t tree_photo_stage;
+
+// What was found, repaired and left out on the way from photographs to a tree. The fields that begin with
+// `density_`, `flow_` and `crown_` are those of `tree_density_report`, `tree_flow_report` and
+// `tree_crown_report`.
+typedef struct tree_photo_report {
+    // `sizeof(tree_photo_report)`.
+    size_t struct_size;
+    // Number of views.
+    uint64_t n_views;
+    // Number of lines that `tree_photo_session_warnings` gives.
+    uint64_t n_warnings;
+    // Radius of the trunk that the views show, in metres; 0 where they show no bare trunk.
+    float trunk_radius;
+    // Height in metres below which no view shows more than the trunk.
+    float crown_base;
+    // Rays: equations.
+    uint64_t density_rays;
+    // Voxels that were left after carving: unknowns.
+    uint64_t density_voxels;
+    // Voxels thrown away by carving.
+    uint64_t density_carved;
+    // Voxels that no picture shows.
+    uint64_t density_unseen;
+    // Entries of the system of equations that are not zero.
+    uint64_t density_entries;
+    // What looking through the density misses of the mattes, as a share.
+    double density_residual;
+    // Iterations of the solver.
+    uint32_t density_iterations;
+    // 1 when the density is not final.
+    uint32_t density_not_converged;
+    // Views that contradict the others.
+    uint32_t density_contradictions;
+    // Views that are covered all over.
+    uint32_t density_opaque;
+    // Parts that the integrator cut all steps of all particles into.
+    uint64_t flow_parts;
+    // Particles that started.
+    uint32_t flow_particles;
+    // Joins of two particles.
+    uint32_t flow_joins;
+    // Particles that joined a trace whose particle had gone on.
+    uint32_t flow_followed;
+    // Particles, after joins, that reached the base on traces of their own.
+    uint32_t flow_arrived;
+    // Particles that were steered to the base after all steps.
+    uint32_t flow_steered;
+    // Particles that were led straight to the nearest trace.
+    uint32_t flow_led;
+    // Steps taken.
+    uint32_t flow_steps;
+    // 0.
+    uint32_t reserved;
+    // Nodes of twigs.
+    uint64_t crown_twig_nodes;
+    // Nodes of twigs cut off because they reached where a picture is empty.
+    uint64_t crown_twig_nodes_cut;
+    // Leaves (blades) that stayed.
+    uint64_t crown_leaves;
+    // Leaves discarded because a picture is empty there.
+    uint64_t crown_leaves_discarded;
+    // Leaves the pictures ask for, as far as the last correction knows.
+    double crown_leaves_asked;
+} tree_photo_report;
+
+// What may be wrong with an alignment: one of the `TREE_ALIGN_` constants.
+typedef uint32_t tree_align_problem;
+
+// What may be wrong with an alignment. Fields that the problem does not name are 0.
+typedef struct tree_align_warning {
+    // Which problem. New ones may be added.
+    tree_align_problem problem;
+    // Index into the views.
+    uint32_t view;
+    // Number of parts.
+    uint32_t parts;
+    // A share, 0 to 1 or more.
+    float found;
+    // What is found in most views.
+    float usual;
+} tree_align_warning;
+
+// What one view gave.
+typedef struct tree_photo_view_report {
+    // `sizeof(tree_photo_view_report)`.
+    size_t struct_size;
+    // What looking through the density misses of the view's matte, as a share; 0 where the density came
+    // from elsewhere.
+    double residual;
+    // 1 when the view contradicts the others.
+    uint32_t contradicts;
+    // 1 when the view is covered all over.
+    uint32_t is_opaque;
+    // What its alignment is doubtful about: rows of `warnings`. 0 where the caller placed the camera.
+    uint32_t n_warnings;
+    // 1 when the view gives directions: not without branches.
+    uint32_t attracts;
+    // 1 when livewire sought branches, and the fields from here to `trunk_width` count.
+    uint32_t has_livewire;
+    // Seeds that were not finite and left out.
+    uint32_t n_bad_seeds;
+    // Seeds outside the picture, moved to its border.
+    uint32_t n_moved_seeds;
+    // Side branches left out as stubs.
+    uint32_t n_stubs;
+    // Tips of the graph.
+    uint32_t n_tips;
+    // Share of the paths' length that runs outside the tree, 0 to 1: gaps that were bridged.
+    float outside;
+    // How clearly the picture shows branches along the paths, 0 (arbitrary) to 1.
+    float evidence;
+    // Width of the trunk at its foot in pixels; 0 where no trunk is seen.
+    float trunk_width;
+    // 1 when strokes were joined, and the fields after it count.
+    uint32_t has_strokes;
+    // Points left out because they were not finite.
+    uint32_t n_bad_points;
+    // Strokes left out because they had no length.
+    uint32_t n_empty;
+    // Strokes that were joined over a gap wider than the snapping distance.
+    uint32_t n_bridged;
+    // Strokes joined by their middle, in two parts.
+    uint32_t n_split;
+    // Doubts about its alignment, the first `n_warnings` rows.
+    struct tree_align_warning warnings[TREE_ALIGN_WARNINGS];
+    // 0.
+    uint32_t reserved;
+} tree_photo_view_report;
+
 // Makes edges dearer or cheaper inside a volume. Begin with `tree_paint_init`.
 typedef struct tree_paint {
     // `sizeof(tree_paint)`.
@@ -2501,46 +3244,6 @@ typedef struct tree_align_params {
     float fov;
 } tree_align_params;
 
-// What may be wrong with an alignment: one of the `TREE_ALIGN_` constants.
-typedef uint32_t tree_align_problem;
-
-// What may be wrong with an alignment. Fields that the problem does not name are 0.
-typedef struct tree_align_warning {
-    // Which problem. New ones may be added.
-    tree_align_problem problem;
-    // Index into the views.
-    uint32_t view;
-    // Number of parts.
-    uint32_t parts;
-    // A share, 0 to 1 or more.
-    float found;
-    // What is found in most views.
-    float usual;
-} tree_align_warning;
-
-// The camera of one photograph. The tree's base is the world's origin, +Y is up. Begin with
-// `tree_particle_camera_init`, or let `tree_align` find it.
-typedef struct tree_particle_camera {
-    // `sizeof(tree_particle_camera)`.
-    size_t struct_size;
-    // Where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a quarter turn on
-    // +X. -1e6 to 1e6; default 0.
-    float yaw;
-    // How far the camera looks down, in radians, -1.5 to 1.5. A photograph from the ground looks up:
-    // negative. Default 0.
-    float pitch;
-    // Vertical field of view of the whole picture in radians, 0.017 to 2.8: a phone held upright has about
-    // 1.2. 0, the default, is parallel projection, close enough for a photograph from afar.
-    float fov;
-    // Size of the picture in pixels, 1 to 1e6 each. Default 1, 1: set it.
-    float size[2];
-    // Where the tree's base is in the picture, in pixels from the top left; may lie outside. Default 0.5, 1:
-    // set it.
-    float base[2];
-    // Metres for a pixel, at the tree's base, 1e-7 to 1e6. Default 1: set it.
-    float scale;
-} tree_particle_camera;
-
 // What was found in a matte. Lengths are in pixels from the top left.
 typedef struct tree_align_report {
     // `sizeof(tree_align_report)`.
@@ -2670,17 +3373,6 @@ typedef struct tree_mark {
     uint32_t color;
 } tree_mark;
 
-// How strokes are cleaned and joined. Begin with `tree_stroke_params_init`.
-typedef struct tree_stroke_params {
-    // `sizeof(tree_stroke_params)`.
-    size_t struct_size;
-    // Distance between nodes as a share of the drawing's size, 0.001 to 0.5. Default 0.02.
-    float spacing;
-    // Gaps up to this share of the drawing's size are closed by moving the stroke's end, 0 to 1; wider
-    // ones are bridged by a straight line and reported. Default 0.03.
-    float snap;
-} tree_stroke_params;
-
 // What became of strokes.
 typedef struct tree_stroke_report {
     // `sizeof(tree_stroke_report)`.
@@ -2712,36 +3404,6 @@ typedef struct tree_erase_report {
     uint32_t reserved;
 } tree_erase_report;
 
-// How paths are found. Begin with `tree_livewire_params_init`.
-typedef struct tree_livewire_params {
-    // `sizeof(tree_livewire_params)`.
-    size_t struct_size;
-    // Rows of pixels over the height of the tree at which paths are sought, 16 to 1024. Default 256. Time
-    // and memory (120 bytes a pixel at most) grow with the square.
-    uint32_t rows;
-    // How closely paths follow visible structures, 0 (not at all) to 0.98. Default 0.88: a step along the
-    // clearest branch costs 12 % of one through leaves.
-    float follow;
-    // Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
-    float outside;
-    // How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
-    float centre;
-    // How much more a step costs that leads back towards the base and down than one that leads away from
-    // it and up, 0 to 10. Default 0.6.
-    float outwards;
-    // How much less than a step through leaves one costs along a path found before, 0 (paths do not
-    // attract each other) to 0.9. Default 0.3.
-    float join;
-    // Passes of smoothing over paths of working pixels, 0 to 1000. Default 12.
-    uint32_t smoothing;
-    // Distance between nodes as a share of the tree's height, 0.001 to 0.5. Default 0.02.
-    float spacing;
-    // Side branches shorter than this share of the tree's height are left out, 0 to 0.5. Default 0.05.
-    float stub;
-    // 0.
-    uint32_t reserved;
-} tree_livewire_params;
-
 // What livewire found.
 typedef struct tree_livewire_report {
     // `sizeof(tree_livewire_report)`.
@@ -2763,21 +3425,6 @@ typedef struct tree_livewire_report {
     // 0.
     uint32_t reserved;
 } tree_livewire_report;
-
-// Which points of the silhouette may be seeds. Begin with `tree_seed_params_init`.
-typedef struct tree_seed_params {
-    // `sizeof(tree_seed_params)`.
-    size_t struct_size;
-    // Distance that seeds keep from the trunk as a share of the tree's height, 0 to 1. Default 0.08.
-    float from_trunk;
-    // Lowest height of a seed over the base as a share of the tree's height, -1 to 1. Default 0.05: what
-    // hangs lower is left out.
-    float lowest;
-    // How far the silhouette may face down at a seed, 0 (aside) to 1 (straight down). Default 0.8.
-    float downwards;
-    // 0.
-    uint32_t reserved;
-} tree_seed_params;
 
 // A view of a matte. Pixel 0 is at the top left; its area runs from (0, 0) to (1, 1), so its centre is
 // (0.5, 0.5), as everywhere where pixels are counted with fractions.
@@ -2915,21 +3562,6 @@ typedef struct tree_view {
     // 0.
     uint32_t reserved;
 } tree_view;
-
-// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
-// `starts[i + 1]`. Set `struct_size` first.
-typedef struct tree_strokes_columns {
-    // `sizeof(tree_strokes_columns)`.
-    size_t struct_size;
-    // Number of strokes.
-    size_t n_strokes;
-    // `n_strokes + 1` numbers: 0 first, none below the one before it, `n_points` last. NULL for no strokes.
-    const uint64_t *starts;
-    // Number of points of all strokes.
-    size_t n_points;
-    // Two floats for each point, in pixels from the top left of the picture.
-    const float *points;
-} tree_strokes_columns;
 
 // A scribble over a photograph. Begin with `tree_trimap_stroke_init`.
 typedef struct tree_trimap_stroke {
@@ -4280,6 +4912,576 @@ tree_status tree_mesh_check_colors(const struct tree_mesh *mesh);
 // Checks that normals have unit length, within half a percent, on which file formats and engines rely;
 // drawing does not.
 tree_status tree_mesh_check_normals(const struct tree_mesh *mesh);
+
+// The density of a tree from `n_views` views, at least one: optical depth per metre, such that looking
+// through the grid gives the mattes. It is `tree_carved_new` and `tree_carved_solve` in one.
+//
+// `params`, `control` and `report` may be NULL. `rows`, NULL or with room for `capacity` rows (one for each
+// view), says how well each view fits. Free the grid with `tree_grid_free`. `TREE_ERROR_NO_RESULT` names a
+// view that shows no tree, is not of its camera's size, or leaves nothing of what the others see;
+// `TREE_ERROR_PARAMETER` what is out of range; `TREE_ERROR_LIMIT` comes before too many voxels.
+tree_status tree_grid_from_views(const struct tree_particle_view *views,
+                                 size_t n_views,
+                                 const struct tree_density_params *params,
+                                 const struct tree_control *control,
+                                 struct tree_density_report *report,
+                                 struct tree_density_view *rows,
+                                 size_t capacity,
+                                 struct tree_grid **grid);
+
+// The first stage of `tree_grid_from_views`: lays a grid of cubes around what the views see and throws away
+// those that a view shows to be empty. Arguments and errors are as there. Free it with `tree_carved_free`.
+tree_status tree_carved_new(const struct tree_particle_view *views,
+                            size_t n_views,
+                            const struct tree_density_params *params,
+                            const struct tree_control *control,
+                            struct tree_carved **carved);
+
+// Views what carving left. Set `columns->struct_size` first.
+tree_status tree_carved_view(const struct tree_carved *carved, struct tree_carved_columns *columns);
+
+// The grid of carving: in each voxel the least of the average mattes it projects to, 0 to 1; 0 where it was
+// thrown away. Free it with `tree_grid_free`.
+tree_status tree_carved_alpha(const struct tree_carved *carved,
+                              struct tree_grid **grid);
+
+// The second stage of `tree_grid_from_views`: densities in the voxels that were left, for the views and
+// params that were carved. Arguments and errors are as there. Free the grid with `tree_grid_free`.
+tree_status tree_carved_solve(const struct tree_carved *carved,
+                              const struct tree_particle_view *views,
+                              size_t n_views,
+                              const struct tree_density_params *params,
+                              const struct tree_control *control,
+                              struct tree_density_report *report,
+                              struct tree_density_view *rows,
+                              size_t capacity,
+                              struct tree_grid **grid);
+
+// Frees what carving left.
+tree_status tree_carved_free(struct tree_carved *carved);
+
+// The matte that a camera sees of a density: 1 - exp(-sum of density times length) along the ray of each
+// pixel. `control` may be NULL. Free the matte with `tree_matte_free`.
+tree_status tree_grid_look_through(const struct tree_grid *grid,
+                                   const struct tree_particle_camera *camera,
+                                   const struct tree_control *control,
+                                   struct tree_matte **matte);
+
+// Cubic metres of the voxels above `threshold` (per metre).
+tree_status tree_grid_crown_volume(const struct tree_grid *grid, float threshold, double *measure);
+
+// How well the voxels above `threshold` agree with those of `other` above `other_threshold`: the shared
+// volume over that of both together, 0 to 1. 0 when both are empty.
+tree_status tree_grid_overlap(const struct tree_grid *grid,
+                              float threshold,
+                              const struct tree_grid *other,
+                              float other_threshold,
+                              double *measure);
+
+// Draws `n_points` points in proportion to the density times `weight`, spread evenly: where particles
+// start. `weight` may be NULL for 1 everywhere, and is handed `user`. The same `seed` gives the same points.
+// `control` may be NULL; `nodes` of its limits caps the points. `points` has room for `capacity` floats,
+// three for each point. `TREE_ERROR_PARAMETER` when the grid is empty.
+tree_status tree_grid_draw_points(const struct tree_grid *grid,
+                                  uint32_t n_points,
+                                  tree_weight_fn weight,
+                                  void *user,
+                                  uint64_t seed,
+                                  const struct tree_control *control,
+                                  float *points,
+                                  size_t capacity);
+
+// Makes `stroke`, of `size` bytes, the default.
+tree_status tree_density_stroke_init(struct tree_density_stroke *stroke, size_t size);
+
+// Makes `brush`, of `size` bytes, the default.
+tree_status tree_density_brush_init(struct tree_density_brush *brush, size_t size);
+
+// A matte with strokes over it, one after the other: paints what a photograph does not show, and erases
+// what is not of the tree. Parts outside the picture do nothing. The first matte stays as it is. `control`
+// may be NULL; `nodes` of its limits caps the points of a stroke. Free the painted one with
+// `tree_matte_free`. `TREE_ERROR_PARAMETER` names the stroke that is out of range.
+tree_status tree_matte_paint(const struct tree_matte *matte,
+                             const struct tree_density_stroke *strokes,
+                             size_t n_strokes,
+                             const struct tree_control *control,
+                             struct tree_matte **painted);
+
+// A grid with balls drawn through it, one after the other. Parts outside the grid do nothing. The first
+// grid stays as it is. `control` may be NULL; `nodes` of its limits caps the points of a brush. Free the
+// painted one with `tree_grid_free`. `TREE_ERROR_PARAMETER` names the brush that is out of range.
+tree_status tree_grid_paint(const struct tree_grid *grid,
+                            const struct tree_density_brush *brushes,
+                            size_t n_brushes,
+                            const struct tree_control *control,
+                            struct tree_grid **painted);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_density_params_init(struct tree_density_params *params, size_t size);
+
+// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_density_params_check(const struct tree_density_params *params);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_field_params_init(struct tree_field_params *params, size_t size);
+
+// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_field_params_check(const struct tree_field_params *params);
+
+// The share of the direction towards the branches at a distance, as a share of the picture's height.
+tree_status tree_field_params_blend_at(const struct tree_field_params *params,
+                                       float distance,
+                                       float *measure);
+
+// The direction field of the branches in one picture of `width` by `height` pixels, each 1 to 1e6: near a
+// branch along it and towards the tree's base, elsewhere towards the branch. A graph without segments has no
+// directions: the field is zero. `base_x` and `base_y` are the base in pixels, where what lies beyond the
+// graph's roots is directed. `params` and `control` may be NULL. Free it with `tree_direction_field_free`.
+tree_status tree_direction_field_new(const struct tree_attractor *attractor,
+                                     float width,
+                                     float height,
+                                     float base_x,
+                                     float base_y,
+                                     const struct tree_field_params *params,
+                                     const struct tree_control *control,
+                                     struct tree_direction_field **field);
+
+// Views a direction field. Set `columns->struct_size` first.
+tree_status tree_direction_field_view(const struct tree_direction_field *field,
+                                      struct tree_direction_field_columns *columns);
+
+// The directions at `n_spots` points of the picture, two floats each in pixels, between cells by bilinear
+// interpolation; outside the grid that of the nearest cell. `directions` has room for `capacity` floats, two
+// for each point: x to the right, y up. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_direction_field_sample(const struct tree_direction_field *field,
+                                        const float *spots,
+                                        size_t n_spots,
+                                        const struct tree_control *control,
+                                        float *directions,
+                                        size_t capacity);
+
+// A picture of the field: one pixel for each cell; red is x and green is y, 128 for none. Free it with
+// `tree_photo_free`.
+tree_status tree_direction_field_picture(const struct tree_direction_field *field,
+                                         struct tree_photo **picture);
+
+// A copy of a photograph, or any other picture of the same size, with the field as arrows over it. `color` is
+// `0xRRGGBBAA`. Free it with `tree_photo_free`.
+tree_status tree_direction_field_draw_over(const struct tree_direction_field *field,
+                                           const struct tree_photo *photo,
+                                           uint32_t color,
+                                           struct tree_photo **drawn);
+
+// Frees a direction field.
+tree_status tree_direction_field_free(struct tree_direction_field *field);
+
+// The tree's branches without twigs: traces thinned, smoothed, and as thick as the pipe model has it.
+// `height` is the tree's, `trunk_radius` what the pictures show of the trunk, both in metres; 0 where they
+// show none. `params` may be NULL for an oak. Free the skeleton with `tree_skeleton_free`.
+tree_status tree_traces_grow_wood(const struct tree_traces *traces,
+                                  float height,
+                                  float trunk_radius,
+                                  const struct tree_finish_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_skeleton **wood);
+
+// Grows twigs and leaves on branches, as many as the density and `n_views` views ask for and none where
+// those are empty. `height` is the tree's in metres. `params` may be NULL for an oak; the same `seed` gives
+// the same tree. `control` and `report` may be NULL. Free the tree with `tree_tree_free`.
+tree_status tree_skeleton_grow_crown(const struct tree_skeleton *wood,
+                                     const struct tree_grid *density,
+                                     const struct tree_particle_view *views,
+                                     size_t n_views,
+                                     float height,
+                                     const struct tree_finish_params *params,
+                                     uint64_t seed,
+                                     const struct tree_control *control,
+                                     struct tree_crown_report *report,
+                                     struct tree_tree **tree);
+
+// Makes `params`, of `size` bytes, an oak.
+tree_status tree_finish_params_init(struct tree_finish_params *params, size_t size);
+
+// Makes `params`, of `size` bytes, those of a species by its name, of `len` bytes or
+// `TREE_NUL_TERMINATED`: the defaults with its twigs, and sprays of its leaves or needles. Names are
+// those of `tree_foliage_species_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
+tree_status tree_finish_params_find(struct tree_finish_params *params,
+                                    size_t size,
+                                    const char *name,
+                                    size_t len);
+
+// As `tree_finish_params_find`, with single leaves and needles instead of sprays: far more of them.
+tree_status tree_finish_params_of(struct tree_finish_params *params,
+                                  size_t size,
+                                  const char *name,
+                                  size_t len);
+
+// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_finish_params_check(const struct tree_finish_params *params);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_flow_params_init(struct tree_flow_params *params, size_t size);
+
+// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_flow_params_check(const struct tree_flow_params *params);
+
+// Lets particles flow from `n_starts` points, three floats each in metres, to the base, along `way` and the
+// fields of `n_views` views (none will do). `height` is the tree's in metres, 1e-3 to 1e5. `params`,
+// `control` and `report` may be NULL; `particles` of the params does not count. The same starts give the same
+// bits for any number of threads. Free the traces with `tree_traces_free`.
+tree_status tree_traces_flow(const struct tree_way *way,
+                             const struct tree_flow_view *views,
+                             size_t n_views,
+                             const float *starts,
+                             size_t n_starts,
+                             float height,
+                             const struct tree_flow_params *params,
+                             const struct tree_control *control,
+                             struct tree_flow_report *report,
+                             struct tree_traces **traces);
+
+// Views traces. Set `columns->struct_size` first.
+tree_status tree_traces_view(const struct tree_traces *traces, struct tree_traces_columns *columns);
+
+// Traces as a skeleton, from the base to where the particles started, with radii of 0. Free it with
+// `tree_skeleton_free`.
+tree_status tree_traces_skeleton(const struct tree_traces *traces,
+                                 const struct tree_control *control,
+                                 struct tree_skeleton **skeleton);
+
+// Frees traces.
+tree_status tree_traces_free(struct tree_traces *traces);
+
+// Finds the cheapest way to the origin from everywhere in `density`: it keeps to dense voxels and prefers
+// the stem. `params` may be NULL; `stem` counts. Free it with `tree_way_free`.
+tree_status tree_way_new(const struct tree_grid *density,
+                         const struct tree_flow_params *params,
+                         const struct tree_control *control,
+                         struct tree_way **way);
+
+// What the way to the base costs from the centre of each voxel: metres, more where it is not dense. Free
+// the grid with `tree_grid_free`.
+tree_status tree_way_costs(const struct tree_way *way,
+                           struct tree_grid **grid);
+
+// The way on from `n_points` points, three floats each in metres; outside the grid as from its nearest
+// point. `directions` has room for `capacity` floats, three for each point: vectors of length 0 to 1, and 0
+// for points that are not finite. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_way_sample(const struct tree_way *way,
+                            const float *points,
+                            size_t n_points,
+                            const struct tree_control *control,
+                            float *directions,
+                            size_t capacity);
+
+// Frees a way.
+tree_status tree_way_free(struct tree_way *way);
+
+// Makes `view`, of `size` bytes, the default.
+tree_status tree_flow_view_init(struct tree_flow_view *view, size_t size);
+
+// The directions that particles take at `n_points` points, three floats each in metres, where no neighbour
+// pulls: by the fields of `n_views` views (none will do) and the way to the base. `params` may be NULL.
+// `directions` has room for `capacity` floats, three for each point: unit vectors, and 0 for points that are
+// not finite. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_way_directions(const struct tree_way *way,
+                                const struct tree_flow_view *views,
+                                size_t n_views,
+                                const float *points,
+                                size_t n_points,
+                                const struct tree_flow_params *params,
+                                const struct tree_control *control,
+                                float *directions,
+                                size_t capacity);
+
+// Makes a grid with its lowest corner at `corner`, three floats, of `nx` by `ny` by `nz` voxels (1 to 4096
+// each) with sides of `voxel` metres (1e-6 to 1e6). `values` are copied, in the order of
+// `tree_grid_columns`; without any (`n_values` 0) all are 0. `control` may be NULL; only its limits matter.
+// Free the grid with `tree_grid_free`. `TREE_ERROR_INVALID` when there are not as many values as voxels,
+// `TREE_ERROR_PARAMETER` names a value that is not finite.
+tree_status tree_grid_new(const float *corner,
+                          float voxel,
+                          uint32_t nx,
+                          uint32_t ny,
+                          uint32_t nz,
+                          const float *values,
+                          size_t n_values,
+                          const struct tree_control *control,
+                          struct tree_grid **grid);
+
+// Views a grid. Set `columns->struct_size` first.
+tree_status tree_grid_view(const struct tree_grid *grid, struct tree_grid_columns *columns);
+
+// The box that the grid fills: its lower corner, then its upper one, in metres.
+tree_status tree_grid_bounds(const struct tree_grid *grid, float (*min_max)[6]);
+
+// Row of a voxel among the grid's values; `SIZE_MAX` outside.
+tree_status tree_grid_index(const struct tree_grid *grid,
+                            int32_t x,
+                            int32_t y,
+                            int32_t z,
+                            size_t *index);
+
+// The voxel that holds a point, three floats in metres; outside the grid it is none of its voxels.
+tree_status tree_grid_voxel_at(const struct tree_grid *grid,
+                               const float *point,
+                               int32_t (*voxel)[3]);
+
+// Looks up the grid at `n_points` points, three floats each in metres: between voxel centres by trilinear
+// interpolation, fading to 0 outside. `values` has room for `capacity` numbers, at least `n_points`.
+// `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_grid_sample(const struct tree_grid *grid,
+                             const float *points,
+                             size_t n_points,
+                             const struct tree_control *control,
+                             float *values,
+                             size_t capacity);
+
+// As `tree_grid_sample`, but the value of the voxel that holds each point, and 0 outside.
+tree_status tree_grid_nearest(const struct tree_grid *grid,
+                              const float *points,
+                              size_t n_points,
+                              const struct tree_control *control,
+                              float *values,
+                              size_t capacity);
+
+// Frees a grid.
+tree_status tree_grid_free(struct tree_grid *grid);
+
+// Begins with `n_shots` photographs, 1 to 1000, which are copied. `params` may be NULL for the defaults.
+// `control` may be NULL; only its limits matter: no work is done yet. Free the session with
+// `tree_photo_session_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` a
+// photograph that is not of its matte's size.
+tree_status tree_photo_session_new(const struct tree_photo_shot *shots,
+                                   size_t n_shots,
+                                   const struct tree_photo_params *params,
+                                   uint64_t seed,
+                                   const struct tree_control *control,
+                                   struct tree_photo_session **session);
+
+// A second session in the state of the first, with all that has been made so far: to try something, and
+// go back. Free it too.
+tree_status tree_photo_session_copy(const struct tree_photo_session *session,
+                                    struct tree_photo_session **copy);
+
+// Frees a session. What it handed out lives on.
+tree_status tree_photo_session_free(struct tree_photo_session *session);
+
+// Another seed: other particles, twigs and leaves in the same density.
+tree_status tree_photo_session_set_seed(struct tree_photo_session *session, uint64_t seed);
+
+// Other parameters, NULL for the defaults; only stages whose parameters differ are done again. Painted
+// density is lost when the density's parameters change. `control` may be NULL; only its limits matter.
+tree_status tree_photo_session_set_params(struct tree_photo_session *session,
+                                          const struct tree_photo_params *params,
+                                          const struct tree_control *control);
+
+// Moves a view's camera; NULL aligns it anew, from the front.
+tree_status tree_photo_session_set_placing(struct tree_photo_session *session,
+                                           size_t view,
+                                           const struct tree_photo_placing *placing);
+
+// Paints and erases density in a view, in pixels. Branches found before stay as they are. `control` may be
+// NULL; `nodes` of its limits caps the points of a stroke. `TREE_ERROR_PARAMETER` names the stroke that is
+// out of range.
+tree_status tree_photo_session_paint(struct tree_photo_session *session,
+                                     size_t view,
+                                     const struct tree_density_stroke *strokes,
+                                     size_t n_strokes,
+                                     const struct tree_control *control);
+
+// Replaces a view's matte by one of the same size, for instance after another matting. Camera and branches
+// found before stay as they are; `tree_photo_session_redo_from` finds them anew. `TREE_ERROR_NO_RESULT` for
+// another size.
+tree_status tree_photo_session_set_matte(struct tree_photo_session *session,
+                                         size_t view,
+                                         const struct tree_matte *matte);
+
+// Paints density in space, after it has been found from the pictures, which is done first where it is not
+// there. `TREE_ERROR_PARAMETER` names the brush that is out of range.
+tree_status tree_photo_session_paint_volume(struct tree_photo_session *session,
+                                            const struct tree_density_brush *brushes,
+                                            size_t n_brushes,
+                                            const struct tree_control *control);
+
+// Replaces the density, for instance by that of another source; it is copied.
+tree_status tree_photo_session_set_density(struct tree_photo_session *session,
+                                           const struct tree_grid *density);
+
+// Where a view's branches come from; NULL is livewire from points on the silhouette. All views' branches
+// are found anew. `control` may be NULL; only its limits matter.
+tree_status tree_photo_session_set_branches(struct tree_photo_session *session,
+                                            size_t view,
+                                            const struct tree_photo_branches *branches,
+                                            const struct tree_control *control);
+
+// Changes a view's branches by hand: ask for them with `tree_photo_session_attractor`, change them with the
+// functions of `tree_attractor`, and hand the new graph over here. Other views' branches are not found anew.
+tree_status tree_photo_session_edit_attractor(struct tree_photo_session *session,
+                                              size_t view,
+                                              const struct tree_attractor *attractor,
+                                              const struct tree_control *control);
+
+// Forgets the result of a stage and of all that depend on it, so that they are done again.
+tree_status tree_photo_session_redo_from(struct tree_photo_session *session,
+                                         tree_photo_stage stage);
+
+// Number of photographs.
+tree_status tree_photo_session_count(const struct tree_photo_session *session, size_t *n_shots);
+
+// Number of views: the photographs, and where all are from one side, an imagined one that comes last; see
+// `imagine` of the `tree_photo_params`. Cameras, branches and fields can be asked for of all of them.
+tree_status tree_photo_session_count_views(struct tree_photo_session *session,
+                                           const struct tree_control *control,
+                                           size_t *n_views);
+
+// The seed.
+tree_status tree_photo_session_seed(const struct tree_photo_session *session, uint64_t *seed);
+
+// The parameters, all parts given. What they point at belongs to the session and stays until
+// `tree_photo_session_set_params` or `tree_photo_session_free`. Set `params->struct_size` first.
+tree_status tree_photo_session_params(const struct tree_photo_session *session,
+                                      struct tree_photo_params *params);
+
+// How often a stage has been done so far.
+tree_status tree_photo_session_runs(const struct tree_photo_session *session,
+                                    tree_photo_stage stage,
+                                    uint32_t *n_runs);
+
+// A view's matte as it is now, painted or not. Free it with `tree_matte_free`.
+tree_status tree_photo_session_matte(const struct tree_photo_session *session,
+                                     size_t view,
+                                     struct tree_matte **matte);
+
+// A view's photograph. Free it with `tree_photo_free`. `TREE_ERROR_NO_RESULT` for a view without one.
+tree_status tree_photo_session_photo(const struct tree_photo_session *session,
+                                     size_t view,
+                                     struct tree_photo **photo);
+
+// A view's camera, found in its matte or as it was given. Set `camera->struct_size` first.
+// `TREE_ERROR_NO_RESULT` names a photograph in which no tree is found.
+tree_status tree_photo_session_camera(struct tree_photo_session *session,
+                                      size_t view,
+                                      const struct tree_control *control,
+                                      struct tree_particle_camera *camera);
+
+// A view's main branches; an empty graph where there are none. Free it with `tree_attractor_free`.
+tree_status tree_photo_session_attractor(struct tree_photo_session *session,
+                                         size_t view,
+                                         const struct tree_control *control,
+                                         struct tree_attractor **attractor);
+
+// The density in space, optical depth per metre. Free it with `tree_grid_free`.
+tree_status tree_photo_session_density(struct tree_photo_session *session,
+                                       const struct tree_control *control,
+                                       struct tree_grid **density);
+
+// The direction field of a view. Free it with `tree_direction_field_free`.
+tree_status tree_photo_session_field(struct tree_photo_session *session,
+                                     size_t view,
+                                     const struct tree_control *control,
+                                     struct tree_direction_field **field);
+
+// The particles' traces. Free them with `tree_traces_free`.
+tree_status tree_photo_session_traces(struct tree_photo_session *session,
+                                      const struct tree_control *control,
+                                      struct tree_traces **traces);
+
+// Branches without twigs. Free the skeleton with `tree_skeleton_free`.
+tree_status tree_photo_session_wood(struct tree_photo_session *session,
+                                    const struct tree_control *control,
+                                    struct tree_skeleton **wood);
+
+// The tree. The same photographs, parameters and seed give the same bits for any number of threads and in
+// whatever order the session was changed. `control` and `report` may be NULL. Free the tree with
+// `tree_tree_free`.
+tree_status tree_photo_session_tree(struct tree_photo_session *session,
+                                    const struct tree_control *control,
+                                    struct tree_photo_report *report,
+                                    struct tree_tree **tree);
+
+// What one view gave. The tree is made first where it is not there. Set `report->struct_size` first.
+tree_status tree_photo_session_view_report(struct tree_photo_session *session,
+                                           size_t view,
+                                           const struct tree_control *control,
+                                           struct tree_photo_view_report *report);
+
+// For each of a view's strokes the gap in pixels that was closed to join it; NaN where it was left out. The
+// tree is made first where it is not there. `gaps` has room for `capacity` floats, one for each stroke.
+// Nothing is written for a view without strokes.
+tree_status tree_photo_session_gaps(struct tree_photo_session *session,
+                                    size_t view,
+                                    const struct tree_control *control,
+                                    float *gaps,
+                                    size_t capacity);
+
+// Everything doubtful, a line each, for a person to read; none where all went well. The tree is made first
+// where it is not there. Free the lines with `tree_lines_free`.
+tree_status tree_photo_session_warnings(struct tree_photo_session *session,
+                                        const struct tree_control *control,
+                                        struct tree_lines **warnings);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_photo_params_init(struct tree_photo_params *params, size_t size);
+
+// Whether all fields and parts are in order: `TREE_OK`, or the error that their use would give. `control`
+// may be NULL; only its limits matter.
+tree_status tree_photo_params_check(const struct tree_photo_params *params,
+                                    const struct tree_control *control);
+
+// A view's matte: white where the tree covers. Free the picture with `tree_photo_free`.
+tree_status tree_photo_session_draw_matte(const struct tree_photo_session *session,
+                                          size_t view,
+                                          struct tree_photo **picture);
+
+// A view's branches over its photograph, the base as a dot. Free the picture with `tree_photo_free`.
+tree_status tree_photo_session_draw_attractor(struct tree_photo_session *session,
+                                              size_t view,
+                                              const struct tree_control *control,
+                                              struct tree_photo **picture);
+
+// A view's direction field as arrows over its matte. Free the picture with `tree_photo_free`.
+tree_status tree_photo_session_draw_field(struct tree_photo_session *session,
+                                          size_t view,
+                                          const struct tree_control *control,
+                                          struct tree_photo **picture);
+
+// The particles' traces over a view's photograph, thicker where more went. Free the picture with
+// `tree_photo_free`.
+tree_status tree_photo_session_draw_traces(struct tree_photo_session *session,
+                                           size_t view,
+                                           const struct tree_control *control,
+                                           struct tree_photo **picture);
+
+// Horizontal slices through the density, from the base up: light where it is dense, seen from above with
+// the front below. Free the picture with `tree_photo_free`.
+tree_status tree_photo_session_draw_density(struct tree_photo_session *session,
+                                            const struct tree_control *control,
+                                            struct tree_photo **picture);
+
+// Makes `placing`, of `size` bytes, the default: aligned, from the front, from afar.
+tree_status tree_photo_placing_init(struct tree_photo_placing *placing, size_t size);
+
+// Makes `branches`, of `size` bytes, the default.
+tree_status tree_photo_branches_init(struct tree_photo_branches *branches, size_t size);
+
+// Makes `shot`, of `size` bytes, the default.
+tree_status tree_photo_shot_init(struct tree_photo_shot *shot, size_t size);
+
+// Makes a tree of `n_shots` photographs, 1 to 1000: a session (`tree_photo_session`) that is asked for its
+// tree, in one call. `params` may be NULL for the defaults, `control` and `report` may be NULL. Free the tree
+// with `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` a
+// photograph of no use; `TREE_ERROR_LIMIT` comes before the memory is asked for.
+tree_status tree_from_photos(const struct tree_photo_shot *shots,
+                             size_t n_shots,
+                             const struct tree_photo_params *params,
+                             uint64_t seed,
+                             const struct tree_control *control,
+                             struct tree_photo_report *report,
+                             struct tree_tree **tree);
+
+// Makes `view`, of `size` bytes, the default.
+tree_status tree_particle_view_init(struct tree_particle_view *view, size_t size);
 
 // Joins nodes that are nearer than a linking distance by edges of random cost. `params` and `control` may
 // be NULL. The same `seed` gives the same graph. Free it with `tree_graph_free`.

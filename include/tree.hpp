@@ -396,12 +396,15 @@ class Axes;
 class Bytes;
 class Cancel;
 class Capsules;
+class Carved;
 class Crossings;
+class DirectionField;
 class FoundLeaves;
 class GltfAttributes;
 class GltfLeaves;
 class Graph;
 class GraphNodes;
+class Grid;
 class LeafModel;
 class Lines;
 class Look;
@@ -410,6 +413,7 @@ class Matte;
 class Mesh;
 class Packed;
 class Photo;
+class PhotoSession;
 class Picture;
 class Pieces;
 class Pool;
@@ -420,11 +424,13 @@ class Skeleton;
 class Strokes;
 class Swc;
 class Texture;
+class Traces;
 class Tree;
 class Trimap;
 class Twigs;
 class Unpacked;
 class Volume;
+class Way;
 class WindBranches;
 struct AlignParams;
 struct AlignReport;
@@ -442,12 +448,25 @@ struct BranchMotion;
 using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
+struct CarvedColumns;
 struct ColorSamples;
 struct ConventionTraits;
 struct CrossingPairs;
+struct CrownReport;
+struct DensityBrush;
+struct DensityParams;
+struct DensityReport;
+struct DensityStroke;
+using DensityView = tree_density_view;
 struct DifferenceParams;
+struct DirectionFieldColumns;
 struct DisplaceParams;
 struct EraseReport;
+struct FieldParams;
+struct FinishParams;
+struct FlowParams;
+struct FlowReport;
+struct FlowView;
 struct Foliage;
 struct GlbOptions;
 struct GltfAttribute;
@@ -456,6 +475,7 @@ struct GltfLevel;
 using GraphArc = tree_graph_arc;
 struct GraphColumns;
 struct GraphNodesColumns;
+struct GridColumns;
 struct ImportOptions;
 struct ImportReport;
 struct InstancingParams;
@@ -489,10 +509,17 @@ struct PackedVertices;
 struct Paint;
 struct ParticleCamera;
 struct ParticleStand;
+struct ParticleView;
 struct PathLevel;
 using PathLevelReport = tree_path_level_report;
 struct PathParams;
 struct PathReport;
+struct PhotoBranches;
+struct PhotoParams;
+struct PhotoPlacing;
+struct PhotoReport;
+struct PhotoShot;
+struct PhotoViewReport;
 using Piece = tree_piece;
 struct PivotElement;
 struct Pivots;
@@ -522,6 +549,7 @@ struct SwcContents;
 struct SwcOptions;
 struct TexturePixels;
 struct Topology;
+struct TracesColumns;
 struct TrimapColumns;
 struct TrimapStroke;
 struct TwigInstances;
@@ -585,6 +613,10 @@ struct CapsuleReport : tree_capsule_report {
     CapsuleReport() : tree_capsule_report{} { struct_size = sizeof *this; }
 };
 
+struct CarvedColumns : tree_carved_columns {
+    CarvedColumns() : tree_carved_columns{} { struct_size = sizeof *this; }
+};
+
 struct ColorSamples : tree_color_samples {
     ColorSamples() : tree_color_samples{} { tree_color_samples_init(this, sizeof(tree_color_samples)); }
 };
@@ -597,8 +629,33 @@ struct CrossingPairs : tree_crossing_pairs {
     CrossingPairs() : tree_crossing_pairs{} { struct_size = sizeof *this; }
 };
 
+struct CrownReport : tree_crown_report {
+    CrownReport() : tree_crown_report{} { struct_size = sizeof *this; }
+};
+
+struct DensityBrush : tree_density_brush {
+    DensityBrush() : tree_density_brush{} { tree_density_brush_init(this, sizeof(tree_density_brush)); }
+};
+
+struct DensityParams : tree_density_params {
+    DensityParams() : tree_density_params{} { tree_density_params_init(this, sizeof(tree_density_params)); }
+    bool check() const;
+};
+
+struct DensityReport : tree_density_report {
+    DensityReport() : tree_density_report{} { struct_size = sizeof *this; }
+};
+
+struct DensityStroke : tree_density_stroke {
+    DensityStroke() : tree_density_stroke{} { tree_density_stroke_init(this, sizeof(tree_density_stroke)); }
+};
+
 struct DifferenceParams : tree_difference_params {
     DifferenceParams() : tree_difference_params{} { tree_difference_params_init(this, sizeof(tree_difference_params)); }
+};
+
+struct DirectionFieldColumns : tree_direction_field_columns {
+    DirectionFieldColumns() : tree_direction_field_columns{} { struct_size = sizeof *this; }
 };
 
 struct DisplaceParams : tree_displace_params {
@@ -607,6 +664,32 @@ struct DisplaceParams : tree_displace_params {
 
 struct EraseReport : tree_erase_report {
     EraseReport() : tree_erase_report{} { struct_size = sizeof *this; }
+};
+
+struct FieldParams : tree_field_params {
+    FieldParams() : tree_field_params{} { tree_field_params_init(this, sizeof(tree_field_params)); }
+    bool check() const;
+    float blend_at(float distance) const;
+};
+
+struct FinishParams : tree_finish_params {
+    FinishParams() : tree_finish_params{} { tree_finish_params_init(this, sizeof(tree_finish_params)); }
+    static FinishParams find(std::string_view name);
+    static FinishParams of(std::string_view name);
+    bool check() const;
+};
+
+struct FlowParams : tree_flow_params {
+    FlowParams() : tree_flow_params{} { tree_flow_params_init(this, sizeof(tree_flow_params)); }
+    bool check() const;
+};
+
+struct FlowReport : tree_flow_report {
+    FlowReport() : tree_flow_report{} { struct_size = sizeof *this; }
+};
+
+struct FlowView : tree_flow_view {
+    FlowView() : tree_flow_view{} { tree_flow_view_init(this, sizeof(tree_flow_view)); }
 };
 
 struct Foliage : tree_foliage {
@@ -635,6 +718,10 @@ struct GraphColumns : tree_graph_columns {
 
 struct GraphNodesColumns : tree_graph_nodes_columns {
     GraphNodesColumns() : tree_graph_nodes_columns{} { struct_size = sizeof *this; }
+};
+
+struct GridColumns : tree_grid_columns {
+    GridColumns() : tree_grid_columns{} { struct_size = sizeof *this; }
 };
 
 struct ImportOptions : tree_import_options {
@@ -783,6 +870,10 @@ struct ParticleStand : tree_particle_stand {
     ParticleStand() : tree_particle_stand{} { struct_size = sizeof *this; }
 };
 
+struct ParticleView : tree_particle_view {
+    ParticleView() : tree_particle_view{} { tree_particle_view_init(this, sizeof(tree_particle_view)); }
+};
+
 struct PathLevel : tree_path_level {
     PathLevel() : tree_path_level{} { tree_path_level_init(this, sizeof(tree_path_level)); }
 };
@@ -800,6 +891,31 @@ struct PathParams : tree_path_params {
 
 struct PathReport : tree_path_report {
     PathReport() : tree_path_report{} { struct_size = sizeof *this; }
+};
+
+struct PhotoBranches : tree_photo_branches {
+    PhotoBranches() : tree_photo_branches{} { tree_photo_branches_init(this, sizeof(tree_photo_branches)); }
+};
+
+struct PhotoParams : tree_photo_params {
+    PhotoParams() : tree_photo_params{} { tree_photo_params_init(this, sizeof(tree_photo_params)); }
+    bool check(Ref<tree_control> control = nullptr) const;
+};
+
+struct PhotoPlacing : tree_photo_placing {
+    PhotoPlacing() : tree_photo_placing{} { tree_photo_placing_init(this, sizeof(tree_photo_placing)); }
+};
+
+struct PhotoReport : tree_photo_report {
+    PhotoReport() : tree_photo_report{} { struct_size = sizeof *this; }
+};
+
+struct PhotoShot : tree_photo_shot {
+    PhotoShot() : tree_photo_shot{} { tree_photo_shot_init(this, sizeof(tree_photo_shot)); }
+};
+
+struct PhotoViewReport : tree_photo_view_report {
+    PhotoViewReport() : tree_photo_view_report{} { struct_size = sizeof *this; }
 };
 
 struct PivotElement : tree_pivot_element {
@@ -912,6 +1028,10 @@ struct Topology : tree_topology {
     Topology() : tree_topology{} { struct_size = sizeof *this; }
 };
 
+struct TracesColumns : tree_traces_columns {
+    TracesColumns() : tree_traces_columns{} { struct_size = sizeof *this; }
+};
+
 struct TrimapColumns : tree_trimap_columns {
     TrimapColumns() : tree_trimap_columns{} { struct_size = sizeof *this; }
 };
@@ -1002,11 +1122,34 @@ public:
     Span<const tree_capsule> view() const && = delete;
 };
 
+class Carved : public detail::Object<tree_carved, tree_carved_free> {
+public:
+    using Object::Object;
+    static Carved make(Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr);
+    CarvedColumns view() const &;
+    CarvedColumns view() const && = delete;
+    Grid alpha() const;
+    std::tuple<std::vector<tree_density_view>, Grid> solve(Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr, tree_density_report *report = nullptr) const;
+    Grid solve(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows) const;
+};
+
 class Crossings : public detail::Object<tree_crossings, tree_crossings_free> {
 public:
     using Object::Object;
     CrossingPairs view() const &;
     CrossingPairs view() const && = delete;
+};
+
+class DirectionField : public detail::Object<tree_direction_field, tree_direction_field_free> {
+public:
+    using Object::Object;
+    static DirectionField make(const Attractor &attractor, float width, float height, float base_x, float base_y, Ref<tree_field_params> params = nullptr, Ref<tree_control> control = nullptr);
+    DirectionFieldColumns view() const &;
+    DirectionFieldColumns view() const && = delete;
+    std::vector<float> sample(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> spots, Ref<tree_control> control, Span<float> directions) const;
+    Photo picture() const;
+    Photo draw_over(const Photo &photo, uint32_t color) const;
 };
 
 class FoundLeaves : public detail::Object<tree_found_leaves, tree_found_leaves_free> {
@@ -1048,6 +1191,29 @@ public:
     using Object::Object;
     GraphNodesColumns view() const &;
     GraphNodesColumns view() const && = delete;
+};
+
+class Grid : public detail::Object<tree_grid, tree_grid_free> {
+public:
+    using Object::Object;
+    static std::tuple<std::vector<tree_density_view>, Grid> from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr, tree_density_report *report = nullptr);
+    static Grid from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows);
+    Matte look_through(Ref<tree_particle_camera> camera, Ref<tree_control> control = nullptr) const;
+    double crown_volume(float threshold) const;
+    double overlap(float threshold, const Grid &other, float other_threshold) const;
+    std::vector<float> draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    bool draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control, Span<float> points) const;
+    Grid paint(Span<const tree_density_brush> brushes, Ref<tree_control> control = nullptr) const;
+    static Grid make(const Floats<3> &corner, float voxel, uint32_t nx, uint32_t ny, uint32_t nz, Span<const float> values = {}, Ref<tree_control> control = nullptr);
+    GridColumns view() const &;
+    GridColumns view() const && = delete;
+    std::array<float, 6> bounds() const;
+    size_t index(int32_t x, int32_t y, int32_t z) const;
+    std::array<int32_t, 3> voxel_at(const Floats<3> &point) const;
+    std::vector<float> sample(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
+    std::vector<float> nearest(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
 };
 
 class LeafModel : public detail::Object<tree_leaf_model, tree_leaf_model_free> {
@@ -1096,6 +1262,7 @@ public:
 class Matte : public detail::Object<tree_matte, tree_matte_free> {
 public:
     using Object::Object;
+    Matte paint(Span<const tree_density_stroke> strokes, Ref<tree_control> control = nullptr) const;
     std::tuple<ParticleCamera, AlignReport> align(Ref<tree_align_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     static std::tuple<Trimap, Lines, Matte> automatic(const Photo &photo, Ref<tree_automatic_params> params = nullptr, Ref<tree_control> control = nullptr, tree_automatic_report *report = nullptr);
     std::tuple<std::vector<float>, size_t> silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
@@ -1196,6 +1363,46 @@ public:
     bool write_png(std::string_view path) const;
 };
 
+class PhotoSession : public detail::Object<tree_photo_session, tree_photo_session_free> {
+public:
+    using Object::Object;
+    static PhotoSession make(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    PhotoSession copy() const;
+    bool set_seed(uint64_t seed) const;
+    bool set_params(Ref<tree_photo_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool set_placing(size_t view, Ref<tree_photo_placing> placing = nullptr) const;
+    bool paint(size_t view, Span<const tree_density_stroke> strokes, Ref<tree_control> control = nullptr) const;
+    bool set_matte(size_t view, const Matte &matte) const;
+    bool paint_volume(Span<const tree_density_brush> brushes, Ref<tree_control> control = nullptr) const;
+    bool set_density(const Grid &density) const;
+    bool set_branches(size_t view, Ref<tree_photo_branches> branches = nullptr, Ref<tree_control> control = nullptr) const;
+    bool edit_attractor(size_t view, const Attractor &attractor, Ref<tree_control> control = nullptr) const;
+    bool redo_from(tree_photo_stage stage) const;
+    size_t count() const;
+    size_t count_views(Ref<tree_control> control = nullptr) const;
+    uint64_t seed() const;
+    PhotoParams params() const &;
+    PhotoParams params() const && = delete;
+    uint32_t runs(tree_photo_stage stage) const;
+    Matte matte(size_t view) const;
+    Photo photo(size_t view) const;
+    ParticleCamera camera(size_t view, Ref<tree_control> control = nullptr) const;
+    Attractor attractor(size_t view, Ref<tree_control> control = nullptr) const;
+    Grid density(Ref<tree_control> control = nullptr) const;
+    DirectionField field(size_t view, Ref<tree_control> control = nullptr) const;
+    Traces traces(Ref<tree_control> control = nullptr) const;
+    Skeleton wood(Ref<tree_control> control = nullptr) const;
+    Tree tree(Ref<tree_control> control = nullptr, tree_photo_report *report = nullptr) const;
+    PhotoViewReport view_report(size_t view, Ref<tree_control> control = nullptr) const;
+    bool gaps(size_t view, Ref<tree_control> control, Span<float> gaps) const;
+    Lines warnings(Ref<tree_control> control = nullptr) const;
+    Photo draw_matte(size_t view) const;
+    Photo draw_attractor(size_t view, Ref<tree_control> control = nullptr) const;
+    Photo draw_field(size_t view, Ref<tree_control> control = nullptr) const;
+    Photo draw_traces(size_t view, Ref<tree_control> control = nullptr) const;
+    Photo draw_density(Ref<tree_control> control = nullptr) const;
+};
+
 class Picture : public detail::Object<tree_picture, tree_picture_free> {
 public:
     using Object::Object;
@@ -1265,6 +1472,7 @@ public:
     WindBranches wind_branches(tree_continuation continuation) const;
     Capsules capsules(Ref<tree_capsule_params> params = nullptr, Ref<tree_control> control = nullptr, tree_capsule_report *report = nullptr) const;
     std::tuple<Rows, Skeleton> refine(float bearing, float spacing, Ref<tree_control> control = nullptr) const;
+    Tree grow_crown(const Grid &density, Span<const tree_particle_view> views, float height, Ref<tree_finish_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_crown_report *report = nullptr) const;
     static Skeleton from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static std::tuple<std::vector<uint32_t>, Skeleton> from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static Skeleton from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, Span<uint32_t> rows);
@@ -1322,6 +1530,16 @@ public:
     TexturePixels view() const && = delete;
     Bytes to_png() const;
     bool write_png(std::string_view path) const;
+};
+
+class Traces : public detail::Object<tree_traces, tree_traces_free> {
+public:
+    using Object::Object;
+    Skeleton grow_wood(float height, float trunk_radius, Ref<tree_finish_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static Traces flow(const Way &way, Span<const tree_flow_view> views, Span<const float> starts, float height, Ref<tree_flow_params> params = nullptr, Ref<tree_control> control = nullptr, tree_flow_report *report = nullptr);
+    TracesColumns view() const &;
+    TracesColumns view() const && = delete;
+    Skeleton skeleton(Ref<tree_control> control = nullptr) const;
 };
 
 class Tree : public detail::Object<tree_tree, tree_tree_free> {
@@ -1406,6 +1624,17 @@ public:
     Volume part(size_t index) const;
 };
 
+class Way : public detail::Object<tree_way, tree_way_free> {
+public:
+    using Object::Object;
+    static Way make(const Grid &density, Ref<tree_flow_params> params = nullptr, Ref<tree_control> control = nullptr);
+    Grid costs() const;
+    std::vector<float> sample(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool sample(Span<const float> points, Ref<tree_control> control, Span<float> directions) const;
+    std::vector<float> directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params, Ref<tree_control> control, Span<float> directions) const;
+};
+
 class WindBranches : public detail::Object<tree_wind_branches, tree_wind_branches_free> {
 public:
     using Object::Object;
@@ -1449,6 +1678,7 @@ void memory_reset_peak();
 void memory_set_budget(uint64_t bytes);
 uint64_t memory_budget();
 bool memory_set_allocator(Ref<tree_allocator> allocator = nullptr);
+Tree from_photos(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_photo_report *report = nullptr);
 Tree path_grow(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
 std::tuple<Bytes, Tree> path_grow_with_levels(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
 bool path_check(Ref<tree_path_params> params = nullptr, Ref<tree_control> control = nullptr);
@@ -2148,6 +2378,390 @@ inline bool Mesh::check_colors() const {
 }
 inline bool Mesh::check_normals() const {
     return detail::done(tree_mesh_check_normals(get()));
+}
+inline std::tuple<std::vector<tree_density_view>, Grid> Grid::from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report) {
+    std::vector<tree_density_view> rows(views.size());
+    Grid grid;
+    if (!(detail::done(tree_grid_from_views(views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control))) { rows.clear(); }
+    return {std::move(rows), std::move(grid)};
+}
+inline Grid Grid::from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows) {
+    Grid grid;
+    detail::done(tree_grid_from_views(views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control);
+    return grid;
+}
+inline Carved Carved::make(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control) {
+    Carved carved;
+    detail::done(tree_carved_new(views.data(), views.size(), params, control, carved.place()), control);
+    return carved;
+}
+inline CarvedColumns Carved::view() const & {
+    CarvedColumns columns;
+    if (!(detail::done(tree_carved_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Grid Carved::alpha() const {
+    Grid grid;
+    detail::done(tree_carved_alpha(get(), grid.place()));
+    return grid;
+}
+inline std::tuple<std::vector<tree_density_view>, Grid> Carved::solve(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report) const {
+    std::vector<tree_density_view> rows(views.size());
+    Grid grid;
+    if (!(detail::done(tree_carved_solve(get(), views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control))) { rows.clear(); }
+    return {std::move(rows), std::move(grid)};
+}
+inline Grid Carved::solve(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows) const {
+    Grid grid;
+    detail::done(tree_carved_solve(get(), views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control);
+    return grid;
+}
+inline Matte Grid::look_through(Ref<tree_particle_camera> camera, Ref<tree_control> control) const {
+    Matte matte;
+    detail::done(tree_grid_look_through(get(), camera, control, matte.place()), control);
+    return matte;
+}
+inline double Grid::crown_volume(float threshold) const {
+    double measure{};
+    detail::done(tree_grid_crown_volume(get(), threshold, &measure));
+    return measure;
+}
+inline double Grid::overlap(float threshold, const Grid &other, float other_threshold) const {
+    double measure{};
+    detail::done(tree_grid_overlap(get(), threshold, other.get(), other_threshold, &measure));
+    return measure;
+}
+inline std::vector<float> Grid::draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<float> points(3 * static_cast<size_t>(n_points));
+    if (!(detail::done(tree_grid_draw_points(get(), n_points, weight.function(), weight.user(), seed, control, points.data(), points.size()), weight, control))) { points.clear(); }
+    return points;
+}
+inline bool Grid::draw_points(uint32_t n_points, const Field &weight, uint64_t seed, Ref<tree_control> control, Span<float> points) const {
+    return detail::done(tree_grid_draw_points(get(), n_points, weight.function(), weight.user(), seed, control, points.data(), points.size()), weight, control);
+}
+inline Matte Matte::paint(Span<const tree_density_stroke> strokes, Ref<tree_control> control) const {
+    Matte painted;
+    detail::done(tree_matte_paint(get(), strokes.data(), strokes.size(), control, painted.place()), control);
+    return painted;
+}
+inline Grid Grid::paint(Span<const tree_density_brush> brushes, Ref<tree_control> control) const {
+    Grid painted;
+    detail::done(tree_grid_paint(get(), brushes.data(), brushes.size(), control, painted.place()), control);
+    return painted;
+}
+inline bool DensityParams::check() const {
+    return detail::done(tree_density_params_check(this));
+}
+inline bool FieldParams::check() const {
+    return detail::done(tree_field_params_check(this));
+}
+inline float FieldParams::blend_at(float distance) const {
+    float measure{};
+    detail::done(tree_field_params_blend_at(this, distance, &measure));
+    return measure;
+}
+inline DirectionField DirectionField::make(const Attractor &attractor, float width, float height, float base_x, float base_y, Ref<tree_field_params> params, Ref<tree_control> control) {
+    DirectionField field;
+    detail::done(tree_direction_field_new(attractor.get(), width, height, base_x, base_y, params, control, field.place()), control);
+    return field;
+}
+inline DirectionFieldColumns DirectionField::view() const & {
+    DirectionFieldColumns columns;
+    if (!(detail::done(tree_direction_field_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::vector<float> DirectionField::sample(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> directions(spots.size());
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_direction_field_sample(get(), spots.data(), spots.size() / 2, control, directions.data(), directions.size()), control))) { directions.clear(); }
+    return directions;
+}
+inline bool DirectionField::sample(Span<const float> spots, Ref<tree_control> control, Span<float> directions) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_direction_field_sample(get(), spots.data(), spots.size() / 2, control, directions.data(), directions.size()), control);
+}
+inline Photo DirectionField::picture() const {
+    Photo picture;
+    detail::done(tree_direction_field_picture(get(), picture.place()));
+    return picture;
+}
+inline Photo DirectionField::draw_over(const Photo &photo, uint32_t color) const {
+    Photo drawn;
+    detail::done(tree_direction_field_draw_over(get(), photo.get(), color, drawn.place()));
+    return drawn;
+}
+inline Skeleton Traces::grow_wood(float height, float trunk_radius, Ref<tree_finish_params> params, Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_traces_grow_wood(get(), height, trunk_radius, params, control, wood.place()), control);
+    return wood;
+}
+inline Tree Skeleton::grow_crown(const Grid &density, Span<const tree_particle_view> views, float height, Ref<tree_finish_params> params, uint64_t seed, Ref<tree_control> control, tree_crown_report *report) const {
+    Tree tree;
+    detail::done(tree_skeleton_grow_crown(get(), density.get(), views.data(), views.size(), height, params, seed, control, report, tree.place()), control);
+    return tree;
+}
+inline FinishParams FinishParams::find(std::string_view name) {
+    FinishParams params;
+    if (!(detail::done(tree_finish_params_find(&params, sizeof(tree_finish_params), name.data() ? name.data() : "", name.size())))) { params.struct_size = 0; }
+    return params;
+}
+inline FinishParams FinishParams::of(std::string_view name) {
+    FinishParams params;
+    if (!(detail::done(tree_finish_params_of(&params, sizeof(tree_finish_params), name.data() ? name.data() : "", name.size())))) { params.struct_size = 0; }
+    return params;
+}
+inline bool FinishParams::check() const {
+    return detail::done(tree_finish_params_check(this));
+}
+inline bool FlowParams::check() const {
+    return detail::done(tree_flow_params_check(this));
+}
+inline Traces Traces::flow(const Way &way, Span<const tree_flow_view> views, Span<const float> starts, float height, Ref<tree_flow_params> params, Ref<tree_control> control, tree_flow_report *report) {
+    Traces traces;
+    static_cast<void>(detail::expect(starts.size() % 3 == 0, TREE_ERROR_BUFFER, "starts: must have 3 numbers for each item")
+        && detail::done(tree_traces_flow(way.get(), views.data(), views.size(), starts.data(), starts.size() / 3, height, params, control, report, traces.place()), control));
+    return traces;
+}
+inline TracesColumns Traces::view() const & {
+    TracesColumns columns;
+    if (!(detail::done(tree_traces_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Skeleton Traces::skeleton(Ref<tree_control> control) const {
+    Skeleton skeleton;
+    detail::done(tree_traces_skeleton(get(), control, skeleton.place()), control);
+    return skeleton;
+}
+inline Way Way::make(const Grid &density, Ref<tree_flow_params> params, Ref<tree_control> control) {
+    Way way;
+    detail::done(tree_way_new(density.get(), params, control, way.place()), control);
+    return way;
+}
+inline Grid Way::costs() const {
+    Grid grid;
+    detail::done(tree_way_costs(get(), grid.place()));
+    return grid;
+}
+inline std::vector<float> Way::sample(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> directions(points.size());
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_sample(get(), points.data(), points.size() / 3, control, directions.data(), directions.size()), control))) { directions.clear(); }
+    return directions;
+}
+inline bool Way::sample(Span<const float> points, Ref<tree_control> control, Span<float> directions) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_sample(get(), points.data(), points.size() / 3, control, directions.data(), directions.size()), control);
+}
+inline std::vector<float> Way::directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params, Ref<tree_control> control) const {
+    std::vector<float> directions(points.size());
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_directions(get(), views.data(), views.size(), points.data(), points.size() / 3, params, control, directions.data(), directions.size()), control))) { directions.clear(); }
+    return directions;
+}
+inline bool Way::directions(Span<const tree_flow_view> views, Span<const float> points, Ref<tree_flow_params> params, Ref<tree_control> control, Span<float> directions) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_way_directions(get(), views.data(), views.size(), points.data(), points.size() / 3, params, control, directions.data(), directions.size()), control);
+}
+inline Grid Grid::make(const Floats<3> &corner, float voxel, uint32_t nx, uint32_t ny, uint32_t nz, Span<const float> values, Ref<tree_control> control) {
+    Grid grid;
+    detail::done(tree_grid_new(corner, voxel, nx, ny, nz, values.data(), values.size(), control, grid.place()), control);
+    return grid;
+}
+inline GridColumns Grid::view() const & {
+    GridColumns columns;
+    if (!(detail::done(tree_grid_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::array<float, 6> Grid::bounds() const {
+    std::array<float, 6> min_max{};
+    detail::done(tree_grid_bounds(get(), reinterpret_cast<float(*)[6]>(min_max.data())));
+    return min_max;
+}
+inline size_t Grid::index(int32_t x, int32_t y, int32_t z) const {
+    size_t index{};
+    detail::done(tree_grid_index(get(), x, y, z, &index));
+    return index;
+}
+inline std::array<int32_t, 3> Grid::voxel_at(const Floats<3> &point) const {
+    std::array<int32_t, 3> voxel{};
+    detail::done(tree_grid_voxel_at(get(), point, reinterpret_cast<int32_t(*)[3]>(voxel.data())));
+    return voxel;
+}
+inline std::vector<float> Grid::sample(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> values(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_sample(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool Grid::sample(Span<const float> points, Ref<tree_control> control, Span<float> values) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_sample(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control);
+}
+inline std::vector<float> Grid::nearest(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> values(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_nearest(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool Grid::nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_grid_nearest(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control);
+}
+inline PhotoSession PhotoSession::make(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control) {
+    PhotoSession session;
+    detail::done(tree_photo_session_new(shots.data(), shots.size(), params, seed, control, session.place()), control);
+    return session;
+}
+inline PhotoSession PhotoSession::copy() const {
+    PhotoSession copy;
+    detail::done(tree_photo_session_copy(get(), copy.place()));
+    return copy;
+}
+inline bool PhotoSession::set_seed(uint64_t seed) const {
+    return detail::done(tree_photo_session_set_seed(get(), seed));
+}
+inline bool PhotoSession::set_params(Ref<tree_photo_params> params, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_set_params(get(), params, control), control);
+}
+inline bool PhotoSession::set_placing(size_t view, Ref<tree_photo_placing> placing) const {
+    return detail::done(tree_photo_session_set_placing(get(), view, placing));
+}
+inline bool PhotoSession::paint(size_t view, Span<const tree_density_stroke> strokes, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_paint(get(), view, strokes.data(), strokes.size(), control), control);
+}
+inline bool PhotoSession::set_matte(size_t view, const Matte &matte) const {
+    return detail::done(tree_photo_session_set_matte(get(), view, matte.get()));
+}
+inline bool PhotoSession::paint_volume(Span<const tree_density_brush> brushes, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_paint_volume(get(), brushes.data(), brushes.size(), control), control);
+}
+inline bool PhotoSession::set_density(const Grid &density) const {
+    return detail::done(tree_photo_session_set_density(get(), density.get()));
+}
+inline bool PhotoSession::set_branches(size_t view, Ref<tree_photo_branches> branches, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_set_branches(get(), view, branches, control), control);
+}
+inline bool PhotoSession::edit_attractor(size_t view, const Attractor &attractor, Ref<tree_control> control) const {
+    return detail::done(tree_photo_session_edit_attractor(get(), view, attractor.get(), control), control);
+}
+inline bool PhotoSession::redo_from(tree_photo_stage stage) const {
+    return detail::done(tree_photo_session_redo_from(get(), stage));
+}
+inline size_t PhotoSession::count() const {
+    size_t n_shots{};
+    detail::done(tree_photo_session_count(get(), &n_shots));
+    return n_shots;
+}
+inline size_t PhotoSession::count_views(Ref<tree_control> control) const {
+    size_t n_views{};
+    detail::done(tree_photo_session_count_views(get(), control, &n_views), control);
+    return n_views;
+}
+inline uint64_t PhotoSession::seed() const {
+    uint64_t seed{};
+    detail::done(tree_photo_session_seed(get(), &seed));
+    return seed;
+}
+inline PhotoParams PhotoSession::params() const & {
+    PhotoParams params;
+    if (!(detail::done(tree_photo_session_params(get(), &params)))) { params.struct_size = 0; }
+    return params;
+}
+inline uint32_t PhotoSession::runs(tree_photo_stage stage) const {
+    uint32_t n_runs{};
+    detail::done(tree_photo_session_runs(get(), stage, &n_runs));
+    return n_runs;
+}
+inline Matte PhotoSession::matte(size_t view) const {
+    Matte matte;
+    detail::done(tree_photo_session_matte(get(), view, matte.place()));
+    return matte;
+}
+inline Photo PhotoSession::photo(size_t view) const {
+    Photo photo;
+    detail::done(tree_photo_session_photo(get(), view, photo.place()));
+    return photo;
+}
+inline ParticleCamera PhotoSession::camera(size_t view, Ref<tree_control> control) const {
+    ParticleCamera camera;
+    if (!(detail::done(tree_photo_session_camera(get(), view, control, &camera), control))) { camera.struct_size = 0; }
+    return camera;
+}
+inline Attractor PhotoSession::attractor(size_t view, Ref<tree_control> control) const {
+    Attractor attractor;
+    detail::done(tree_photo_session_attractor(get(), view, control, attractor.place()), control);
+    return attractor;
+}
+inline Grid PhotoSession::density(Ref<tree_control> control) const {
+    Grid density;
+    detail::done(tree_photo_session_density(get(), control, density.place()), control);
+    return density;
+}
+inline DirectionField PhotoSession::field(size_t view, Ref<tree_control> control) const {
+    DirectionField field;
+    detail::done(tree_photo_session_field(get(), view, control, field.place()), control);
+    return field;
+}
+inline Traces PhotoSession::traces(Ref<tree_control> control) const {
+    Traces traces;
+    detail::done(tree_photo_session_traces(get(), control, traces.place()), control);
+    return traces;
+}
+inline Skeleton PhotoSession::wood(Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_photo_session_wood(get(), control, wood.place()), control);
+    return wood;
+}
+inline Tree PhotoSession::tree(Ref<tree_control> control, tree_photo_report *report) const {
+    Tree tree;
+    detail::done(tree_photo_session_tree(get(), control, report, tree.place()), control);
+    return tree;
+}
+inline PhotoViewReport PhotoSession::view_report(size_t view, Ref<tree_control> control) const {
+    PhotoViewReport report;
+    if (!(detail::done(tree_photo_session_view_report(get(), view, control, &report), control))) { report.struct_size = 0; }
+    return report;
+}
+inline bool PhotoSession::gaps(size_t view, Ref<tree_control> control, Span<float> gaps) const {
+    return detail::done(tree_photo_session_gaps(get(), view, control, gaps.data(), gaps.size()), control);
+}
+inline Lines PhotoSession::warnings(Ref<tree_control> control) const {
+    Lines warnings;
+    detail::done(tree_photo_session_warnings(get(), control, warnings.place()), control);
+    return warnings;
+}
+inline bool PhotoParams::check(Ref<tree_control> control) const {
+    return detail::done(tree_photo_params_check(this, control), control);
+}
+inline Photo PhotoSession::draw_matte(size_t view) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_matte(get(), view, picture.place()));
+    return picture;
+}
+inline Photo PhotoSession::draw_attractor(size_t view, Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_attractor(get(), view, control, picture.place()), control);
+    return picture;
+}
+inline Photo PhotoSession::draw_field(size_t view, Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_field(get(), view, control, picture.place()), control);
+    return picture;
+}
+inline Photo PhotoSession::draw_traces(size_t view, Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_traces(get(), view, control, picture.place()), control);
+    return picture;
+}
+inline Photo PhotoSession::draw_density(Ref<tree_control> control) const {
+    Photo picture;
+    detail::done(tree_photo_session_draw_density(get(), control, picture.place()), control);
+    return picture;
+}
+inline Tree from_photos(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control, tree_photo_report *report) {
+    Tree tree;
+    detail::done(tree_from_photos(shots.data(), shots.size(), params, seed, control, report, tree.place()), control);
+    return tree;
 }
 inline Graph Graph::link(const GraphNodes &nodes, Ref<tree_link_params> params, uint64_t seed, Ref<tree_control> control) {
     Graph graph;

@@ -45,9 +45,19 @@ namespace TreeFamily.Native
     public struct tree_capsules { }
 
     /// <summary>
+    /// The voxels that a tree may fill, and what they begin with.
+    /// </summary>
+    public struct tree_carved { }
+
+    /// <summary>
     /// Triangles of a surface that cross each other.
     /// </summary>
     public struct tree_crossings { }
+
+    /// <summary>
+    /// Directions on a grid of cells over a picture.
+    /// </summary>
+    public struct tree_direction_field { }
 
     /// <summary>
     /// Leaves found in a mesh, and their kinds.
@@ -73,6 +83,12 @@ namespace TreeFamily.Native
     /// Nodes strewn in a volume, ready to be linked.
     /// </summary>
     public struct tree_graph_nodes { }
+
+    /// <summary>
+    /// Numbers on a regular grid of cubic voxels. The number of a voxel is that at its centre. Densities are
+    /// optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
+    /// </summary>
+    public struct tree_grid { }
 
     /// <summary>
     /// The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
@@ -114,6 +130,19 @@ namespace TreeFamily.Native
     /// A photograph: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
     /// </summary>
     public struct tree_photo { }
+
+    /// <summary>
+    /// A tree in the making: photographs, parameters, and what has been made of them so far.
+    ///
+    /// Every stage can be asked for by itself. What is there is kept, so that a change redoes only what comes
+    /// after it: painting density keeps the branches found in the pictures, another seed keeps density and
+    /// fields. A call that fails or is cancelled leaves the session as it was, with the stages done by then.
+    ///
+    /// It is the only object of the library that changes: do not use it from two threads at once. A call that
+    /// comes while another is at work on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands
+    /// out is copied, does not change with it, and outlives it.
+    /// </summary>
+    public struct tree_photo_session { }
 
     /// <summary>
     /// A picture: RGBA, 8 bits, sRGB, straight alpha, rows from top to bottom.
@@ -170,6 +199,11 @@ namespace TreeFamily.Native
     public struct tree_texture { }
 
     /// <summary>
+    /// What particles left behind: traces that join on their way to the base.
+    /// </summary>
+    public struct tree_traces { }
+
+    /// <summary>
     /// A whole tree: skeleton, leaves and species. Every leaf stands on a node that exists and has a kind
     /// that exists.
     /// </summary>
@@ -195,6 +229,11 @@ namespace TreeFamily.Native
     /// contain one side of it, so that solids set side by side share no point there.
     /// </summary>
     public struct tree_volume { }
+
+    /// <summary>
+    /// The way to the base from everywhere in a density.
+    /// </summary>
+    public struct tree_way { }
 
     /// <summary>
     /// The branches of a skeleton, as the wind sees them.
@@ -229,6 +268,23 @@ namespace TreeFamily.Native
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void tree_allocator_release(void* user, void* block, UIntPtr size, UIntPtr align);
+
+    /// <summary>
+    /// How much more points are wanted at `position`, three floats in metres, than the density says: 1 as much,
+    /// 0 none. Negative and not a number count as 0. Asked once for the centre of each voxel that is not empty,
+    /// from any thread and from several at a time; must give the same answer for the same place, and must not
+    /// unwind.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate float tree_weight_fn(void* user, float* position);
+
+    /// <summary>
+    /// The share of the direction towards the nearest branch, 0 to 1, at a distance as a share of the picture's
+    /// height. Not a number counts as 0. Called from any thread, by several at once; must give the same answer
+    /// for the same distance, and must not unwind.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate float tree_blend_fn(void* user, float distance);
 
     /// <summary>
     /// A cost factor for a point in space, three floats in metres: finite and 0 or more, or the call fails
@@ -2931,6 +2987,1241 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// The camera of one photograph. The tree's base is the world's origin, +Y is up. Begin with
+    /// `tree_particle_camera_init`, or let `tree_align` find it.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_particle_camera
+    {
+        /// <summary>
+        /// `sizeof(tree_particle_camera)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a quarter turn on
+        /// +X. -1e6 to 1e6; default 0.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// How far the camera looks down, in radians, -1.5 to 1.5. A photograph from the ground looks up:
+        /// negative. Default 0.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// Vertical field of view of the whole picture in radians, 0.017 to 2.8: a phone held upright has about
+        /// 1.2. 0, the default, is parallel projection, close enough for a photograph from afar.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// Size of the picture in pixels, 1 to 1e6 each. Default 1, 1: set it.
+        /// </summary>
+        public fixed float size[2];
+        /// <summary>
+        /// Where the tree's base is in the picture, in pixels from the top left; may lie outside. Default 0.5, 1:
+        /// set it.
+        /// </summary>
+        public fixed float @base[2];
+        /// <summary>
+        /// Metres for a pixel, at the tree's base, 1e-7 to 1e6. Default 1: set it.
+        /// </summary>
+        public float scale;
+    }
+
+    /// <summary>
+    /// One photograph, ready to be used: what it shows of the tree and where it was taken from. Begin with
+    /// `tree_particle_view_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_particle_view
+    {
+        /// <summary>
+        /// `sizeof(tree_particle_view)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How much of each pixel the tree covers. No default: NULL, which is refused.
+        /// </summary>
+        public tree_matte* matte;
+        /// <summary>
+        /// The photograph itself, of the same size; may be NULL.
+        /// </summary>
+        public tree_photo* photo;
+        /// <summary>
+        /// Where it was taken from; its `size` is that of the matte. No default: NULL, which is refused.
+        /// </summary>
+        public tree_particle_camera* camera;
+    }
+
+    /// <summary>
+    /// What a density depends on. Begin with `tree_density_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_density_params
+    {
+        /// <summary>
+        /// `sizeof(tree_density_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Voxels along the tree's height, 4 to 256. Default 48. Memory and time grow with its cube. Trees more
+        /// than four times as wide as high get larger voxels.
+        /// </summary>
+        public uint resolution;
+        /// <summary>
+        /// Voxels are thrown away where a view covers less of them than this, 0 to 1. Default 0.05. Higher
+        /// values cut off thin foliage.
+        /// </summary>
+        public float threshold;
+        /// <summary>
+        /// How far horizontal sections of the crown are rounded, 0 (boxes from two views) to 1 (ellipses of the
+        /// widths seen). Default 1.
+        /// </summary>
+        public float rounding;
+        /// <summary>
+        /// Rays for every side of a voxel, 0.25 to 4, in each view. Default 1. Memory and time grow with its
+        /// square.
+        /// </summary>
+        public float rays;
+        /// <summary>
+        /// Least transparency of a pixel, 1e-4 to 0.5: what is opaque counts as letting so much through.
+        /// Default 0.02. Lower values make the densest parts denser.
+        /// </summary>
+        public float least_transparency;
+        /// <summary>
+        /// Weight of the demand that densities are small and even, 0.01 to 10. Default 0.7. Higher values thin
+        /// out what is few voxels deep; lower ones leave specks where views differ, and take longer.
+        /// </summary>
+        public float evenness;
+        /// <summary>
+        /// Most iterations of the solver, 1 to 100,000. Default 500.
+        /// </summary>
+        public uint iterations;
+        /// <summary>
+        /// The solver stops when the densities are surely within this share of the exact ones, 1e-4 to 1.
+        /// Default 0.02.
+        /// </summary>
+        public float tolerance;
+    }
+
+    /// <summary>
+    /// How a density came about.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_density_report
+    {
+        /// <summary>
+        /// `sizeof(tree_density_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Rays: equations.
+        /// </summary>
+        public ulong n_rays;
+        /// <summary>
+        /// Voxels that were left after carving: unknowns.
+        /// </summary>
+        public ulong n_voxels;
+        /// <summary>
+        /// Voxels thrown away by carving.
+        /// </summary>
+        public ulong n_carved;
+        /// <summary>
+        /// Voxels that no picture shows.
+        /// </summary>
+        public ulong n_unseen;
+        /// <summary>
+        /// Entries of the system of equations that are not zero.
+        /// </summary>
+        public ulong n_entries;
+        /// <summary>
+        /// What looking through the density misses of the mattes, as a share: 0 when it gives them exactly.
+        /// </summary>
+        public double residual;
+        /// <summary>
+        /// Iterations of the solver.
+        /// </summary>
+        public uint n_iterations;
+        /// <summary>
+        /// 1 when the solver stopped at the most iterations allowed, and the density is not final.
+        /// </summary>
+        public uint not_converged;
+        /// <summary>
+        /// Views that contradict the others.
+        /// </summary>
+        public uint n_contradictions;
+        /// <summary>
+        /// Views that are covered all over, and say nothing about the tree's outline.
+        /// </summary>
+        public uint n_opaque;
+    }
+
+    /// <summary>
+    /// How one view fits a density.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_density_view
+    {
+        /// <summary>
+        /// What looking through the density misses of the view's matte, as a share: 0 when it gives it exactly.
+        /// </summary>
+        public double residual;
+        /// <summary>
+        /// 1 when the view contradicts the others.
+        /// </summary>
+        public uint contradicts;
+        /// <summary>
+        /// 1 when the view is covered all over, and says nothing about the tree's outline.
+        /// </summary>
+        public uint is_opaque;
+    }
+
+    /// <summary>
+    /// A view of what carving left.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_carved_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_carved_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of voxels that are left.
+        /// </summary>
+        public UIntPtr n_voxels;
+        /// <summary>
+        /// For each of them its row in the grid, rising.
+        /// </summary>
+        public uint* voxels;
+        /// <summary>
+        /// For each of them how far it lies inside the rounded crown, 0 to 1.
+        /// </summary>
+        public float* weights;
+        /// <summary>
+        /// Voxels that were thrown away although a view shows them.
+        /// </summary>
+        public ulong n_carved;
+        /// <summary>
+        /// Voxels that no picture shows.
+        /// </summary>
+        public ulong n_unseen;
+    }
+
+    /// <summary>
+    /// A stroke over a matte. Begin with `tree_density_stroke_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_density_stroke
+    {
+        /// <summary>
+        /// `sizeof(tree_density_stroke)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Its course: two floats for each point, in pixels from the top left. One point makes a dot.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Width in pixels, above 0. Default 20.
+        /// </summary>
+        public float width;
+        /// <summary>
+        /// What the matte becomes in its middle, 0 (erase) to 1 (opaque). Default 1.
+        /// </summary>
+        public float value;
+        /// <summary>
+        /// Share of its width over which it fades, 0 (hard) to 1. Default 0.5.
+        /// </summary>
+        public float softness;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A stroke of a ball through a grid. Begin with `tree_density_brush_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_density_brush
+    {
+        /// <summary>
+        /// `sizeof(tree_density_brush)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Its course: three floats for each point, in metres. One point makes a ball.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Radius in metres, above 0. Default 0.5.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// What the grid becomes in its middle, 0 (erase) to 1e6 per metre. Default 1.
+        /// </summary>
+        public float value;
+        /// <summary>
+        /// Share of its radius over which it fades, 0 (hard) to 1. Default 0.5.
+        /// </summary>
+        public float softness;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a direction field is made. Begin with `tree_field_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_field_params
+    {
+        /// <summary>
+        /// `sizeof(tree_field_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Table: two floats for each point: a distance as a share of the picture's height, ascending, and a
+        /// share, 0 to 1. Before the first and after the last it is as there. Default NULL.
+        /// </summary>
+        public float* blend_table;
+        /// <summary>
+        /// Table: number of points, at least 1.
+        /// </summary>
+        public UIntPtr n_blend_table;
+        /// <summary>
+        /// Function. Default NULL. Sessions and `tree_from_photos` keep parameters longer than a call and take
+        /// no functions: give them a table.
+        /// </summary>
+        public IntPtr blend_function;
+        /// <summary>
+        /// Handed to `blend_function`.
+        /// </summary>
+        public void* blend_user;
+        /// <summary>
+        /// How directions towards and along branches are blended. Default `TREE_BLEND_LINEAR`.
+        /// </summary>
+        public uint blend; // tree_blend
+        /// <summary>
+        /// Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.1.
+        /// </summary>
+        public float blend_reach;
+        /// <summary>
+        /// Linear: greatest share, 0 to 1. Default 0.85.
+        /// </summary>
+        public float blend_most;
+        /// <summary>
+        /// Constant: share, 0 to 1. Default 0.
+        /// </summary>
+        public float blend_share;
+        /// <summary>
+        /// Cells over the height of the picture, 1 to 4096. Default 100. Cost grows with the square.
+        /// </summary>
+        public uint rows;
+        /// <summary>
+        /// How far the grid reaches beyond the picture on every side, as a share of its height, 0 to 2. Default
+        /// 0.1.
+        /// </summary>
+        public float margin;
+    }
+
+    /// <summary>
+    /// A view of a direction field.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_direction_field_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_direction_field_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Two floats for each cell, row by row from the top left: x to the right, y up, length 0 to 1. 0, 0
+        /// where there is no direction.
+        /// </summary>
+        public float* vectors;
+        /// <summary>
+        /// Number of cells: `size[0] * size[1]`.
+        /// </summary>
+        public UIntPtr n_vectors;
+        /// <summary>
+        /// Cells across and down.
+        /// </summary>
+        public fixed uint size[2];
+        /// <summary>
+        /// Pixels for a cell.
+        /// </summary>
+        public float cell;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How traces become a tree. Begin with `tree_finish_params_init`, which makes it an oak, or with
+    /// `tree_finish_params_find`. What it points at then belongs to the library, lives for ever and is not to be
+    /// written: to alter twigs or leaves, copy them to a struct of your own and point at that.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_finish_params
+    {
+        /// <summary>
+        /// `sizeof(tree_finish_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How thick branches are: a rule of the kind `TREE_RADII_PIPE`. Without a `trunk_radius` that seen in
+        /// the pictures is taken, and where they show no bare trunk, `slenderness`. NULL for the default: an
+        /// exponent of 2.2.
+        /// </summary>
+        public tree_radius_rule* radii;
+        /// <summary>
+        /// Twigs on the ends of the traces; NULL for none. Default those of an oak.
+        /// </summary>
+        public tree_twig_params* twigs;
+        /// <summary>
+        /// Leaves; NULL for a bare tree. Default sprays of an oak's leaves.
+        /// </summary>
+        public tree_leaf_params* leaves;
+        /// <summary>
+        /// Names of species, bark and leaves; NULL for an oak's. With leaves it must have the kind that they
+        /// name.
+        /// </summary>
+        public tree_species* species;
+        /// <summary>
+        /// Passes of smoothing along branches, 0 to 100. Default 4.
+        /// </summary>
+        public uint smoothing;
+        /// <summary>
+        /// Nodes nearer to the one below than this share of the tree's height are left out, 0 to 0.1. Default
+        /// 0.005.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Radius of the trunk as a share of the height where nothing tells it, 1e-4 to 0.2. Default 0.017.
+        /// </summary>
+        public float slenderness;
+        /// <summary>
+        /// Area of a blade as a share of its length squared, 1e-3 to 2: how much a leaf covers, and so how many
+        /// it takes. Default 0.333, an oak's spray; an oak leaf has 0.28, a needle 0.04.
+        /// </summary>
+        public float blade;
+        /// <summary>
+        /// Leaves against what the pictures ask for, 0 to 10. Default 1.
+        /// </summary>
+        public float fullness;
+        /// <summary>
+        /// Times the leaves are counted in the pictures and their density put right, 0 to 10. Default 3.
+        /// </summary>
+        public uint corrections;
+        /// <summary>
+        /// Leaves and twigs where a picture's matte is below this are discarded, 0 (none) to 1. Default 0.5.
+        /// </summary>
+        public float empty;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What growing twigs and leaves did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crown_report
+    {
+        /// <summary>
+        /// `sizeof(tree_crown_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Nodes of twigs.
+        /// </summary>
+        public ulong n_twig_nodes;
+        /// <summary>
+        /// Nodes of twigs cut off because they reached where a picture is empty.
+        /// </summary>
+        public ulong n_twig_nodes_cut;
+        /// <summary>
+        /// Leaves (blades) that stayed.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Leaves discarded because a picture is empty there.
+        /// </summary>
+        public ulong n_leaves_discarded;
+        /// <summary>
+        /// Leaves the pictures ask for, as far as the last correction knows.
+        /// </summary>
+        public double leaves_asked;
+    }
+
+    /// <summary>
+    /// How particles move and join. Lengths are shares of the tree's height, so that the same numbers do for a
+    /// shrub and a giant. Begin with `tree_flow_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_flow_params
+    {
+        /// <summary>
+        /// `sizeof(tree_flow_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Particles, 1 to 10 million: 500 to 1000 for trees of medium size, 1000 to 2000 for large ones.
+        /// Default 1500. Cost grows a little more than linearly.
+        /// </summary>
+        public uint particles;
+        /// <summary>
+        /// Steps after which particles still on their way are steered straight to the base, 1 to 100,000.
+        /// Default 200.
+        /// </summary>
+        public uint steps;
+        /// <summary>
+        /// Way of a particle in one step, 1e-4 to 0.1. Default 0.008. Smaller is smoother and slower.
+        /// </summary>
+        public float step;
+        /// <summary>
+        /// Particles nearer than this join, 1e-5 to 0.2. Default 0.01. Larger gives fewer, longer branches.
+        /// </summary>
+        public float join;
+        /// <summary>
+        /// How far a particle sees its nearest neighbour, 0 to 1. Default 0.06.
+        /// </summary>
+        public float sight;
+        /// <summary>
+        /// Pull along the pictures' direction fields, 0 to 10. Default 1. The pulls decide the direction only,
+        /// so just their proportions matter.
+        /// </summary>
+        public float image;
+        /// <summary>
+        /// Pull towards the base, through the densest way, 0 to 10. Default 0.15. Where no field says anything
+        /// it counts in full.
+        /// </summary>
+        public float @base;
+        /// <summary>
+        /// Pull of the nearest neighbour when it is close, 0 to 10. Default 0.45. Larger joins twigs sooner.
+        /// </summary>
+        public float neighbour;
+        /// <summary>
+        /// Way on which a lone particle turns most of the way into a new direction, 1e-4 to 1. Default 0.012.
+        /// </summary>
+        public float turn;
+        /// <summary>
+        /// How much more reluctant joined particles are: the way of turning grows with mass to this power, 0
+        /// to 1. Default 0.15.
+        /// </summary>
+        public float inertia;
+        /// <summary>
+        /// Cost of the way down the stem against that through the crown, 0.05 to 1 (no stem). Default 0.6.
+        /// Where no picture shows branches, they leave the stem at the angle whose cosine this is.
+        /// </summary>
+        public float stem;
+        /// <summary>
+        /// Least distance between nodes of a trace, 1e-4 to 0.2. Default 0.01.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Error of one step that is tolerated, as a share of `join`, 1e-4 to 1; worse steps are halved.
+        /// Default 0.05.
+        /// </summary>
+        public float tolerance;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view that steers particles. Begin with `tree_flow_view_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_flow_view
+    {
+        /// <summary>
+        /// `sizeof(tree_flow_view)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where its photograph was taken from. No default: NULL, which is refused.
+        /// </summary>
+        public tree_particle_camera* camera;
+        /// <summary>
+        /// Where particles go in its picture. No default: NULL, which is refused.
+        /// </summary>
+        public tree_direction_field* field;
+    }
+
+    /// <summary>
+    /// What became of the particles.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_flow_report
+    {
+        /// <summary>
+        /// `sizeof(tree_flow_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Parts that the integrator cut all steps of all particles into.
+        /// </summary>
+        public ulong n_parts;
+        /// <summary>
+        /// Particles that started.
+        /// </summary>
+        public uint n_particles;
+        /// <summary>
+        /// Joins of two particles.
+        /// </summary>
+        public uint n_joins;
+        /// <summary>
+        /// Particles that joined a trace whose particle had gone on.
+        /// </summary>
+        public uint n_followed;
+        /// <summary>
+        /// Particles, after joins, that reached the base on traces of their own.
+        /// </summary>
+        public uint n_arrived;
+        /// <summary>
+        /// Particles that were still on their way after `steps` and were steered to the base without heed to
+        /// the pictures.
+        /// </summary>
+        public uint n_steered;
+        /// <summary>
+        /// Particles that could not even be steered and were led straight to the nearest trace.
+        /// </summary>
+        public uint n_led;
+        /// <summary>
+        /// Steps taken.
+        /// </summary>
+        public uint n_steps;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of traces. Nodes are in the order in which they were left behind; node 0 is the base.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_traces_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_traces_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes, at least 1.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Three floats for each node: where it is, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// For each node the one it leads to, on the way to the base; `TREE_NO_PARENT` at the base.
+        /// </summary>
+        public uint* next;
+        /// <summary>
+        /// For each node the number of particles whose way led through it.
+        /// </summary>
+        public uint* masses;
+    }
+
+    /// <summary>
+    /// A view of a grid. Voxel (x, y, z) is row `(z * size[1] + y) * size[0] + x`; its centre is
+    /// `corner + voxel * (x + 0.5, y + 0.5, z + 0.5)`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_grid_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_grid_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// One for each voxel: x runs fastest, then y, then z.
+        /// </summary>
+        public float* values;
+        /// <summary>
+        /// Number of voxels: `size[0] * size[1] * size[2]`.
+        /// </summary>
+        public UIntPtr n_values;
+        /// <summary>
+        /// Lowest corner in metres.
+        /// </summary>
+        public fixed float corner[3];
+        /// <summary>
+        /// Side of a voxel in metres.
+        /// </summary>
+        public float voxel;
+        /// <summary>
+        /// Voxels along x, y and z.
+        /// </summary>
+        public fixed uint size[3];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Where a photograph was taken from: found in the matte, or as the caller knows. Begin with
+    /// `tree_photo_placing_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_photo_placing
+    {
+        /// <summary>
+        /// `sizeof(tree_photo_placing)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The camera, where it is known; then the other fields do not count. Default NULL: base, height and
+        /// scale are found in the matte.
+        /// </summary>
+        public tree_particle_camera* camera;
+        /// <summary>
+        /// Where the camera stood around the trunk, in radians: 0, the default, on +Z, a quarter turn on +X.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// How far it looked down, in radians, -1.5 to 1.5. Default 0.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// Vertical field of view of the whole picture in radians, 0.017 to 2.8; 0, the default, is parallel
+        /// projection.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
+    /// `starts[i + 1]`. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_strokes_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_strokes_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of strokes.
+        /// </summary>
+        public UIntPtr n_strokes;
+        /// <summary>
+        /// `n_strokes + 1` numbers: 0 first, none below the one before it, `n_points` last. NULL for no strokes.
+        /// </summary>
+        public ulong* starts;
+        /// <summary>
+        /// Number of points of all strokes.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Two floats for each point, in pixels from the top left of the picture.
+        /// </summary>
+        public float* points;
+    }
+
+    /// <summary>
+    /// A photograph's main branches. Begin with `tree_photo_branches_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_photo_branches
+    {
+        /// <summary>
+        /// `sizeof(tree_photo_branches)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Seeds: two floats for each point, in pixels from the top left. Default NULL.
+        /// </summary>
+        public float* seeds;
+        /// <summary>
+        /// Number of seeds.
+        /// </summary>
+        public UIntPtr n_seeds;
+        /// <summary>
+        /// Strokes: as `tree_attractor_from_strokes` takes them. Default NULL.
+        /// </summary>
+        public tree_strokes_columns* strokes;
+        /// <summary>
+        /// Graph: the graph. Default NULL.
+        /// </summary>
+        public tree_attractor* graph;
+        /// <summary>
+        /// Where they come from. Default `TREE_BRANCHES_LIVEWIRE`.
+        /// </summary>
+        public uint kind; // tree_branches_kind
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One photograph as it goes in. Begin with `tree_photo_shot_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_photo_shot
+    {
+        /// <summary>
+        /// `sizeof(tree_photo_shot)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How much of each pixel the tree covers. No default: NULL, which is refused.
+        /// </summary>
+        public tree_matte* matte;
+        /// <summary>
+        /// The photograph, of the same size, where livewire looks for branches. Default NULL: it looks at the
+        /// matte.
+        /// </summary>
+        public tree_photo* photo;
+        /// <summary>
+        /// Where it was taken from. Default NULL: from the front.
+        /// </summary>
+        public tree_photo_placing* placing;
+        /// <summary>
+        /// Its main branches. Default NULL: livewire from points on the silhouette.
+        /// </summary>
+        public tree_photo_branches* branches;
+    }
+
+    /// <summary>
+    /// Which points of the silhouette may be seeds. Begin with `tree_seed_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_seed_params
+    {
+        /// <summary>
+        /// `sizeof(tree_seed_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Distance that seeds keep from the trunk as a share of the tree's height, 0 to 1. Default 0.08.
+        /// </summary>
+        public float from_trunk;
+        /// <summary>
+        /// Lowest height of a seed over the base as a share of the tree's height, -1 to 1. Default 0.05: what
+        /// hangs lower is left out.
+        /// </summary>
+        public float lowest;
+        /// <summary>
+        /// How far the silhouette may face down at a seed, 0 (aside) to 1 (straight down). Default 0.8.
+        /// </summary>
+        public float downwards;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How paths are found. Begin with `tree_livewire_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_livewire_params
+    {
+        /// <summary>
+        /// `sizeof(tree_livewire_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Rows of pixels over the height of the tree at which paths are sought, 16 to 1024. Default 256. Time
+        /// and memory (120 bytes a pixel at most) grow with the square.
+        /// </summary>
+        public uint rows;
+        /// <summary>
+        /// How closely paths follow visible structures, 0 (not at all) to 0.98. Default 0.88: a step along the
+        /// clearest branch costs 12 % of one through leaves.
+        /// </summary>
+        public float follow;
+        /// <summary>
+        /// Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
+        /// </summary>
+        public float outside;
+        /// <summary>
+        /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
+        /// </summary>
+        public float centre;
+        /// <summary>
+        /// How much more a step costs that leads back towards the base and down than one that leads away from
+        /// it and up, 0 to 10. Default 0.6.
+        /// </summary>
+        public float outwards;
+        /// <summary>
+        /// How much less than a step through leaves one costs along a path found before, 0 (paths do not
+        /// attract each other) to 0.9. Default 0.3.
+        /// </summary>
+        public float join;
+        /// <summary>
+        /// Passes of smoothing over paths of working pixels, 0 to 1000. Default 12.
+        /// </summary>
+        public uint smoothing;
+        /// <summary>
+        /// Distance between nodes as a share of the tree's height, 0.001 to 0.5. Default 0.02.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Side branches shorter than this share of the tree's height are left out, 0 to 0.5. Default 0.05.
+        /// </summary>
+        public float stub;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How strokes are cleaned and joined. Begin with `tree_stroke_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stroke_params
+    {
+        /// <summary>
+        /// `sizeof(tree_stroke_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Distance between nodes as a share of the drawing's size, 0.001 to 0.5. Default 0.02.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Gaps up to this share of the drawing's size are closed by moving the stroke's end, 0 to 1; wider
+        /// ones are bridged by a straight line and reported. Default 0.03.
+        /// </summary>
+        public float snap;
+    }
+
+    /// <summary>
+    /// All parameters of the way from photographs to a tree. A part that is NULL, as all are after
+    /// `tree_photo_params_init`, is its default.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_photo_params
+    {
+        /// <summary>
+        /// `sizeof(tree_photo_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// What points on the silhouettes are drawn with. They do not change with the tree's seed: what a
+        /// photograph shows is the same for all trees made of it. Default 0.
+        /// </summary>
+        public ulong attractor_seed;
+        /// <summary>
+        /// Which points of a silhouette may be seeds.
+        /// </summary>
+        public tree_seed_params* seeds;
+        /// <summary>
+        /// How livewire finds branches.
+        /// </summary>
+        public tree_livewire_params* livewire;
+        /// <summary>
+        /// How drawn strokes are joined.
+        /// </summary>
+        public tree_stroke_params* strokes;
+        /// <summary>
+        /// How the density is found.
+        /// </summary>
+        public tree_density_params* density;
+        /// <summary>
+        /// How branches steer particles.
+        /// </summary>
+        public tree_field_params* field;
+        /// <summary>
+        /// How particles move.
+        /// </summary>
+        public tree_flow_params* flow;
+        /// <summary>
+        /// How traces become a tree.
+        /// </summary>
+        public tree_finish_params* finish;
+        /// <summary>
+        /// Height of the tree in metres, 0.01 to 1000. Default 10.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Points on each silhouette from which livewire seeks branches, 0 to 10,000. Default 40.
+        /// </summary>
+        public uint branches;
+        /// <summary>
+        /// Whether a side is imagined where all photographs are from one side (or its back): the first photograph,
+        /// mirrored, from a quarter turn round. Without it the depth of the crown is filled evenly. Default 1.
+        /// </summary>
+        public uint imagine;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What was found, repaired and left out on the way from photographs to a tree. The fields that begin with
+    /// `density_`, `flow_` and `crown_` are those of `tree_density_report`, `tree_flow_report` and
+    /// `tree_crown_report`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_photo_report
+    {
+        /// <summary>
+        /// `sizeof(tree_photo_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of views.
+        /// </summary>
+        public ulong n_views;
+        /// <summary>
+        /// Number of lines that `tree_photo_session_warnings` gives.
+        /// </summary>
+        public ulong n_warnings;
+        /// <summary>
+        /// Radius of the trunk that the views show, in metres; 0 where they show no bare trunk.
+        /// </summary>
+        public float trunk_radius;
+        /// <summary>
+        /// Height in metres below which no view shows more than the trunk.
+        /// </summary>
+        public float crown_base;
+        /// <summary>
+        /// Rays: equations.
+        /// </summary>
+        public ulong density_rays;
+        /// <summary>
+        /// Voxels that were left after carving: unknowns.
+        /// </summary>
+        public ulong density_voxels;
+        /// <summary>
+        /// Voxels thrown away by carving.
+        /// </summary>
+        public ulong density_carved;
+        /// <summary>
+        /// Voxels that no picture shows.
+        /// </summary>
+        public ulong density_unseen;
+        /// <summary>
+        /// Entries of the system of equations that are not zero.
+        /// </summary>
+        public ulong density_entries;
+        /// <summary>
+        /// What looking through the density misses of the mattes, as a share.
+        /// </summary>
+        public double density_residual;
+        /// <summary>
+        /// Iterations of the solver.
+        /// </summary>
+        public uint density_iterations;
+        /// <summary>
+        /// 1 when the density is not final.
+        /// </summary>
+        public uint density_not_converged;
+        /// <summary>
+        /// Views that contradict the others.
+        /// </summary>
+        public uint density_contradictions;
+        /// <summary>
+        /// Views that are covered all over.
+        /// </summary>
+        public uint density_opaque;
+        /// <summary>
+        /// Parts that the integrator cut all steps of all particles into.
+        /// </summary>
+        public ulong flow_parts;
+        /// <summary>
+        /// Particles that started.
+        /// </summary>
+        public uint flow_particles;
+        /// <summary>
+        /// Joins of two particles.
+        /// </summary>
+        public uint flow_joins;
+        /// <summary>
+        /// Particles that joined a trace whose particle had gone on.
+        /// </summary>
+        public uint flow_followed;
+        /// <summary>
+        /// Particles, after joins, that reached the base on traces of their own.
+        /// </summary>
+        public uint flow_arrived;
+        /// <summary>
+        /// Particles that were steered to the base after all steps.
+        /// </summary>
+        public uint flow_steered;
+        /// <summary>
+        /// Particles that were led straight to the nearest trace.
+        /// </summary>
+        public uint flow_led;
+        /// <summary>
+        /// Steps taken.
+        /// </summary>
+        public uint flow_steps;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// Nodes of twigs.
+        /// </summary>
+        public ulong crown_twig_nodes;
+        /// <summary>
+        /// Nodes of twigs cut off because they reached where a picture is empty.
+        /// </summary>
+        public ulong crown_twig_nodes_cut;
+        /// <summary>
+        /// Leaves (blades) that stayed.
+        /// </summary>
+        public ulong crown_leaves;
+        /// <summary>
+        /// Leaves discarded because a picture is empty there.
+        /// </summary>
+        public ulong crown_leaves_discarded;
+        /// <summary>
+        /// Leaves the pictures ask for, as far as the last correction knows.
+        /// </summary>
+        public double crown_leaves_asked;
+    }
+
+    /// <summary>
+    /// What may be wrong with an alignment. Fields that the problem does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_align_warning
+    {
+        /// <summary>
+        /// Which problem. New ones may be added.
+        /// </summary>
+        public uint problem; // tree_align_problem
+        /// <summary>
+        /// Index into the views.
+        /// </summary>
+        public uint view;
+        /// <summary>
+        /// Number of parts.
+        /// </summary>
+        public uint parts;
+        /// <summary>
+        /// A share, 0 to 1 or more.
+        /// </summary>
+        public float found;
+        /// <summary>
+        /// What is found in most views.
+        /// </summary>
+        public float usual;
+    }
+
+    /// <summary>
+    /// What one view gave.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_photo_view_report
+    {
+        /// <summary>
+        /// `sizeof(tree_photo_view_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// What looking through the density misses of the view's matte, as a share; 0 where the density came
+        /// from elsewhere.
+        /// </summary>
+        public double residual;
+        /// <summary>
+        /// 1 when the view contradicts the others.
+        /// </summary>
+        public uint contradicts;
+        /// <summary>
+        /// 1 when the view is covered all over.
+        /// </summary>
+        public uint is_opaque;
+        /// <summary>
+        /// What its alignment is doubtful about: rows of `warnings`. 0 where the caller placed the camera.
+        /// </summary>
+        public uint n_warnings;
+        /// <summary>
+        /// 1 when the view gives directions: not without branches.
+        /// </summary>
+        public uint attracts;
+        /// <summary>
+        /// 1 when livewire sought branches, and the fields from here to `trunk_width` count.
+        /// </summary>
+        public uint has_livewire;
+        /// <summary>
+        /// Seeds that were not finite and left out.
+        /// </summary>
+        public uint n_bad_seeds;
+        /// <summary>
+        /// Seeds outside the picture, moved to its border.
+        /// </summary>
+        public uint n_moved_seeds;
+        /// <summary>
+        /// Side branches left out as stubs.
+        /// </summary>
+        public uint n_stubs;
+        /// <summary>
+        /// Tips of the graph.
+        /// </summary>
+        public uint n_tips;
+        /// <summary>
+        /// Share of the paths' length that runs outside the tree, 0 to 1: gaps that were bridged.
+        /// </summary>
+        public float outside;
+        /// <summary>
+        /// How clearly the picture shows branches along the paths, 0 (arbitrary) to 1.
+        /// </summary>
+        public float evidence;
+        /// <summary>
+        /// Width of the trunk at its foot in pixels; 0 where no trunk is seen.
+        /// </summary>
+        public float trunk_width;
+        /// <summary>
+        /// 1 when strokes were joined, and the fields after it count.
+        /// </summary>
+        public uint has_strokes;
+        /// <summary>
+        /// Points left out because they were not finite.
+        /// </summary>
+        public uint n_bad_points;
+        /// <summary>
+        /// Strokes left out because they had no length.
+        /// </summary>
+        public uint n_empty;
+        /// <summary>
+        /// Strokes that were joined over a gap wider than the snapping distance.
+        /// </summary>
+        public uint n_bridged;
+        /// <summary>
+        /// Strokes joined by their middle, in two parts.
+        /// </summary>
+        public uint n_split;
+        /// <summary>
+        /// Doubts about its alignment, the first `n_warnings` rows.
+        /// </summary>
+        public tree_align_warning warnings_0, warnings_1, warnings_2, warnings_3, warnings_4, warnings_5, warnings_6, warnings_7;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
     /// Makes edges dearer or cheaper inside a volume. Begin with `tree_paint_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -3492,75 +4783,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// What may be wrong with an alignment. Fields that the problem does not name are 0.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_align_warning
-    {
-        /// <summary>
-        /// Which problem. New ones may be added.
-        /// </summary>
-        public uint problem; // tree_align_problem
-        /// <summary>
-        /// Index into the views.
-        /// </summary>
-        public uint view;
-        /// <summary>
-        /// Number of parts.
-        /// </summary>
-        public uint parts;
-        /// <summary>
-        /// A share, 0 to 1 or more.
-        /// </summary>
-        public float found;
-        /// <summary>
-        /// What is found in most views.
-        /// </summary>
-        public float usual;
-    }
-
-    /// <summary>
-    /// The camera of one photograph. The tree's base is the world's origin, +Y is up. Begin with
-    /// `tree_particle_camera_init`, or let `tree_align` find it.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_particle_camera
-    {
-        /// <summary>
-        /// `sizeof(tree_particle_camera)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a quarter turn on
-        /// +X. -1e6 to 1e6; default 0.
-        /// </summary>
-        public float yaw;
-        /// <summary>
-        /// How far the camera looks down, in radians, -1.5 to 1.5. A photograph from the ground looks up:
-        /// negative. Default 0.
-        /// </summary>
-        public float pitch;
-        /// <summary>
-        /// Vertical field of view of the whole picture in radians, 0.017 to 2.8: a phone held upright has about
-        /// 1.2. 0, the default, is parallel projection, close enough for a photograph from afar.
-        /// </summary>
-        public float fov;
-        /// <summary>
-        /// Size of the picture in pixels, 1 to 1e6 each. Default 1, 1: set it.
-        /// </summary>
-        public fixed float size[2];
-        /// <summary>
-        /// Where the tree's base is in the picture, in pixels from the top left; may lie outside. Default 0.5, 1:
-        /// set it.
-        /// </summary>
-        public fixed float @base[2];
-        /// <summary>
-        /// Metres for a pixel, at the tree's base, 1e-7 to 1e6. Default 1: set it.
-        /// </summary>
-        public float scale;
-    }
-
-    /// <summary>
     /// What was found in a matte. Lengths are in pixels from the top left.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -3807,27 +5029,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How strokes are cleaned and joined. Begin with `tree_stroke_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_stroke_params
-    {
-        /// <summary>
-        /// `sizeof(tree_stroke_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Distance between nodes as a share of the drawing's size, 0.001 to 0.5. Default 0.02.
-        /// </summary>
-        public float spacing;
-        /// <summary>
-        /// Gaps up to this share of the drawing's size are closed by moving the stroke's end, 0 to 1; wider
-        /// ones are bridged by a straight line and reported. Default 0.03.
-        /// </summary>
-        public float snap;
-    }
-
-    /// <summary>
     /// What became of strokes.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -3884,62 +5085,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How paths are found. Begin with `tree_livewire_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_livewire_params
-    {
-        /// <summary>
-        /// `sizeof(tree_livewire_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Rows of pixels over the height of the tree at which paths are sought, 16 to 1024. Default 256. Time
-        /// and memory (120 bytes a pixel at most) grow with the square.
-        /// </summary>
-        public uint rows;
-        /// <summary>
-        /// How closely paths follow visible structures, 0 (not at all) to 0.98. Default 0.88: a step along the
-        /// clearest branch costs 12 % of one through leaves.
-        /// </summary>
-        public float follow;
-        /// <summary>
-        /// Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
-        /// </summary>
-        public float outside;
-        /// <summary>
-        /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
-        /// </summary>
-        public float centre;
-        /// <summary>
-        /// How much more a step costs that leads back towards the base and down than one that leads away from
-        /// it and up, 0 to 10. Default 0.6.
-        /// </summary>
-        public float outwards;
-        /// <summary>
-        /// How much less than a step through leaves one costs along a path found before, 0 (paths do not
-        /// attract each other) to 0.9. Default 0.3.
-        /// </summary>
-        public float join;
-        /// <summary>
-        /// Passes of smoothing over paths of working pixels, 0 to 1000. Default 12.
-        /// </summary>
-        public uint smoothing;
-        /// <summary>
-        /// Distance between nodes as a share of the tree's height, 0.001 to 0.5. Default 0.02.
-        /// </summary>
-        public float spacing;
-        /// <summary>
-        /// Side branches shorter than this share of the tree's height are left out, 0 to 0.5. Default 0.05.
-        /// </summary>
-        public float stub;
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
-    }
-
-    /// <summary>
     /// What livewire found.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -3977,35 +5122,6 @@ namespace TreeFamily.Native
         /// Width of the trunk at its foot in pixels; 0 where no trunk is seen.
         /// </summary>
         public float trunk_width;
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
-    }
-
-    /// <summary>
-    /// Which points of the silhouette may be seeds. Begin with `tree_seed_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_seed_params
-    {
-        /// <summary>
-        /// `sizeof(tree_seed_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Distance that seeds keep from the trunk as a share of the tree's height, 0 to 1. Default 0.08.
-        /// </summary>
-        public float from_trunk;
-        /// <summary>
-        /// Lowest height of a seed over the base as a share of the tree's height, -1 to 1. Default 0.05: what
-        /// hangs lower is left out.
-        /// </summary>
-        public float lowest;
-        /// <summary>
-        /// How far the silhouette may face down at a seed, 0 (aside) to 1 (straight down). Default 0.8.
-        /// </summary>
-        public float downwards;
         /// <summary>
         /// 0.
         /// </summary>
@@ -4260,35 +5376,6 @@ namespace TreeFamily.Native
         /// 0.
         /// </summary>
         public uint reserved;
-    }
-
-    /// <summary>
-    /// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
-    /// `starts[i + 1]`. Set `struct_size` first.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_strokes_columns
-    {
-        /// <summary>
-        /// `sizeof(tree_strokes_columns)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Number of strokes.
-        /// </summary>
-        public UIntPtr n_strokes;
-        /// <summary>
-        /// `n_strokes + 1` numbers: 0 first, none below the one before it, `n_points` last. NULL for no strokes.
-        /// </summary>
-        public ulong* starts;
-        /// <summary>
-        /// Number of points of all strokes.
-        /// </summary>
-        public UIntPtr n_points;
-        /// <summary>
-        /// Two floats for each point, in pixels from the top left of the picture.
-        /// </summary>
-        public float* points;
     }
 
     /// <summary>
@@ -5038,7 +6125,8 @@ namespace TreeFamily.Native
         /// * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-        /// its kind). Handles keep alive what they are made of.
+        /// its kind). Handles keep alive what they are made of. One kind changes, `tree_photo_session`: one thread at
+        /// a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -5586,6 +6674,86 @@ namespace TreeFamily.Native
         /// 10 m that is 1e-13 m².
         /// </summary>
         public const float TREE_FLAT_SHARE = 1e-15f;
+
+        /// <summary>
+        /// From 0 on a branch to `blend_most` at a distance of `blend_reach` and beyond.
+        /// </summary>
+        public const int TREE_BLEND_LINEAR = 0;
+
+        /// <summary>
+        /// `blend_share` at every distance but 0: particles meet branches at a fixed angle.
+        /// </summary>
+        public const int TREE_BLEND_CONSTANT = 1;
+
+        /// <summary>
+        /// Straight lines between the points of `blend_table`.
+        /// </summary>
+        public const int TREE_BLEND_TABLE = 2;
+
+        /// <summary>
+        /// What `blend_function` says.
+        /// </summary>
+        public const int TREE_BLEND_FUNCTION = 3;
+
+        /// <summary>
+        /// Cameras: base, height and scale of each view.
+        /// </summary>
+        public const int TREE_PHOTO_STAGE_VIEWS = 0;
+
+        /// <summary>
+        /// Main branches in each view.
+        /// </summary>
+        public const int TREE_PHOTO_STAGE_ATTRACTORS = 1;
+
+        /// <summary>
+        /// The density in space, and the way to the base through it.
+        /// </summary>
+        public const int TREE_PHOTO_STAGE_DENSITY = 2;
+
+        /// <summary>
+        /// The direction field of each view.
+        /// </summary>
+        public const int TREE_PHOTO_STAGE_FIELDS = 3;
+
+        /// <summary>
+        /// The particles' traces.
+        /// </summary>
+        public const int TREE_PHOTO_STAGE_FLOW = 4;
+
+        /// <summary>
+        /// Branches.
+        /// </summary>
+        public const int TREE_PHOTO_STAGE_WOOD = 5;
+
+        /// <summary>
+        /// Twigs and leaves.
+        /// </summary>
+        public const int TREE_PHOTO_STAGE_CROWN = 6;
+
+        /// <summary>
+        /// Livewire from points on the silhouette.
+        /// </summary>
+        public const int TREE_BRANCHES_LIVEWIRE = 0;
+
+        /// <summary>
+        /// Livewire from `seeds`.
+        /// </summary>
+        public const int TREE_BRANCHES_SEEDS = 1;
+
+        /// <summary>
+        /// `strokes`, as a person drew them.
+        /// </summary>
+        public const int TREE_BRANCHES_STROKES = 2;
+
+        /// <summary>
+        /// `graph`.
+        /// </summary>
+        public const int TREE_BRANCHES_GRAPH = 3;
+
+        /// <summary>
+        /// None: this view's branches are left to chance.
+        /// </summary>
+        public const int TREE_BRANCHES_NONE = 4;
 
         /// <summary>
         /// Predecessor of the root, and of nodes that no path leads to.
@@ -7119,6 +8287,639 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_check_normals(tree_mesh* mesh);
+
+        /// <summary>
+        /// The density of a tree from `n_views` views, at least one: optical depth per metre, such that looking
+        /// through the grid gives the mattes. It is `tree_carved_new` and `tree_carved_solve` in one.
+        ///
+        /// `params`, `control` and `report` may be NULL. `rows`, NULL or with room for `capacity` rows (one for each
+        /// view), says how well each view fits. Free the grid with `tree_grid_free`. `TREE_ERROR_NO_RESULT` names a
+        /// view that shows no tree, is not of its camera's size, or leaves nothing of what the others see;
+        /// `TREE_ERROR_PARAMETER` what is out of range; `TREE_ERROR_LIMIT` comes before too many voxels.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_from_views(tree_particle_view* views, UIntPtr n_views, tree_density_params* @params, tree_control* control, tree_density_report* report, tree_density_view* rows, UIntPtr capacity, tree_grid** grid);
+
+        /// <summary>
+        /// The first stage of `tree_grid_from_views`: lays a grid of cubes around what the views see and throws away
+        /// those that a view shows to be empty. Arguments and errors are as there. Free it with `tree_carved_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_carved_new(tree_particle_view* views, UIntPtr n_views, tree_density_params* @params, tree_control* control, tree_carved** carved);
+
+        /// <summary>
+        /// Views what carving left. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_carved_view(tree_carved* carved, tree_carved_columns* columns);
+
+        /// <summary>
+        /// The grid of carving: in each voxel the least of the average mattes it projects to, 0 to 1; 0 where it was
+        /// thrown away. Free it with `tree_grid_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_carved_alpha(tree_carved* carved, tree_grid** grid);
+
+        /// <summary>
+        /// The second stage of `tree_grid_from_views`: densities in the voxels that were left, for the views and
+        /// params that were carved. Arguments and errors are as there. Free the grid with `tree_grid_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_carved_solve(tree_carved* carved, tree_particle_view* views, UIntPtr n_views, tree_density_params* @params, tree_control* control, tree_density_report* report, tree_density_view* rows, UIntPtr capacity, tree_grid** grid);
+
+        /// <summary>
+        /// Frees what carving left.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_carved_free(tree_carved* carved);
+
+        /// <summary>
+        /// The matte that a camera sees of a density: 1 - exp(-sum of density times length) along the ray of each
+        /// pixel. `control` may be NULL. Free the matte with `tree_matte_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_look_through(tree_grid* grid, tree_particle_camera* camera, tree_control* control, tree_matte** matte);
+
+        /// <summary>
+        /// Cubic metres of the voxels above `threshold` (per metre).
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_crown_volume(tree_grid* grid, float threshold, double* measure);
+
+        /// <summary>
+        /// How well the voxels above `threshold` agree with those of `other` above `other_threshold`: the shared
+        /// volume over that of both together, 0 to 1. 0 when both are empty.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_overlap(tree_grid* grid, float threshold, tree_grid* other, float other_threshold, double* measure);
+
+        /// <summary>
+        /// Draws `n_points` points in proportion to the density times `weight`, spread evenly: where particles
+        /// start. `weight` may be NULL for 1 everywhere, and is handed `user`. The same `seed` gives the same points.
+        /// `control` may be NULL; `nodes` of its limits caps the points. `points` has room for `capacity` floats,
+        /// three for each point. `TREE_ERROR_PARAMETER` when the grid is empty.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_draw_points(tree_grid* grid, uint n_points, IntPtr weight, void* user, ulong seed, tree_control* control, float* points, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes `stroke`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_density_stroke_init(tree_density_stroke* stroke, UIntPtr size);
+
+        /// <summary>
+        /// Makes `brush`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_density_brush_init(tree_density_brush* brush, UIntPtr size);
+
+        /// <summary>
+        /// A matte with strokes over it, one after the other: paints what a photograph does not show, and erases
+        /// what is not of the tree. Parts outside the picture do nothing. The first matte stays as it is. `control`
+        /// may be NULL; `nodes` of its limits caps the points of a stroke. Free the painted one with
+        /// `tree_matte_free`. `TREE_ERROR_PARAMETER` names the stroke that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_matte_paint(tree_matte* matte, tree_density_stroke* strokes, UIntPtr n_strokes, tree_control* control, tree_matte** painted);
+
+        /// <summary>
+        /// A grid with balls drawn through it, one after the other. Parts outside the grid do nothing. The first
+        /// grid stays as it is. `control` may be NULL; `nodes` of its limits caps the points of a brush. Free the
+        /// painted one with `tree_grid_free`. `TREE_ERROR_PARAMETER` names the brush that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_paint(tree_grid* grid, tree_density_brush* brushes, UIntPtr n_brushes, tree_control* control, tree_grid** painted);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_density_params_init(tree_density_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_density_params_check(tree_density_params* @params);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_field_params_init(tree_field_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_field_params_check(tree_field_params* @params);
+
+        /// <summary>
+        /// The share of the direction towards the branches at a distance, as a share of the picture's height.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_field_params_blend_at(tree_field_params* @params, float distance, float* measure);
+
+        /// <summary>
+        /// The direction field of the branches in one picture of `width` by `height` pixels, each 1 to 1e6: near a
+        /// branch along it and towards the tree's base, elsewhere towards the branch. A graph without segments has no
+        /// directions: the field is zero. `base_x` and `base_y` are the base in pixels, where what lies beyond the
+        /// graph's roots is directed. `params` and `control` may be NULL. Free it with `tree_direction_field_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_direction_field_new(tree_attractor* attractor, float width, float height, float base_x, float base_y, tree_field_params* @params, tree_control* control, tree_direction_field** field);
+
+        /// <summary>
+        /// Views a direction field. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_direction_field_view(tree_direction_field* field, tree_direction_field_columns* columns);
+
+        /// <summary>
+        /// The directions at `n_spots` points of the picture, two floats each in pixels, between cells by bilinear
+        /// interpolation; outside the grid that of the nearest cell. `directions` has room for `capacity` floats, two
+        /// for each point: x to the right, y up. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_direction_field_sample(tree_direction_field* field, float* spots, UIntPtr n_spots, tree_control* control, float* directions, UIntPtr capacity);
+
+        /// <summary>
+        /// A picture of the field: one pixel for each cell; red is x and green is y, 128 for none. Free it with
+        /// `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_direction_field_picture(tree_direction_field* field, tree_photo** picture);
+
+        /// <summary>
+        /// A copy of a photograph, or any other picture of the same size, with the field as arrows over it. `color` is
+        /// `0xRRGGBBAA`. Free it with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_direction_field_draw_over(tree_direction_field* field, tree_photo* photo, uint color, tree_photo** drawn);
+
+        /// <summary>
+        /// Frees a direction field.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_direction_field_free(tree_direction_field* field);
+
+        /// <summary>
+        /// The tree's branches without twigs: traces thinned, smoothed, and as thick as the pipe model has it.
+        /// `height` is the tree's, `trunk_radius` what the pictures show of the trunk, both in metres; 0 where they
+        /// show none. `params` may be NULL for an oak. Free the skeleton with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_traces_grow_wood(tree_traces* traces, float height, float trunk_radius, tree_finish_params* @params, tree_control* control, tree_skeleton** wood);
+
+        /// <summary>
+        /// Grows twigs and leaves on branches, as many as the density and `n_views` views ask for and none where
+        /// those are empty. `height` is the tree's in metres. `params` may be NULL for an oak; the same `seed` gives
+        /// the same tree. `control` and `report` may be NULL. Free the tree with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_grow_crown(tree_skeleton* wood, tree_grid* density, tree_particle_view* views, UIntPtr n_views, float height, tree_finish_params* @params, ulong seed, tree_control* control, tree_crown_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, an oak.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_finish_params_init(tree_finish_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, those of a species by its name, of `len` bytes or
+        /// `TREE_NUL_TERMINATED`: the defaults with its twigs, and sprays of its leaves or needles. Names are
+        /// those of `tree_foliage_species_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_finish_params_find(tree_finish_params* @params, UIntPtr size, byte* name, UIntPtr len);
+
+        /// <summary>
+        /// As `tree_finish_params_find`, with single leaves and needles instead of sprays: far more of them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_finish_params_of(tree_finish_params* @params, UIntPtr size, byte* name, UIntPtr len);
+
+        /// <summary>
+        /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_finish_params_check(tree_finish_params* @params);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_flow_params_init(tree_flow_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_flow_params_check(tree_flow_params* @params);
+
+        /// <summary>
+        /// Lets particles flow from `n_starts` points, three floats each in metres, to the base, along `way` and the
+        /// fields of `n_views` views (none will do). `height` is the tree's in metres, 1e-3 to 1e5. `params`,
+        /// `control` and `report` may be NULL; `particles` of the params does not count. The same starts give the same
+        /// bits for any number of threads. Free the traces with `tree_traces_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_traces_flow(tree_way* way, tree_flow_view* views, UIntPtr n_views, float* starts, UIntPtr n_starts, float height, tree_flow_params* @params, tree_control* control, tree_flow_report* report, tree_traces** traces);
+
+        /// <summary>
+        /// Views traces. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_traces_view(tree_traces* traces, tree_traces_columns* columns);
+
+        /// <summary>
+        /// Traces as a skeleton, from the base to where the particles started, with radii of 0. Free it with
+        /// `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_traces_skeleton(tree_traces* traces, tree_control* control, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Frees traces.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_traces_free(tree_traces* traces);
+
+        /// <summary>
+        /// Finds the cheapest way to the origin from everywhere in `density`: it keeps to dense voxels and prefers
+        /// the stem. `params` may be NULL; `stem` counts. Free it with `tree_way_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_way_new(tree_grid* density, tree_flow_params* @params, tree_control* control, tree_way** way);
+
+        /// <summary>
+        /// What the way to the base costs from the centre of each voxel: metres, more where it is not dense. Free
+        /// the grid with `tree_grid_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_way_costs(tree_way* way, tree_grid** grid);
+
+        /// <summary>
+        /// The way on from `n_points` points, three floats each in metres; outside the grid as from its nearest
+        /// point. `directions` has room for `capacity` floats, three for each point: vectors of length 0 to 1, and 0
+        /// for points that are not finite. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_way_sample(tree_way* way, float* points, UIntPtr n_points, tree_control* control, float* directions, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a way.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_way_free(tree_way* way);
+
+        /// <summary>
+        /// Makes `view`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_flow_view_init(tree_flow_view* view, UIntPtr size);
+
+        /// <summary>
+        /// The directions that particles take at `n_points` points, three floats each in metres, where no neighbour
+        /// pulls: by the fields of `n_views` views (none will do) and the way to the base. `params` may be NULL.
+        /// `directions` has room for `capacity` floats, three for each point: unit vectors, and 0 for points that are
+        /// not finite. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_way_directions(tree_way* way, tree_flow_view* views, UIntPtr n_views, float* points, UIntPtr n_points, tree_flow_params* @params, tree_control* control, float* directions, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes a grid with its lowest corner at `corner`, three floats, of `nx` by `ny` by `nz` voxels (1 to 4096
+        /// each) with sides of `voxel` metres (1e-6 to 1e6). `values` are copied, in the order of
+        /// `tree_grid_columns`; without any (`n_values` 0) all are 0. `control` may be NULL; only its limits matter.
+        /// Free the grid with `tree_grid_free`. `TREE_ERROR_INVALID` when there are not as many values as voxels,
+        /// `TREE_ERROR_PARAMETER` names a value that is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_new(float* corner, float voxel, uint nx, uint ny, uint nz, float* values, UIntPtr n_values, tree_control* control, tree_grid** grid);
+
+        /// <summary>
+        /// Views a grid. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_view(tree_grid* grid, tree_grid_columns* columns);
+
+        /// <summary>
+        /// The box that the grid fills: its lower corner, then its upper one, in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_bounds(tree_grid* grid, float* min_max);
+
+        /// <summary>
+        /// Row of a voxel among the grid's values; `SIZE_MAX` outside.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_index(tree_grid* grid, int x, int y, int z, UIntPtr* index);
+
+        /// <summary>
+        /// The voxel that holds a point, three floats in metres; outside the grid it is none of its voxels.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_voxel_at(tree_grid* grid, float* point, int* voxel);
+
+        /// <summary>
+        /// Looks up the grid at `n_points` points, three floats each in metres: between voxel centres by trilinear
+        /// interpolation, fading to 0 outside. `values` has room for `capacity` numbers, at least `n_points`.
+        /// `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_sample(tree_grid* grid, float* points, UIntPtr n_points, tree_control* control, float* values, UIntPtr capacity);
+
+        /// <summary>
+        /// As `tree_grid_sample`, but the value of the voxel that holds each point, and 0 outside.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_nearest(tree_grid* grid, float* points, UIntPtr n_points, tree_control* control, float* values, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a grid.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grid_free(tree_grid* grid);
+
+        /// <summary>
+        /// Begins with `n_shots` photographs, 1 to 1000, which are copied. `params` may be NULL for the defaults.
+        /// `control` may be NULL; only its limits matter: no work is done yet. Free the session with
+        /// `tree_photo_session_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` a
+        /// photograph that is not of its matte's size.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_new(tree_photo_shot* shots, UIntPtr n_shots, tree_photo_params* @params, ulong seed, tree_control* control, tree_photo_session** session);
+
+        /// <summary>
+        /// A second session in the state of the first, with all that has been made so far: to try something, and
+        /// go back. Free it too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_copy(tree_photo_session* session, tree_photo_session** copy);
+
+        /// <summary>
+        /// Frees a session. What it handed out lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_free(tree_photo_session* session);
+
+        /// <summary>
+        /// Another seed: other particles, twigs and leaves in the same density.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_set_seed(tree_photo_session* session, ulong seed);
+
+        /// <summary>
+        /// Other parameters, NULL for the defaults; only stages whose parameters differ are done again. Painted
+        /// density is lost when the density's parameters change. `control` may be NULL; only its limits matter.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_set_params(tree_photo_session* session, tree_photo_params* @params, tree_control* control);
+
+        /// <summary>
+        /// Moves a view's camera; NULL aligns it anew, from the front.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_set_placing(tree_photo_session* session, UIntPtr view, tree_photo_placing* placing);
+
+        /// <summary>
+        /// Paints and erases density in a view, in pixels. Branches found before stay as they are. `control` may be
+        /// NULL; `nodes` of its limits caps the points of a stroke. `TREE_ERROR_PARAMETER` names the stroke that is
+        /// out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_paint(tree_photo_session* session, UIntPtr view, tree_density_stroke* strokes, UIntPtr n_strokes, tree_control* control);
+
+        /// <summary>
+        /// Replaces a view's matte by one of the same size, for instance after another matting. Camera and branches
+        /// found before stay as they are; `tree_photo_session_redo_from` finds them anew. `TREE_ERROR_NO_RESULT` for
+        /// another size.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_set_matte(tree_photo_session* session, UIntPtr view, tree_matte* matte);
+
+        /// <summary>
+        /// Paints density in space, after it has been found from the pictures, which is done first where it is not
+        /// there. `TREE_ERROR_PARAMETER` names the brush that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_paint_volume(tree_photo_session* session, tree_density_brush* brushes, UIntPtr n_brushes, tree_control* control);
+
+        /// <summary>
+        /// Replaces the density, for instance by that of another source; it is copied.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_set_density(tree_photo_session* session, tree_grid* density);
+
+        /// <summary>
+        /// Where a view's branches come from; NULL is livewire from points on the silhouette. All views' branches
+        /// are found anew. `control` may be NULL; only its limits matter.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_set_branches(tree_photo_session* session, UIntPtr view, tree_photo_branches* branches, tree_control* control);
+
+        /// <summary>
+        /// Changes a view's branches by hand: ask for them with `tree_photo_session_attractor`, change them with the
+        /// functions of `tree_attractor`, and hand the new graph over here. Other views' branches are not found anew.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_edit_attractor(tree_photo_session* session, UIntPtr view, tree_attractor* attractor, tree_control* control);
+
+        /// <summary>
+        /// Forgets the result of a stage and of all that depend on it, so that they are done again.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_redo_from(tree_photo_session* session, uint stage);
+
+        /// <summary>
+        /// Number of photographs.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_count(tree_photo_session* session, UIntPtr* n_shots);
+
+        /// <summary>
+        /// Number of views: the photographs, and where all are from one side, an imagined one that comes last; see
+        /// `imagine` of the `tree_photo_params`. Cameras, branches and fields can be asked for of all of them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_count_views(tree_photo_session* session, tree_control* control, UIntPtr* n_views);
+
+        /// <summary>
+        /// The seed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_seed(tree_photo_session* session, ulong* seed);
+
+        /// <summary>
+        /// The parameters, all parts given. What they point at belongs to the session and stays until
+        /// `tree_photo_session_set_params` or `tree_photo_session_free`. Set `params-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_params(tree_photo_session* session, tree_photo_params* @params);
+
+        /// <summary>
+        /// How often a stage has been done so far.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_runs(tree_photo_session* session, uint stage, uint* n_runs);
+
+        /// <summary>
+        /// A view's matte as it is now, painted or not. Free it with `tree_matte_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_matte(tree_photo_session* session, UIntPtr view, tree_matte** matte);
+
+        /// <summary>
+        /// A view's photograph. Free it with `tree_photo_free`. `TREE_ERROR_NO_RESULT` for a view without one.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_photo(tree_photo_session* session, UIntPtr view, tree_photo** photo);
+
+        /// <summary>
+        /// A view's camera, found in its matte or as it was given. Set `camera-&gt;struct_size` first.
+        /// `TREE_ERROR_NO_RESULT` names a photograph in which no tree is found.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_camera(tree_photo_session* session, UIntPtr view, tree_control* control, tree_particle_camera* camera);
+
+        /// <summary>
+        /// A view's main branches; an empty graph where there are none. Free it with `tree_attractor_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_attractor(tree_photo_session* session, UIntPtr view, tree_control* control, tree_attractor** attractor);
+
+        /// <summary>
+        /// The density in space, optical depth per metre. Free it with `tree_grid_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_density(tree_photo_session* session, tree_control* control, tree_grid** density);
+
+        /// <summary>
+        /// The direction field of a view. Free it with `tree_direction_field_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_field(tree_photo_session* session, UIntPtr view, tree_control* control, tree_direction_field** field);
+
+        /// <summary>
+        /// The particles' traces. Free them with `tree_traces_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_traces(tree_photo_session* session, tree_control* control, tree_traces** traces);
+
+        /// <summary>
+        /// Branches without twigs. Free the skeleton with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_wood(tree_photo_session* session, tree_control* control, tree_skeleton** wood);
+
+        /// <summary>
+        /// The tree. The same photographs, parameters and seed give the same bits for any number of threads and in
+        /// whatever order the session was changed. `control` and `report` may be NULL. Free the tree with
+        /// `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_tree(tree_photo_session* session, tree_control* control, tree_photo_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// What one view gave. The tree is made first where it is not there. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_view_report(tree_photo_session* session, UIntPtr view, tree_control* control, tree_photo_view_report* report);
+
+        /// <summary>
+        /// For each of a view's strokes the gap in pixels that was closed to join it; NaN where it was left out. The
+        /// tree is made first where it is not there. `gaps` has room for `capacity` floats, one for each stroke.
+        /// Nothing is written for a view without strokes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_gaps(tree_photo_session* session, UIntPtr view, tree_control* control, float* gaps, UIntPtr capacity);
+
+        /// <summary>
+        /// Everything doubtful, a line each, for a person to read; none where all went well. The tree is made first
+        /// where it is not there. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_warnings(tree_photo_session* session, tree_control* control, tree_lines** warnings);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_params_init(tree_photo_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields and parts are in order: `TREE_OK`, or the error that their use would give. `control`
+        /// may be NULL; only its limits matter.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_params_check(tree_photo_params* @params, tree_control* control);
+
+        /// <summary>
+        /// A view's matte: white where the tree covers. Free the picture with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_draw_matte(tree_photo_session* session, UIntPtr view, tree_photo** picture);
+
+        /// <summary>
+        /// A view's branches over its photograph, the base as a dot. Free the picture with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_draw_attractor(tree_photo_session* session, UIntPtr view, tree_control* control, tree_photo** picture);
+
+        /// <summary>
+        /// A view's direction field as arrows over its matte. Free the picture with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_draw_field(tree_photo_session* session, UIntPtr view, tree_control* control, tree_photo** picture);
+
+        /// <summary>
+        /// The particles' traces over a view's photograph, thicker where more went. Free the picture with
+        /// `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_draw_traces(tree_photo_session* session, UIntPtr view, tree_control* control, tree_photo** picture);
+
+        /// <summary>
+        /// Horizontal slices through the density, from the base up: light where it is dense, seen from above with
+        /// the front below. Free the picture with `tree_photo_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_draw_density(tree_photo_session* session, tree_control* control, tree_photo** picture);
+
+        /// <summary>
+        /// Makes `placing`, of `size` bytes, the default: aligned, from the front, from afar.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_placing_init(tree_photo_placing* placing, UIntPtr size);
+
+        /// <summary>
+        /// Makes `branches`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_branches_init(tree_photo_branches* branches, UIntPtr size);
+
+        /// <summary>
+        /// Makes `shot`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_shot_init(tree_photo_shot* shot, UIntPtr size);
+
+        /// <summary>
+        /// Makes a tree of `n_shots` photographs, 1 to 1000: a session (`tree_photo_session`) that is asked for its
+        /// tree, in one call. `params` may be NULL for the defaults, `control` and `report` may be NULL. Free the tree
+        /// with `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` a
+        /// photograph of no use; `TREE_ERROR_LIMIT` comes before the memory is asked for.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_from_photos(tree_photo_shot* shots, UIntPtr n_shots, tree_photo_params* @params, ulong seed, tree_control* control, tree_photo_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// Makes `view`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_particle_view_init(tree_particle_view* view, UIntPtr size);
 
         /// <summary>
         /// Joins nodes that are nearer than a linking distance by edges of random cost. `params` and `control` may

@@ -91,6 +91,21 @@ const MAKERS: &[(&str, &str)] = &[
         "tree_align_all((const tree_matte *const[]){live_tree_matte()}, a_look_from_afar(), 1, 5, NULL, \
          &made)",
     ),
+    ("tree_grid", "tree_grid_from_views(one_view(), 1, few_voxels(), NULL, NULL, NULL, 0, &made)"),
+    ("tree_carved", "tree_carved_new(one_view(), 1, few_voxels(), NULL, &made)"),
+    (
+        "tree_direction_field",
+        "tree_direction_field_new(live_tree_attractor(), 8, 12, 3, 11, few_rows(), NULL, &made)",
+    ),
+    ("tree_way", "tree_way_new(live_tree_grid(), NULL, NULL, &made)"),
+    (
+        "tree_traces",
+        "tree_traces_flow(live_tree_way(), NULL, 0, a_start, 1, 5, NULL, NULL, NULL, &made)",
+    ),
+    (
+        "tree_photo_session",
+        "tree_photo_session_new(one_shot(), 1, few_particles(), 1, NULL, &made)",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

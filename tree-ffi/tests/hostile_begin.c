@@ -198,6 +198,55 @@ static const tree_align_params *a_look_from_afar(void) {
     return &params;
 }
 
+/* The same tree as a view and as a photograph of a session; the objects are made below. */
+static tree_matte *live_tree_matte(void);
+static tree_particle_view *one_view(void) {
+    static tree_particle_view view;
+    static tree_particle_camera camera;
+    must(tree_particle_camera_init(&camera, sizeof camera));
+    camera.size[0] = 8;
+    camera.size[1] = 12;
+    camera.base[0] = 3;
+    camera.base[1] = 11;
+    camera.scale = 0.5f;
+    must(tree_particle_view_init(&view, sizeof view));
+    view.matte = live_tree_matte();
+    view.camera = &camera;
+    return &view;
+}
+static tree_photo_shot *one_shot(void) {
+    static tree_photo_shot shot;
+    must(tree_photo_shot_init(&shot, sizeof shot));
+    shot.matte = live_tree_matte();
+    return &shot;
+}
+static const float a_start[] = {0.5f, 4, 0};
+static const tree_density_params *few_voxels(void) {
+    static tree_density_params params;
+    must(tree_density_params_init(&params, sizeof params));
+    params.resolution = 6;
+    return &params;
+}
+static const tree_field_params *few_rows(void) {
+    static tree_field_params params;
+    must(tree_field_params_init(&params, sizeof params));
+    params.rows = 6;
+    return &params;
+}
+static const tree_photo_params *few_particles(void) {
+    static tree_photo_params params;
+    static tree_flow_params flow;
+    must(tree_photo_params_init(&params, sizeof params));
+    must(tree_flow_params_init(&flow, sizeof flow));
+    flow.particles = 10;
+    params.branches = 4;
+    params.height = 5;
+    params.flow = &flow;
+    params.density = few_voxels();
+    params.field = few_rows();
+    return &params;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

@@ -47,12 +47,12 @@ unsafe impl Versioned for tree_particle_camera {
 }
 
 /// A field of view as a projection: 0 is parallel.
-pub(super) fn projection(fov: f32) -> Projection {
+pub(crate) fn projection(fov: f32) -> Projection {
     if fov == 0.0 { Projection::Orthographic } else { Projection::Perspective { fov } }
 }
 
 /// A projection as a field of view.
-pub(super) fn fov(projection: Projection) -> f32 {
+pub(crate) fn fov(projection: Projection) -> f32 {
     match projection {
         Projection::Orthographic => 0.0,
         Projection::Perspective { fov } => fov,

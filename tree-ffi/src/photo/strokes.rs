@@ -120,27 +120,32 @@ unsafe impl Versioned for tree_strokes_columns {
 }
 
 /// The caller's strokes.
-unsafe fn strokes(columns: *const tree_strokes_columns, limits: &Limits) -> Result<Vec<Vec<Vec2>>> {
-    let columns = unsafe { read(columns, "columns") }?;
+pub(crate) unsafe fn strokes(
+    columns: *const tree_strokes_columns,
+    limits: &Limits,
+    name: &str,
+) -> Result<Vec<Vec<Vec2>>> {
+    let columns = unsafe { read(columns, name) }?;
+    let part = |field: &str| format!("{name}.{field}");
     let (n, nodes) = (columns.n_strokes, Resource::Nodes);
     let points =
-        unsafe { vec2s(columns.points, columns.n_points, limits, nodes, "columns.points") }?;
+        unsafe { vec2s(columns.points, columns.n_points, limits, nodes, &part("points")) }?;
     limits.check(nodes, n as u64)?;
     if n == 0 {
         return Ok(Vec::new());
     }
     // One more than there are strokes.
     let room = Limits { nodes: limits.nodes.saturating_add(1), ..*limits };
-    let starts = unsafe { slice(columns.starts, n + 1, &room, nodes, "columns.starts") }?;
+    let starts = unsafe { slice(columns.starts, n + 1, &room, nodes, &part("starts")) }?;
     let ends = (starts.first(), starts.last());
     if ends != (Some(&0), Some(&(points.len() as u64))) {
-        let text = "columns.starts must begin with 0 and end with n_points";
+        let text = format!("{name}.starts must begin with 0 and end with n_points");
         return Err(Failure::new(TREE_ERROR_INVALID, text));
     }
     let stroke = |(i, pair): (usize, &[u64])| {
         let found = points.get(pair[0] as usize..pair[1] as usize);
         found.map(<[Vec2]>::to_vec).ok_or_else(|| {
-            let text = format!("columns.starts[{}] is below the one before it", i + 1);
+            let text = format!("{name}.starts[{}] is below the one before it", i + 1);
             Failure::new(TREE_ERROR_INVALID, text)
         })
     };
@@ -165,7 +170,7 @@ pub unsafe extern "C" fn tree_attractor_from_strokes(
     call(|| {
         let place = unsafe { out(attractor, "attractor") }?;
         unsafe { foresee(report, "report") }?;
-        let strokes = unsafe { strokes(columns, &limits(control)?) }?;
+        let strokes = unsafe { strokes(columns, &limits(control)?, "columns") }?;
         let base = unsafe { vec2(base_pixel, "base_pixel") }?;
         let params = unsafe { read_or_default(params, "params") }?.rust();
         let body = |control: &_| Ok(from_strokes(&strokes, base, &params, control)?);

@@ -54,6 +54,7 @@ void test_foliage(void);
 void test_volume(void);
 void test_path(void);
 void test_skeletonize(void);
+void test_particle(void);
 void test_look(void);
 void test_mesh(void);
 void test_instance(void);

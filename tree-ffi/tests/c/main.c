@@ -36,6 +36,7 @@ int main(void) {
     test_volume();
     test_path();
     test_skeletonize();
+    test_particle();
     test_look();
     test_mesh();
     test_instance();

@@ -8,11 +8,13 @@ pub(crate) const SINGLES: &[&str] = &[
     "length",
     "measure",
     "metres",
+    "n_runs",
     "phase",
     "radius",
     "reach",
     "row",
     "seconds",
+    "seed",
     "sway",
     "n_threads",
     "volume",
@@ -27,6 +29,7 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
         || matches!(
             (function, argument),
             ("tree_packed_unpack", "mesh")
+                | ("tree_grid_new", "values")
                 | ("tree_attractor_livewire" | "tree_matte_turned", "photo")
         )
 }
@@ -47,6 +50,7 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
         ("tree_convert_tangents", "from") => 4,
         ("tree_convert_uvs", "from") | (_, "edges" | "profile") => 2,
         (_, "eraser" | "seeds" | "spots" | "stroke") => 2,
+        ("tree_traces_flow", "starts") => 3,
         (_, "from" | "points" | "positions" | "indices") => 3,
         _ => 1,
     }
@@ -71,6 +75,11 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("mesh_bend", _) => "3 * this->surface(surface).n_vertices",
         ("mesh_points", _) => "this->surface(number).n_vertices",
         ("pieces_link", _) => "count()",
+        ("grid_sample" | "grid_nearest", _) => "points.size() / 3",
+        ("grid_draw_points", _) => "3 * static_cast<size_t>(n_points)",
+        ("grid_from_views" | "carved_solve", _) => "views.size()",
+        ("direction_field_sample", _) => "spots.size()",
+        ("way_sample" | "way_directions", _) => "points.size()",
         ("matte_sample", _) => "spots.size() / 2",
         ("particle_camera_project", _) => "points.size() / 3 * 2",
         ("particle_camera_pixel_sizes", _) => "points.size() / 3",

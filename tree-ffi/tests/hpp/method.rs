@@ -107,10 +107,13 @@ impl<'a> Method<'a> {
         let first = function.arguments.first();
         let base = first.map_or("", |first| base(&first.kind));
         let stars = first.map_or(0, |first| first.kind.matches('*').count());
-        // What makes another object and is named for that: `Mesh::build(tree, look)`.
+        let is_handle = stars == 1 && header.handles.iter().any(|handle| handle == base);
+        // What makes another object and is named for that: `Mesh::build(tree, look)`. Not a photo session's
+        // method that makes a photo.
         let makes = |handle: &&String| {
             let place = format!("{handle} **");
             **handle != base
+                && !(is_handle && owned_by(base) && base.len() > handle.len())
                 && owned_by(handle)
                 && function.arguments.iter().any(|one| one.kind == place)
         };

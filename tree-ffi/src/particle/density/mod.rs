@@ -1,0 +1,16 @@
+//! The density of a tree in space.
+
+mod carve;
+mod look;
+mod paint;
+mod params;
+mod report;
+
+pub use carve::*;
+pub use look::*;
+pub use paint::*;
+pub use params::*;
+pub use report::*;
+
+pub(super) use paint::{brushes, strokes};
+pub(super) use report::rows;
