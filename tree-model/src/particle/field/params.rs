@@ -31,11 +31,11 @@ pub enum Blend {
 }
 
 impl Default for Blend {
-    /// Linear with a reach of 0.1 and at most 0.85: particles from anywhere are on the attractor within a
+    /// Linear with a reach of 0.05 and at most 0.85: particles from anywhere are on the attractor within a
     /// tenth of the picture's height of further way, and even far away they move a little down with the
     /// branch.
     fn default() -> Self {
-        Self::Linear { reach: 0.1, most: 0.85 }
+        Self::Linear { reach: 0.05, most: 0.85 }
     }
 }
 

@@ -127,13 +127,15 @@ impl Crown<'_> {
             }
         }
         if demand.is_none() {
-            // A bare tree's twigs are what covers.
+            // A bare tree's twigs are what covers; a crown of leaves must not be made of them, though.
             let covered = PROFILE * profile(&grown);
             let n_sights = self.sights.len().max(1) as f32;
             let asked = self.sights.iter().map(Sight::asked_area).sum::<f32>() / n_sights;
             let room = (params.fullness * asked - PROFILE * profile(&wood)).max(0.0);
             let share = room / (covered - PROFILE * profile(&wood)).max(f32::MIN_POSITIVE);
-            grown = grow(share.clamp(TWIGS.0, TWIGS.1))?.skeleton;
+            if share < 1.0 {
+                grown = grow(share.max(TWIGS.0))?.skeleton;
+            }
         }
         let cut = self.cut(&grown, wood.len())?;
         report.twig_nodes = (cut.len() - wood.len()) as u64;

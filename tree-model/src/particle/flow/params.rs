@@ -25,7 +25,7 @@ pub struct FlowParams {
     /// Pull along the images' direction fields, 0 to 10. Default 1. The pulls decide the direction only,
     /// so just their proportions matter.
     pub image: f32,
-    /// Pull towards the base, through the densest way, 0 to 10. Default 0.15. Where no field says
+    /// Pull towards the base, through the densest way, 0 to 10. Default 0.3. Where no field says
     /// anything it counts in full.
     pub base: f32,
     /// Pull of the nearest neighbour when it is close, 0 to 10. Default 0.45. Larger joins twigs sooner.
@@ -53,7 +53,7 @@ impl Default for FlowParams {
             join: 0.01,
             sight: 0.06,
             image: 1.0,
-            base: 0.15,
+            base: 0.3,
             neighbour: 0.45,
             turn: 0.012,
             inertia: 0.15,
