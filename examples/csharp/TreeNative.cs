@@ -3505,7 +3505,7 @@ namespace TreeFamily.Native
         /// </summary>
         public float image;
         /// <summary>
-        /// Pull towards the base, through the densest way, 0 to 10. Default 0.15. Where no field says anything
+        /// Pull towards the base, through the densest way, 0 to 10. Default 0.3. Where no field says anything
         /// it counts in full.
         /// </summary>
         public float @base;

@@ -25,7 +25,7 @@ pub struct tree_flow_params {
     /// Pull along the pictures' direction fields, 0 to 10. Default 1. The pulls decide the direction only,
     /// so just their proportions matter.
     pub image: f32,
-    /// Pull towards the base, through the densest way, 0 to 10. Default 0.15. Where no field says anything
+    /// Pull towards the base, through the densest way, 0 to 10. Default 0.3. Where no field says anything
     /// it counts in full.
     pub base: f32,
     /// Pull of the nearest neighbour when it is close, 0 to 10. Default 0.45. Larger joins twigs sooner.
