@@ -2453,7 +2453,7 @@ typedef struct tree_field_params {
     void *blend_user;
     // How directions towards and along branches are blended. Default `TREE_BLEND_LINEAR`.
     tree_blend blend;
-    // Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.1.
+    // Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.05.
     float blend_reach;
     // Linear: greatest share, 0 to 1. Default 0.85.
     float blend_most;

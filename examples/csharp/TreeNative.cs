@@ -3312,7 +3312,7 @@ namespace TreeFamily.Native
         /// </summary>
         public uint blend; // tree_blend
         /// <summary>
-        /// Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.1.
+        /// Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.05.
         /// </summary>
         public float blend_reach;
         /// <summary>

@@ -50,7 +50,7 @@ pub struct tree_field_params {
     pub blend_user: *mut c_void,
     /// How directions towards and along branches are blended. Default `TREE_BLEND_LINEAR`.
     pub blend: tree_blend,
-    /// Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.1.
+    /// Linear: distance as a share of the picture's height, 0.0001 to 10. Default 0.05.
     pub blend_reach: f32,
     /// Linear: greatest share, 0 to 1. Default 0.85.
     pub blend_most: f32,
