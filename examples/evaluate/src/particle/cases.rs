@@ -4,9 +4,8 @@ use super::score::{Score, mesh, score, seen};
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_core::{Control, Seed, Tree};
-use tree_mesh::Mesh;
 use tree_model::glam::Vec2;
-use tree_model::particle::View;
+use tree_model::particle::{Camera, Matte, View};
 use tree_model::particle::attractor::AttractorGraph;
 use tree_model::particle::session::{PhotoParams, Session, Shot};
 
@@ -17,9 +16,9 @@ const THICK: f32 = 0.25;
 
 /// A case that has been grown: everything that is measured.
 pub(super) struct Grown {
-    pub(super) views: Vec<View>,
     pub(super) trees: Vec<Tree>,
-    pub(super) meshes: Vec<Mesh>,
+    /// What each tree covers in a further view, if there is one.
+    pub(super) between: Vec<Matte>,
     /// Scores of each view, of each tree.
     pub(super) scores: Vec<Vec<Score>>,
     /// Mean distance of thick branches to the attractors in all views, in heights; the worst tree.
@@ -28,13 +27,17 @@ pub(super) struct Grown {
     pub(super) different: usize,
 }
 
-/// Grows five trees of the shots and measures them.
-pub(super) fn grow(shots: Vec<Shot>, params: &PhotoParams) -> Result<Grown, Box<dyn Error>> {
+/// Grows five trees of the shots and measures them, from `between` as well.
+pub(super) fn grow(
+    shots: Vec<Shot>,
+    params: &PhotoParams,
+    between: Option<&Camera>,
+) -> Result<Grown, Box<dyn Error>> {
     let control = Control::default();
     let mut session = Session::new(shots, params.clone(), Seed(SEEDS[0]))?;
     let views = session.views(&control)?.to_vec();
     let graphs = session.attractors(&control)?.to_vec();
-    let (mut trees, mut meshes, mut distance) = (Vec::<Tree>::new(), Vec::new(), 0.0_f64);
+    let (mut trees, mut unseen, mut distance) = (Vec::<Tree>::new(), Vec::new(), 0.0_f64);
     let mut scores = vec![Vec::new(); views.len()];
     let mut different = 0;
     for seed in SEEDS {
@@ -46,14 +49,17 @@ pub(super) fn grow(shots: Vec<Shot>, params: &PhotoParams) -> Result<Grown, Box<
         }
         distance = distance.max(branch_distance(&tree, &views, &graphs));
         let new = trees.iter().all(|other| {
+            let leaves = |tree: &Tree| tree.foliage().positions().to_vec();
             other.skeleton().positions() != tree.skeleton().positions()
-                && other.foliage().positions() != tree.foliage().positions()
+                && (tree.foliage().is_empty() || leaves(other) != leaves(&tree))
         });
         different += usize::from(new);
         trees.push(tree);
-        meshes.push(mesh);
+        if let Some(camera) = between {
+            unseen.push(seen(&mesh, camera, &control)?);
+        }
     }
-    Ok(Grown { views, trees, meshes, scores, distance, different })
+    Ok(Grown { trees, between: unseen, scores, distance, different })
 }
 
 impl Grown {

@@ -39,7 +39,7 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     }
     for hint in &HINTS {
         if let Some(shot) = shot(&folder, hint, 0.0)? {
-            let grown = grow(vec![shot], &params(hint)?)?;
+            let grown = grow(vec![shot], &params(hint)?, None)?;
             let case = format!("{} ({})", stem(hint.file), hint.how.name());
             grown.rows(table, &case, &["front".into()], F1);
         }
@@ -49,7 +49,7 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
         let (front, side) = (find(front)?, find(side)?);
         let shots = [shot(&folder, front, 0.0)?, shot(&folder, side, FRAC_PI_2)?];
         if let [Some(a), Some(b)] = shots {
-            let grown = grow(vec![a, b], &params(front)?)?;
+            let grown = grow(vec![a, b], &params(front)?, None)?;
             let case = format!("{} + {}", short(front.file), short(side.file));
             grown.rows(table, &case, &["front".into(), "side".into()], F1);
         }

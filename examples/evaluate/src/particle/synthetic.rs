@@ -49,7 +49,7 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
             .collect::<Result<Vec<_>, Box<dyn Error>>>()?;
         let params =
             PhotoParams { height, finish: FinishParams::find(species)?, ..PhotoParams::default() };
-        let grown = grow(shots, &params)?;
+        let grown = grow(shots, &params, Some(&camera(&shape, FRAC_PI_4)))?;
         let case = format!("synthetic {name}");
         grown.rows(table, &case, &["front".into(), "side".into()], 0.88);
         own_rows(table, &case, &truth, &shape, &grown)?;
@@ -69,8 +69,8 @@ fn own_rows(
     let between = camera(shape, FRAC_PI_4);
     let asked = seen(shape, &between, &control)?;
     let (mut f1, mut overlap, mut hull) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
-    for (tree, mesh) in grown.trees.iter().zip(&grown.meshes) {
-        f1 = f1.min(score(&seen(mesh, &between, &control)?, &asked).f1());
+    for (tree, found) in grown.trees.iter().zip(&grown.between) {
+        f1 = f1.min(score(found, &asked).f1());
         overlap = overlap.min(near_overlap(tree, truth));
         hull = hull.min(hull_overlap(tree, truth));
     }

@@ -14,8 +14,6 @@ use tree_core::{Control, Foliage, NO_PARENT, Seed, Skeleton, SkeletonColumns, Tr
 const SPARE: f32 = 1.6;
 /// Most and least twigs, against what their parameters say.
 const TWIGS: (f32, f32) = (0.02, 4.0);
-/// Share of length times width that is seen of a branch that points anywhere.
-const PROFILE: f32 = std::f32::consts::FRAC_PI_4;
 /// Twigs are at least this share of the usual distance between the traces' ends long.
 const REACH: f32 = 0.8;
 /// Twigs are made longer by at most this factor.
@@ -82,18 +80,6 @@ pub fn grow_crown(
     Ok((tree, report))
 }
 
-/// Length times width of all branches, in square metres.
-fn profile(skeleton: &Skeleton) -> f32 {
-    let (positions, radii) = (skeleton.positions(), skeleton.radii());
-    skeleton
-        .segments()
-        .map(|(a, b)| {
-            let (a, b) = (a as usize, b as usize);
-            positions[a].distance(positions[b]) * (radii[a] + radii[b])
-        })
-        .sum()
-}
-
 struct Crown<'a> {
     density: &'a Grid,
     sights: Vec<Sight<'a>>,
@@ -124,17 +110,6 @@ impl Crown<'_> {
             let share = SPARE * (demand.total() as f32) / (places as f32).max(1.0);
             if !(0.8..1.25).contains(&share) {
                 grown = grow(share.clamp(TWIGS.0, TWIGS.1))?.skeleton;
-            }
-        }
-        if demand.is_none() {
-            // A bare tree's twigs are what covers; a crown of leaves must not be made of them, though.
-            let covered = PROFILE * profile(&grown);
-            let n_sights = self.sights.len().max(1) as f32;
-            let asked = self.sights.iter().map(Sight::asked_area).sum::<f32>() / n_sights;
-            let room = (params.fullness * asked - PROFILE * profile(&wood)).max(0.0);
-            let share = room / (covered - PROFILE * profile(&wood)).max(f32::MIN_POSITIVE);
-            if share < 1.0 {
-                grown = grow(share.max(TWIGS.0))?.skeleton;
             }
         }
         let cut = self.cut(&grown, wood.len())?;

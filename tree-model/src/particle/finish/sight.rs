@@ -99,12 +99,6 @@ impl<'a> Sight<'a> {
         depths
     }
 
-    /// Area of what is covered as this image shows it, weighted by optical depth, in square metres.
-    pub(super) fn asked_area(&self) -> f32 {
-        let pixel = self.coarse * self.projector.pixel_size(Vec3::ZERO);
-        self.asked().iter().sum::<f32>() * pixel * pixel
-    }
-
     /// The value of a coarse map at a point.
     pub(super) fn look_up(&self, map: &[f32], point: Vec3) -> Option<f32> {
         self.coarse_at(point).map(|i| map[i])
