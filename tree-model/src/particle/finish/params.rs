@@ -14,7 +14,7 @@ pub struct FinishParams {
     /// Nodes nearer to the one below than this share of the tree's height are left out, 0 to 0.1. Default 0.005.
     pub spacing: f32,
     /// How thick branches are. Without a trunk radius of its own, that measured in the images is taken, and where
-    /// they show no bare trunk, `slenderness`. Default exponent 2.2.
+    /// they show no bare trunk, `slenderness`. Default exponent Murray's.
     pub radii: PipeModel,
     /// Radius of the trunk as a share of the height where nothing tells it, 1e-4 to 0.2. Default 0.017.
     pub slenderness: f32,
@@ -49,7 +49,7 @@ impl FinishParams {
         Self {
             smoothing: 4,
             spacing: 0.005,
-            radii: PipeModel { exponent: 2.2, ..PipeModel::default() },
+            radii: PipeModel { exponent: PipeModel::MURRAY, ..PipeModel::default() },
             slenderness: 0.017,
             twigs: Some(preset.twigs.clone()),
             leaves: Some(preset.leaves.clone()),
