@@ -5,9 +5,9 @@ use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_core::{Control, Seed, Tree};
 use tree_model::glam::Vec2;
-use tree_model::particle::{Camera, Matte, View};
 use tree_model::particle::attractor::AttractorGraph;
 use tree_model::particle::session::{PhotoParams, Session, Shot};
+use tree_model::particle::{Camera, Matte, View};
 
 /// Seeds of the trees made in each case.
 pub(super) const SEEDS: [u64; 5] = [1, 2, 3, 4, 5];

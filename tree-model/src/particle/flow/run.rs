@@ -13,7 +13,7 @@ use tree_core::{Control, Resource};
 /// Particles moved by one task.
 const CHUNK: usize = 128;
 /// Steps between two looks for the neighbour that pulls: it rarely changes in so short a time.
-const LOOK_EVERY: u32 = 4;
+const LOOK_EVERY: u32 = 6;
 /// After [`FlowParams::steps`], particles are steered home for as many times as many steps, and no more.
 const EXTRA: u32 = 3;
 /// Within so many join distances of the base a particle has arrived.

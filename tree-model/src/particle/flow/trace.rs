@@ -2,10 +2,12 @@
 
 use crate::error::Result;
 use glam::{IVec3, Vec3};
-use tree_core::{Aabb, Control, NO_PARENT, Resource, Skeleton, SkeletonColumns};
+use tree_core::{Control, NO_PARENT, Resource, Skeleton, SkeletonColumns};
 
-/// Most cells along an axis of the grid in which nodes are found.
-const MAX_SIDE: f32 = 128.0;
+/// Fewest buckets in which nodes are found.
+const MIN_BUCKETS: usize = 1024;
+/// Odd numbers that spread the cells of a grid over buckets (Teschner et al. 2003, *Optimized spatial hashing*).
+const SPREAD: [u32; 3] = [73_856_093, 19_349_663, 83_492_791];
 
 /// The traces of all particles, in the order in which their nodes were left behind. Node 0 is the base.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,10 +92,9 @@ pub(super) struct Growing {
     owners: Vec<u32>,
     /// For each particle, the one whose trace it leads into; itself while it leads nowhere.
     into: Vec<u32>,
-    corner: Vec3,
+    /// Side of a cell: twice the reach, so that the eight cells around a point hold all that is within it.
     side: f32,
-    size: IVec3,
-    /// The last node in each cell, and for each node the one before it in its cell.
+    /// Cells share buckets. The last node in each bucket, and for each node the one before it in its bucket.
     heads: Vec<u32>,
     links: Vec<u32>,
 }
@@ -101,18 +102,13 @@ pub(super) struct Growing {
 impl Growing {
     /// Traces that begin at `starts`, and at the base as node 0; nodes are found within `reach`.
     pub(super) fn new(starts: &[Vec3], reach: f32) -> Self {
-        let bounds = starts.iter().fold(Aabb::EMPTY.including(Vec3::ZERO), |b, &p| b.including(p));
-        let side = reach.max(bounds.size().max_element() / MAX_SIDE);
-        let size = (bounds.size() / side).as_ivec3() + 1;
         let mut traces = Self {
             positions: Vec::new(),
             next: Vec::new(),
             owners: Vec::new(),
             into: (0..starts.len() as u32).collect(),
-            corner: bounds.min,
-            side,
-            size,
-            heads: vec![NO_PARENT; (size.x * size.y * size.z) as usize],
+            side: 2.0 * reach,
+            heads: vec![NO_PARENT; (4 * starts.len()).next_power_of_two().max(MIN_BUCKETS)],
             links: Vec::new(),
         };
         traces.positions.push(Vec3::ZERO);
@@ -136,10 +132,28 @@ impl Growing {
         self.positions.push(position);
         self.next.push(NO_PARENT);
         self.owners.push(owner);
-        let cell = self.cell(self.cell_of(position));
-        self.links.push(self.heads[cell]);
-        self.heads[cell] = node;
+        self.links.push(NO_PARENT);
+        if self.positions.len() > self.heads.len() {
+            self.spread();
+        } else {
+            self.link(node);
+        }
         node
+    }
+
+    /// Puts a node into its bucket.
+    fn link(&mut self, node: u32) {
+        let bucket = self.bucket(self.cell_of(self.positions[node as usize]));
+        self.links[node as usize] = self.heads[bucket];
+        self.heads[bucket] = node;
+    }
+
+    /// Twice as many buckets.
+    fn spread(&mut self) {
+        self.heads = vec![NO_PARENT; 2 * self.heads.len()];
+        for node in 1..self.positions.len() as u32 {
+            self.link(node);
+        }
     }
 
     /// The next node of a particle's trace after `last`.
@@ -189,24 +203,21 @@ impl Growing {
         heading: Vec3,
         reach: f32,
     ) -> Option<u32> {
-        let middle = self.cell_of(at);
-        let (low, high) = ((middle - 1).max(IVec3::ZERO), (middle + 1).min(self.size - 1));
+        // The cell half a side below, and its neighbours above.
+        let low = self.cell_of(at - 0.5 * self.side);
         let mut best = (reach * reach, NO_PARENT);
-        for z in low.z..=high.z {
-            for y in low.y..=high.y {
-                for x in low.x..=high.x {
-                    let mut node = self.heads[self.cell(IVec3::new(x, y, z))];
-                    while node != NO_PARENT {
-                        let square = self.positions[node as usize].distance_squared(at);
-                        if square < best.0 && self.goes_along(node, heading) {
-                            let owner = self.owners[node as usize];
-                            if owner != particle && self.leader(owner) != particle {
-                                best = (square, node);
-                            }
-                        }
-                        node = self.links[node as usize];
+        for corner in 0..8 {
+            let step = IVec3::new(corner & 1, corner >> 1 & 1, corner >> 2);
+            let mut node = self.heads[self.bucket(low.wrapping_add(step))];
+            while node != NO_PARENT {
+                let square = self.positions[node as usize].distance_squared(at);
+                if square < best.0 && self.goes_along(node, heading) {
+                    let owner = self.owners[node as usize];
+                    if owner != particle && self.leader(owner) != particle {
+                        best = (square, node);
                     }
                 }
+                node = self.links[node as usize];
             }
         }
         let node = (best.1 != NO_PARENT).then_some(best.1)?;
@@ -260,10 +271,13 @@ impl Growing {
     }
 
     fn cell_of(&self, point: Vec3) -> IVec3 {
-        ((point - self.corner) / self.side).floor().as_ivec3().clamp(IVec3::ZERO, self.size - 1)
+        (point / self.side).floor().as_ivec3()
     }
 
-    fn cell(&self, at: IVec3) -> usize {
-        ((at.z * self.size.y + at.y) * self.size.x + at.x) as usize
+    fn bucket(&self, cell: IVec3) -> usize {
+        let [x, y, z] = cell.to_array().map(|at| at as u32);
+        let mixed =
+            x.wrapping_mul(SPREAD[0]) ^ y.wrapping_mul(SPREAD[1]) ^ z.wrapping_mul(SPREAD[2]);
+        mixed as usize & (self.heads.len() - 1)
     }
 }
