@@ -109,9 +109,15 @@ fn flow(c: &mut Criterion) {
 /// The direction field of what livewire finds in a view.
 fn field(view: &View) -> (Camera, DirectionField) {
     let (camera, control) = (view.camera, Control::default());
-    let seeds =
-        silhouette_seeds(&view.matte, camera.base, SEEDS, Seed(1), &SeedParams::default(), &control)
-            .expect("seeds");
+    let seeds = silhouette_seeds(
+        &view.matte,
+        camera.base,
+        SEEDS,
+        Seed(1),
+        &SeedParams::default(),
+        &control,
+    )
+    .expect("seeds");
     let (graph, _) =
         livewire(&view.matte, None, camera.base, &seeds, &LivewireParams::default(), &control)
             .expect("a graph");
