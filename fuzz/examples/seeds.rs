@@ -26,6 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut look = Look::plain(tree.species());
     let texture = Texture { name: "t".into(), width: 2, height: 2, pixels: vec![128; 16] };
     save("picture", "png", &texture.to_png()?)?;
+    save("photo", "png", &texture.to_png()?)?;
     look.leaves[0].material.texture = Some(texture.into());
     look.leaves[0].material.alpha = Alpha::Mask(0.5);
     let params = MeshParams { leaf_rounding: 0.0, ..Default::default() };
@@ -51,6 +52,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let svg = r#"<svg viewBox="0 0 10 10"><path d="M2 8 L8 8 C9 2 1 2 2 8 Z" transform="scale(2)"/></svg>"#;
     save("svg", "closed", svg.as_bytes())?;
+    let svg = r#"<svg viewBox="0 0 64 48"><path d="M32 46 L32 20 L20 8"/><polyline points="32,24 44,9"/></svg>"#;
+    save("svg", "strokes", svg.as_bytes())?;
     Ok(())
 }
 

@@ -10,6 +10,8 @@
 //!    middle, so that the tip of a low branch is no foot.
 //! 3. From the foot up the silhouette is narrow (the trunk) until the crown begins.
 //! 4. Base and top on the picture, and the height given, are the scale.
+//! 5. [`align_all`] gives all views one height, and names those whose crown begins elsewhere or is of another
+//!    width than in most.
 //!
 //! Cost: O(pixels), at most about a million of them: larger pictures are reduced.
 

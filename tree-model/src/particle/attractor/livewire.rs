@@ -9,9 +9,10 @@
 //! 3. Paths (`search`) over 16 neighbours, outside the matte at high cost, so that gaps are bridged.
 //! 4. Stubs off, smoothing, fewer nodes (`tidy`).
 //!
-//! The source leaves the cost open and gives each seed its own search. Here one search serves all, costs depend
-//! on the direction of a step, and earlier paths attract later ones, so that something like a tree comes
-//! out even where a closed crown shows no branch.
+//! The source leaves the cost open and gives each seed its own search. Here a search from the base
+//! serves all seeds; it is done three times, for the leader, for main seeds, for all, and earlier paths
+//! attract later ones, so that something like a tree comes out even where a closed crown shows no branch.
+//! Costs depend on the direction of a step.
 //!
 //! Costs 40 to 80 ms on one core for any picture, and a pass over its pixels.
 

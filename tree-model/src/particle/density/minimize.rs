@@ -7,7 +7,8 @@
 //!
 //! The unknowns are x = W y, so that the Hessian is H = W Aᵀ A W + λ² I. All that the rays cannot tell
 //! apart has the one eigenvalue λ², which conjugate gradients settle in one step. Scaling by the
-//! diagonal (Jacobi) would pull that eigenvalue apart: measured, it takes ten times the iterations.
+//! diagonal (Jacobi) pulls that eigenvalue apart; it took more iterations to the same stopping rule in the
+//! cases tried.
 //!
 //! H ≥ λ² I also tells when to stop: the distance to the solution is at most ‖projected gradient‖ / λ².
 

@@ -3,10 +3,16 @@
 //! 1. [`grow_wood`]: traces are thinned and smoothed, and get radii by the pipe model, with the trunk as thick
 //!    as the images show it.
 //! 2. [`grow_crown`]: twigs and leaves in proportion to the density; what falls on empty parts of an image
-//!    is discarded.
+//!    is discarded. There are as many twigs as leaves need places, and on a bare tree as many as the images
+//!    show, within what [`FinishParams::twigs`] allows.
+//!
+//! [`FinishParams::find`] has the twigs and leaves of a species, as sprays: one card for what would take many
+//! leaves. [`FinishParams::of`] has single leaves.
 //!
 //! Departure: the thesis places leaves by density alone. Here they are then counted in the images and the
 //! density is put right where they cover more or less than the matte asks for; see [`FinishParams::corrections`].
+//!
+//! Cost: O((nodes + leaves + voxels) × corrections).
 
 mod crown;
 mod demand;

@@ -5,7 +5,8 @@
 //!
 //! * [`alpha_of`]: the photograph has an alpha channel already.
 //! * [`screen`] and [`difference`]: taken before a blue or green screen, or a second time without the tree.
-//! * [`natural`]: before anything, with a [`Trimap`] that says where the tree certainly is and is not.
+//! * [`natural`]: before anything, with a [`Trimap`] that says where the tree certainly is and is not:
+//!   a picture, strokes, or sampled colours.
 //!   The thesis names the methods of Ruzon and Tomasi, Chuang and Sun; here it is closed-form matting
 //!   (Levin, Lischinski and Weiss 2008), which needs fewer known pixels than they do.
 //! * [`automatic`]: a tree against sky, where the trimap is found too.
