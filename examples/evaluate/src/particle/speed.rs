@@ -27,9 +27,10 @@ const DENSITY_VOXELS: u32 = 64;
 const DENSITY_PIXELS: f32 = 1024.0;
 /// Side of a picture of a megapixel.
 const MEGAPIXEL: f32 = 1000.0;
-/// A join distance at which particles mostly stay apart, and a step at which all steps are needed.
+/// A join distance at which particles mostly stay apart, and a step with which they need a few more than
+/// [`FLOW_STEPS`].
 const APART: f32 = 5e-4;
-const SHORT_STEP: f32 = 0.004;
+const SHORT_STEP: f32 = 0.0072;
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let mesh = known_tree()?;
