@@ -153,6 +153,16 @@ pub enum ModelError {
     Cancelled(#[from] Cancelled),
 }
 
+impl ModelError {
+    /// Names the view in errors that speak of a picture or an attractor.
+    pub(crate) fn in_view(self, view: usize) -> Self {
+        match self {
+            Self::Picture { problem } | Self::Attractor { problem } => Self::View { view, problem },
+            other => other,
+        }
+    }
+}
+
 /// Checks that a parameter is a number within `min..=max`.
 pub(crate) fn check(
     field: impl Into<String>,

@@ -76,7 +76,7 @@ pub unsafe extern "C" fn tree_attractor_add_stroke(
         let body = |control: &_| Ok(graph.add_stroke(stroke, &params, control)?);
         let (made, told) = unsafe { run(control, body) }?;
         if !gap.is_null() {
-            let closed = told.gaps.first().copied().unwrap_or(f32::NAN);
+            let closed = told.gaps.first().copied().flatten().unwrap_or(f32::NAN);
             unsafe { out_value(gap, closed, "gap") }?;
         }
         unsafe { view(report, "report", &tree_stroke_report::of(&told)) }?;

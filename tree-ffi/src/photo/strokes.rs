@@ -152,6 +152,11 @@ pub(crate) unsafe fn strokes(
     starts.windows(2).enumerate().map(stroke).collect()
 }
 
+/// Gaps as C has them: NaN where a stroke was left out.
+pub(crate) fn or_nan(gaps: &[Option<f32>]) -> Vec<f32> {
+    gaps.iter().map(|gap| gap.unwrap_or(f32::NAN)).collect()
+}
+
 /// Makes a graph of strokes that a person drew, whose root is at `base_pixel`, two floats. `params`,
 /// `control` and `report` may be NULL; `nodes` of the limits caps the points. `gaps`, which may be NULL, gets
 /// for each stroke the gap in pixels that was closed, NaN where the stroke was left out; `capacity` must be the
@@ -175,7 +180,7 @@ pub unsafe extern "C" fn tree_attractor_from_strokes(
         let params = unsafe { read_or_default(params, "params") }?.rust();
         let body = |control: &_| Ok(from_strokes(&strokes, base, &params, control)?);
         let (made, told) = unsafe { run(control, body) }?;
-        unsafe { fill_opt(gaps, capacity, &told.gaps, "gaps") }?;
+        unsafe { fill_opt(gaps, capacity, &or_nan(&told.gaps), "gaps") }?;
         unsafe { view(report, "report", &tree_stroke_report::of(&told)) }?;
         place.put(tree_attractor::new(made));
         Ok(())

@@ -11,7 +11,9 @@ use crate::control::{run, tree_control};
 use crate::particle::field::tree_direction_field;
 use crate::particle::flow::tree_traces;
 use crate::particle::grid::{fill_some, tree_grid};
-use crate::photo::{tree_attractor, tree_lines, tree_matte, tree_particle_camera, tree_photo};
+use crate::photo::{
+    or_nan, tree_attractor, tree_lines, tree_matte, tree_particle_camera, tree_photo,
+};
 use crate::skeleton::tree_skeleton;
 use crate::tree::tree_tree;
 use tree_model::particle::session::{PhotoReport, Session, Shot};
@@ -298,8 +300,8 @@ pub unsafe extern "C" fn tree_photo_session_gaps(
         check_view(&unsafe { lock(session) }?.session, view)?;
         let found = unsafe { report_of(session, control) }?;
         let strokes = found.views.get(view).and_then(|view| view.strokes.as_ref());
-        let found = strokes.map_or(&[][..], |strokes| &strokes.gaps);
-        unsafe { fill_some(gaps, capacity, found, "gaps") }
+        let found = strokes.map_or(Vec::new(), |strokes| or_nan(&strokes.gaps));
+        unsafe { fill_some(gaps, capacity, &found, "gaps") }
     })
 }
 

@@ -178,7 +178,9 @@ pub fn align(matte: &Matte, params: &AlignParams) -> Result<(Camera, Alignment)>
     let n_covered = mask.covered.iter().filter(|&&covered| covered).count();
     if n_covered == 0 || n_covered == mask.covered.len() {
         let found = if n_covered == 0 { "no pixel is" } else { "all pixels are" };
-        let problem = format!("{found} covered; a tree and what is around it must show");
+        let problem = format!(
+            "{found} covered; a tree and what is around it must show: try another matting, or paint the matte"
+        );
         return Err(ModelError::Picture { problem });
     }
     let mut warnings = Vec::new();
@@ -206,33 +208,35 @@ pub fn align_all(mattes: &[&Matte], params: &[AlignParams], height: f32) -> Resu
     let (mut cameras, mut alignments) = (Vec::new(), Vec::new());
     for (view, (matte, params)) in mattes.iter().zip(params).enumerate() {
         let params = AlignParams { height, ..*params };
-        let (camera, alignment) = align(matte, &params).map_err(|error| match error {
-            ModelError::Picture { problem } => ModelError::View { view, problem },
-            other => other,
-        })?;
+        let (camera, alignment) = align(matte, &params).map_err(|error| error.in_view(view))?;
         cameras.push(camera);
         alignments.push(alignment);
     }
-    let warnings = disagreements(&alignments);
+    let warnings = disagreements(&alignments.iter().map(Some).collect::<Vec<_>>());
     Ok(AlignedViews { cameras, alignments, warnings })
 }
 
-/// Views whose crowns begin elsewhere or are of another width than those of most.
-fn disagreements(found: &[Alignment]) -> Vec<AlignWarning> {
+/// Views whose crowns begin elsewhere or are of another width than those of most. Those without an alignment
+/// have no say.
+pub(super) fn disagreements(found: &[Option<&Alignment>]) -> Vec<AlignWarning> {
+    let found: Vec<(usize, &Alignment)> =
+        found.iter().enumerate().filter_map(|(view, found)| Some((view, (*found)?))).collect();
     let per_height = |alignment: &Alignment, length: f32| {
         length / (alignment.base.y - alignment.top.y).max(1e-6)
     };
-    let bases: Vec<f32> = found.iter().map(|a| per_height(a, a.base.y - a.crown_base)).collect();
-    let widths: Vec<f32> = found.iter().map(|a| per_height(a, a.crown.1.x - a.crown.0.x)).collect();
+    let bases: Vec<f32> =
+        found.iter().map(|(_, a)| per_height(a, a.base.y - a.crown_base)).collect();
+    let widths: Vec<f32> =
+        found.iter().map(|(_, a)| per_height(a, a.crown.1.x - a.crown.0.x)).collect();
     let (base, width) = (middle(&bases), middle(&widths));
     let mut warnings = Vec::new();
-    for view in 0..found.len() {
-        if (bases[view] - base).abs() > CROWN_BASES {
-            warnings.push(AlignWarning::CrownBase { view, found: bases[view], usual: base });
+    for (i, &(view, _)) in found.iter().enumerate() {
+        if (bases[i] - base).abs() > CROWN_BASES {
+            warnings.push(AlignWarning::CrownBase { view, found: bases[i], usual: base });
         }
-        let factor = widths[view].max(1e-6) / width.max(1e-6);
+        let factor = widths[i].max(1e-6) / width.max(1e-6);
         if factor.max(1.0 / factor) > CROWN_WIDTHS {
-            warnings.push(AlignWarning::CrownWidth { view, found: widths[view], usual: width });
+            warnings.push(AlignWarning::CrownWidth { view, found: widths[i], usual: width });
         }
     }
     warnings

@@ -1,7 +1,7 @@
 //! Strokes that a person drew become a graph that leads to the base (Neubert 2012, section 3.2.2: "the
 //! user can provide the information as a manually sketched graph").
 //!
-//! 1. Points that are not finite and repeated ones go; the rest is drawn anew with even spacing.
+//! 1. Points that are not finite or absurdly far away and repeated ones go; the rest is drawn anew with even spacing.
 //! 2. The graph begins at the base. The stroke nearest to it joins next, until all have: with the end
 //!    that is nearest, at the nearest point, and where the stroke's middle is much nearer than its ends (a limb,
 //!    trunk and other limb drawn in one go) there, in two parts.
@@ -17,6 +17,9 @@ use tree_core::{Control, NO_PARENT, Resource};
 
 /// The middle of a stroke joins instead of an end where it is nearer than this share of the end's distance.
 const MIDDLE: f32 = 0.25;
+
+/// Points farther out than this many pixels are no points of a picture.
+const LARGEST: f32 = 1e6;
 
 /// How strokes are cleaned and joined.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +52,7 @@ impl StrokeParams {
 /// What became of strokes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StrokeReport {
-    /// Points left out because they were not finite.
+    /// Points left out because they were not finite, or more than a million pixels away.
     pub n_bad_points: u32,
     /// Strokes left out because they had no length.
     pub n_empty: u32,
@@ -57,8 +60,8 @@ pub struct StrokeReport {
     pub n_bridged: u32,
     /// Strokes joined by their middle, in two parts.
     pub n_split: u32,
-    /// For each stroke the gap in pixels that was closed; NaN where it was left out.
-    pub gaps: Vec<f32>,
+    /// For each stroke the gap in pixels that was closed; `None` where it was left out.
+    pub gaps: Vec<Option<f32>>,
 }
 
 /// Makes a graph of `strokes` whose root is at `base`, all in pixels.
@@ -96,7 +99,7 @@ impl AttractorGraph {
     ) -> Result<(Self, StrokeReport)> {
         let mut builder = Builder::from_graph(self);
         if builder.nodes.is_empty() {
-            let points = stroke.iter().copied().filter(|point| point.is_finite());
+            let points = stroke.iter().copied().filter(is_good);
             if let Some(lowest) = points.max_by(|a, b| a.y.total_cmp(&b.y)) {
                 builder.push(lowest, NO_PARENT);
             }
@@ -115,12 +118,11 @@ fn join(
     params.validate()?;
     let n_points: u64 = strokes.iter().map(|stroke| stroke.len() as u64).sum();
     control.limits.check(Resource::Nodes, n_points)?;
-    let mut report =
-        StrokeReport { gaps: vec![f32::NAN; strokes.len()], ..StrokeReport::default() };
+    let mut report = StrokeReport { gaps: vec![None; strokes.len()], ..StrokeReport::default() };
     let size = extent(&builder, strokes);
     let mut waiting = Vec::new();
     for (row, stroke) in strokes.iter().enumerate() {
-        let good: Vec<Vec2> = stroke.iter().copied().filter(|point| point.is_finite()).collect();
+        let good: Vec<Vec2> = stroke.iter().copied().filter(is_good).collect();
         report.n_bad_points += (stroke.len() - good.len()) as u32;
         match resample(&good, params.spacing * size) {
             Some(points) => waiting.push((row, points)),
@@ -131,7 +133,7 @@ fn join(
         control.check()?;
         let Some((next, at, place)) = nearest_stroke(&builder, &waiting) else { break };
         let (row, points) = waiting.remove(next);
-        report.gaps[row] = place.distance;
+        report.gaps[row] = Some(place.distance);
         report.n_bridged += u32::from(place.distance > params.snap * size);
         report.n_split += u32::from(at > 0 && at + 1 < points.len());
         attach(&mut builder, &points, at, place, params.snap * size);
@@ -139,9 +141,15 @@ fn join(
     Ok((builder.finish()?, report))
 }
 
+/// Whether a point can be one of a drawing.
+fn is_good(point: &Vec2) -> bool {
+    // A NaN is in no range.
+    point.x.abs() <= LARGEST && point.y.abs() <= LARGEST
+}
+
 /// The larger side of the box around everything, at least one pixel.
 fn extent(builder: &Builder, strokes: &[Vec<Vec2>]) -> f32 {
-    let all = builder.nodes.iter().chain(strokes.iter().flatten()).filter(|p| p.is_finite());
+    let all = builder.nodes.iter().chain(strokes.iter().flatten()).filter(|p| is_good(p));
     let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
     for &point in all {
         (low, high) = (low.min(point), high.max(point));
@@ -244,7 +252,7 @@ mod tests {
             assert_eq!(graph.tips().count(), 2);
             assert_eq!(report.n_bridged, 0);
             assert_eq!(graph.nearest(Vec2::new(90.0, 20.0)).unwrap().distance, 0.0);
-            let gaps = report.gaps.iter().fold(0.0_f32, |a, &b| a.max(b));
+            let gaps = report.gaps.iter().flatten().fold(0.0_f32, |a, &b| a.max(b));
             assert!((gaps - 2.0).abs() < 1e-4, "{:?}", report.gaps);
         }
     }
@@ -259,7 +267,7 @@ mod tests {
     #[test]
     fn wide_gaps_are_bridged_and_reported() {
         let (graph, report) = make(&[points(&[(50.0, 60.0), (50.0, 10.0)])]);
-        assert_eq!((report.n_bridged, report.gaps[0]), (1, 40.0));
+        assert_eq!((report.n_bridged, report.gaps[0]), (1, Some(40.0)));
         assert!((graph.length() - 90.0).abs() < 1e-3);
     }
 
@@ -269,7 +277,7 @@ mod tests {
         let (graph, report) = make(&[vec![], nan]);
         assert!(graph.is_empty());
         assert_eq!((report.n_empty, report.n_bad_points), (2, 1));
-        assert!(report.gaps.iter().all(|gap| gap.is_nan()));
+        assert!(report.gaps.iter().all(Option::is_none));
     }
 
     #[test]

@@ -93,7 +93,8 @@ pub fn carve(views: &[View], params: &DensityParams, control: &Control) -> Resul
     let size = ((extent.high - extent.low) / extent.voxel - 1e-3).ceil().max(glam::Vec3::ONE);
     let spare = 0.5 * (size * extent.voxel - (extent.high - extent.low));
     let corner = (extent.low - spare).with_y(extent.low.y);
-    let mut alpha = Grid::new(corner, extent.voxel, size.as_uvec3(), &control.limits)?;
+    let mut alpha = Grid::new(corner, extent.voxel, size.as_uvec3(), &control.limits)
+        .map_err(|error| bad_scale(error, views, extent.voxel))?;
     let sight = Sight { cameras, coverages, params };
     let weights = sight.carve(&mut alpha, control)?;
     sight.collect(alpha, &weights)
@@ -114,6 +115,17 @@ pub(super) fn check_views(views: &[View]) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// A grid of impossible voxels comes from a camera's scale: the error names it.
+fn bad_scale(error: ModelError, views: &[View], voxel: f32) -> ModelError {
+    let ModelError::Parameter { .. } = error else { return error };
+    let scale = |view: &usize| views[*view].camera.scale;
+    let by_scale = |a: &usize, b: &usize| scale(a).total_cmp(&scale(b));
+    let all = 0..views.len();
+    let view = if voxel < 1.0 { all.min_by(by_scale) } else { all.max_by(by_scale) };
+    let problem = format!("its camera's scale makes a tree of voxels of {voxel} m; check it");
+    ModelError::View { view: view.unwrap_or(0), problem }
 }
 
 fn check_covered(coverages: &[Coverage]) -> Result<()> {
@@ -217,8 +229,13 @@ impl Sight<'_> {
             }
         }
         let view = (0..n_views).max_by_key(|&view| (alone[view], any[view])).unwrap_or(0);
-        let problem = "nothing is left of the tree where it and the other views see one: \
-                       check its camera and matte, or lower `density.threshold`";
+        let problem = if n_views == 1 {
+            "its matte covers too little of every voxel: check the matte, raise \
+             `density.resolution`, or lower `density.threshold`"
+        } else {
+            "nothing is left of the tree where it and the other views see one: \
+             check its camera and matte, or lower `density.threshold`"
+        };
         ModelError::View { view, problem: problem.into() }
     }
 }

@@ -146,6 +146,13 @@ impl Session {
         if let Some(graphs) = &mut self.attractors {
             self.report.views[view].attracts = !graph.is_empty();
             graphs[view] = graph.clone();
+            // The imagined side shows what the first photograph shows.
+            if view == 0
+                && graphs.len() > self.shots.len()
+                && let Some(side) = graphs.last_mut()
+            {
+                *side = graph.mirrored(self.shots[0].matte.width() as f32);
+            }
         }
         self.shot_mut(view)?.attractor = Attractor::Graph(graph);
         self.redo_from(Stage::Fields);

@@ -15,7 +15,8 @@ pub struct PhotoParams {
     /// Height of the tree in metres, 0.01 to 1000. Default 10.
     pub height: f32,
     /// Whether a side is imagined where all photographs are from one side (or its back): the first photograph,
-    /// mirrored, from a quarter turn round. Without it the depth of the crown is filled evenly. Default true.
+    /// mirrored, from a quarter turn round. Without it the depth of the crown is filled evenly,
+    /// as it is where the imagined side leaves nothing of the tree. Default true.
     pub imagine: bool,
     /// Points on each silhouette from which livewire seeks branches, 0 to 10,000. Default 40.
     pub branches: u32,

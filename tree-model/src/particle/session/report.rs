@@ -2,7 +2,7 @@
 
 use crate::particle::AlignWarning;
 use crate::particle::attractor::{LivewireReport, StrokeReport};
-use crate::particle::density::DensityReport;
+use crate::particle::density::{DensityReport, DensityWarning};
 use crate::particle::finish::CrownReport;
 use crate::particle::flow::FlowReport;
 use tree_core::Tree;
@@ -59,7 +59,14 @@ impl PhotoReport {
             }
         }
         lines.extend(self.disagreements.iter().map(ToString::to_string));
-        lines.extend(self.density.warnings.iter().map(ToString::to_string));
+        lines.extend(self.density.warnings.iter().map(|warning| match warning {
+            DensityWarning::Contradiction { view, residual } if *view >= self.views.len() => format!(
+                "the imagined side contradicts the photographs by {:.0} %: add one from another side, or \
+                 switch `imagine` off",
+                100.0 * residual
+            ),
+            other => other.to_string(),
+        }));
         if self.flow.steered > 0 {
             lines.push(format!(
                 "{} of {} particles were still on their way after all steps and were steered to the base: \

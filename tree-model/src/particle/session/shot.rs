@@ -2,7 +2,7 @@
 
 use crate::error::{ModelError, Result};
 use crate::particle::attractor::AttractorGraph;
-use crate::particle::{Camera, Matte, Photo, Projection};
+use crate::particle::{AlignParams, Alignment, Camera, Matte, Photo, Projection, align};
 use glam::Vec2;
 
 /// Where a photograph was taken from.
@@ -64,6 +64,31 @@ impl Shot {
     #[must_use]
     pub fn new(matte: Matte, photo: Option<Photo>, yaw: f32) -> Self {
         Self { matte, photo, placing: Placing::at(yaw), attractor: Attractor::Livewire }
+    }
+
+    /// Whether its camera is found in the matte.
+    pub(super) fn is_aligned(&self) -> bool {
+        matches!(self.placing, Placing::Aligned { .. })
+    }
+
+    /// Its camera, and what the matte shows of the tree. That must be enough where the camera is to be found
+    /// in it; one that the caller knows does without. `view` is its index for errors.
+    pub(super) fn place(&self, view: usize, height: f32) -> Result<(Camera, Option<Alignment>)> {
+        let known = match self.placing {
+            Placing::Placed(camera) => camera,
+            // What is not known yet is anything valid.
+            Placing::Aligned { yaw, pitch, projection } => {
+                Camera { yaw, pitch, projection, size: Vec2::ONE, base: Vec2::ZERO, scale: 1.0 }
+            }
+        };
+        known.validate(&format!("shots[{view}].camera"))?;
+        let Camera { yaw, pitch, projection, .. } = known;
+        let found = align(&self.matte, &AlignParams { height, yaw, pitch, projection });
+        if !self.is_aligned() {
+            return Ok((known, found.ok().map(|(_, alignment)| alignment)));
+        }
+        let (camera, alignment) = found.map_err(|error| error.in_view(view))?;
+        Ok((camera, Some(alignment)))
     }
 
     /// Checks that photograph and matte are of one size; `view` is its index for the error.

@@ -3,19 +3,23 @@
 
 use super::params::PhotoParams;
 use super::report::{PhotoReport, PhotoTree, ViewReport};
-use super::shot::{Attractor, Placing, Shot};
+use super::shot::{Attractor, Shot};
 use crate::error::{ModelError, Result};
+use crate::particle::align::disagreements;
 use crate::particle::attractor::{AttractorGraph, from_strokes, livewire, silhouette_seeds};
 use crate::particle::density::{carve, sample_points, solve};
 use crate::particle::field::{DirectionField, direction_field};
 use crate::particle::finish::{grow_crown, grow_wood};
 use crate::particle::flow::{Flow, Forces, Traces, Way, run};
 use crate::particle::view::are_of_one_side;
-use crate::particle::{AlignParams, AlignedViews, align_all};
-use crate::particle::{Grid, Matte, View};
+use crate::particle::{Grid, View};
 use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::{Control, Limits, Resource, Seed, Skeleton};
+
+/// A trunk is no wider than this share of the tree's height: a baobab's. Wider ones come from the wrong scale of a
+/// camera that the caller placed.
+const WIDEST_TRUNK: f32 = 0.5;
 
 /// Stages of the work, in the order in which they are done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -175,52 +179,46 @@ impl Session {
 
     fn find_views(&mut self, limits: Limits) -> Result<Vec<View>> {
         let height = self.params.height;
-        let mut params = Vec::with_capacity(self.shots.len());
+        let mut views = Vec::with_capacity(self.shots.len());
+        let mut alignments = Vec::with_capacity(self.shots.len());
         for (index, shot) in self.shots.iter().enumerate() {
             limits.check(Resource::Pixels, shot.matte.alpha().len() as u64)?;
-            let (yaw, pitch, projection) = match shot.placing {
-                Placing::Aligned { yaw, pitch, projection } => (yaw, pitch, projection),
-                Placing::Placed(camera) => {
-                    camera.validate(&format!("shots[{index}].camera"))?;
-                    (camera.yaw, camera.pitch, camera.projection)
-                }
-            };
-            params.push(AlignParams { height, yaw, pitch, projection });
-        }
-        let mattes: Vec<&Matte> = self.shots.iter().map(|shot| &shot.matte).collect();
-        let AlignedViews { cameras, alignments, warnings: disagreements } =
-            align_all(&mattes, &params, height)?;
-        let mut views = Vec::with_capacity(self.shots.len());
-        for (shot, aligned) in self.shots.iter().zip(cameras) {
-            let camera = match shot.placing {
-                Placing::Aligned { .. } => aligned,
-                Placing::Placed(camera) => camera,
-            };
+            let (camera, alignment) = shot.place(index, height)?;
             let (matte, photo) = (shot.matte.clone(), shot.photo.clone());
             views.push(View { matte, photo, camera });
+            alignments.push(alignment);
         }
-        self.report = PhotoReport { disagreements, ..PhotoReport::default() };
-        self.report.crown_base = views
+        // Only what was aligned can be misaligned: the caller knows where the others were taken from.
+        let aligned: Vec<_> = self
+            .shots
             .iter()
             .zip(&alignments)
-            .map(|(view, alignment)| {
-                (view.camera.base.y - alignment.crown_base) * view.camera.scale
-            })
-            .fold(f32::INFINITY, f32::min)
-            .clamp(0.0, height);
-        let widths: Vec<f32> = views
+            .map(|(shot, found)| found.as_ref().filter(|_| shot.is_aligned()))
+            .collect();
+        self.report =
+            PhotoReport { disagreements: disagreements(&aligned), ..PhotoReport::default() };
+        self.report.views = aligned
             .iter()
-            .zip(&alignments)
-            .filter_map(|(view, alignment)| Some(alignment.trunk_width? * view.camera.scale))
+            .map(|found| found.map_or_else(Vec::new, |found| found.warnings.clone()))
+            .map(|warnings| ViewReport { warnings, ..ViewReport::default() })
+            .collect();
+        let found = || {
+            views.iter().zip(&alignments).filter_map(|(view, found)| Some((view, found.as_ref()?)))
+        };
+        self.report.crown_base = found()
+            .map(|(view, found)| (view.camera.base.y - found.crown_base) * view.camera.scale)
+            .reduce(f32::min)
+            .map_or(0.0, |least| least.clamp(0.0, height));
+        let widths: Vec<f32> = found()
+            .filter_map(|(view, found)| Some(found.trunk_width? * view.camera.scale))
+            .filter(|&width| width <= WIDEST_TRUNK * height)
             .collect();
         let mean = widths.iter().sum::<f32>() / widths.len().max(1) as f32;
         self.report.trunk_radius = (!widths.is_empty()).then_some(0.5 * mean);
-        self.report.views = alignments
-            .into_iter()
-            .map(|alignment| ViewReport { warnings: alignment.warnings, ..Default::default() })
-            .collect();
         if self.params.imagine && are_of_one_side(&views) {
-            views.extend(views.first().map(View::turned));
+            // At the far end of the ranges the side of a camera may lie beyond them.
+            let side = views.first().map(View::turned);
+            views.extend(side.filter(|side| side.camera.validate("side").is_ok()));
         }
         Ok(views)
     }
@@ -285,7 +283,8 @@ impl Session {
                     Attractor::Graph(graph) => Ok(graph.clone()),
                     Attractor::None => Ok(AttractorGraph::default()),
                 };
-                let graph: AttractorGraph = graph.map_err(|error| in_view(error, index))?;
+                let graph: AttractorGraph =
+                    graph.map_err(|error: ModelError| error.in_view(index))?;
                 report.attracts = !graph.is_empty();
                 Ok((graph, report))
             })
@@ -314,8 +313,16 @@ impl Session {
             control.report("density", 0.3)?;
             let views = self.views.as_deref().unwrap_or_default();
             let quiet = control.part(0.3, 0.5);
-            let carved = carve(views, &self.params.density, &quiet)?;
-            let (grid, report) = solve(&carved, views, &self.params.density, &quiet)?;
+            let params = &self.params.density;
+            let (views, carved) = match carve(views, params, &quiet) {
+                // Where an imagined side leaves nothing of the tree, the photographs do without it.
+                Err(ModelError::View { .. }) if views.len() > self.shots.len() => {
+                    let views = &views[..self.shots.len()];
+                    (views, carve(views, params, &quiet)?)
+                }
+                carved => (views, carved?),
+            };
+            let (grid, report) = solve(&carved, views, params, &quiet)?;
             self.report.density = report;
             self.density = Some(grid);
             self.way = None;
@@ -427,16 +434,6 @@ impl Session {
             self.runs[Stage::Crown as usize] += 1;
         }
         self.crown.as_ref().ok_or_else(missing)
-    }
-}
-
-/// Names the view in errors that speak of a picture or an attractor.
-fn in_view(error: ModelError, view: usize) -> ModelError {
-    match error {
-        ModelError::Picture { problem } | ModelError::Attractor { problem } => {
-            ModelError::View { view, problem }
-        }
-        other => other,
     }
 }
 
