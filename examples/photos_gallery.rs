@@ -55,7 +55,8 @@ const SHOWN: [(&str, &str); 6] = [
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let out = arguments.next().map_or_else(|| PathBuf::from("docs/pictures/photos.jpg"), PathBuf::from);
+    let out =
+        arguments.next().map_or_else(|| PathBuf::from("docs/pictures/photos.jpg"), PathBuf::from);
     let seed = Seed(arguments.next().map_or(Ok(1), |text| text.parse())?);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/photos");
     let mut columns = Vec::new();
