@@ -674,6 +674,11 @@ typedef struct tree_crossings tree_crossings;
 // Directions on a grid of cells over a picture.
 typedef struct tree_direction_field tree_direction_field;
 
+// The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
+// them in metres, add up to -ln of the transparency seen. Wanted is the x >= 0 with the least
+// |A x - b|^2 + lambda^2 |x / weights|^2.
+typedef struct tree_equations tree_equations;
+
 // Leaves found in a mesh, and their kinds.
 typedef struct tree_found_leaves tree_found_leaves;
 
@@ -754,7 +759,7 @@ typedef struct tree_separation tree_separation;
 // Branches as a rooted tree of nodes with radii.
 typedef struct tree_skeleton tree_skeleton;
 
-// Strokes read from a drawing.
+// Strokes read from a drawing, or a session's branches as strokes.
 typedef struct tree_strokes tree_strokes;
 
 // What an SWC file held: a skeleton, and what a skeleton has no column for.
@@ -2385,6 +2390,33 @@ typedef struct tree_carved_columns {
     // Voxels that no picture shows.
     uint64_t n_unseen;
 } tree_carved_columns;
+
+// A view of equations. The entries of ray `i` are rows `starts[i]` up to, but not including,
+// `starts[i + 1]`.
+typedef struct tree_equations_columns {
+    // `sizeof(tree_equations_columns)`.
+    size_t struct_size;
+    // Number of rays: rows of A.
+    size_t n_rays;
+    // `n_rays + 1` numbers, 0 first and `n_entries` last.
+    const uint64_t *starts;
+    // For each ray what is seen along it: b.
+    const float *targets;
+    // Number of voxels: columns of A, in the order of `tree_carved_view`.
+    size_t n_voxels;
+    // For each voxel how far it lies inside the rounded crown, above 0 to 1.
+    const float *weights;
+    // Number of entries of A that are not zero.
+    size_t n_entries;
+    // For each entry the voxel that the ray meets.
+    const uint32_t *voxels;
+    // For each entry the ray's length in it, in metres.
+    const float *lengths;
+    // Weight of the demand that densities are small and even, in metres.
+    float lambda;
+    // 0.
+    uint32_t reserved;
+} tree_equations_columns;
 
 // How much more points are wanted at `position`, three floats in metres, than the density says: 1 as much,
 // 0 none. Negative and not a number count as 0. Asked once for the centre of each voxel that is not empty,
@@ -4960,6 +4992,23 @@ tree_status tree_carved_solve(const struct tree_carved *carved,
 // Frees what carving left.
 tree_status tree_carved_free(struct tree_carved *carved);
 
+// Sets up the equations that `tree_carved_solve` solves, for the views and params that were carved. Arguments
+// and errors are as there; `TREE_ERROR_LIMIT` too when there are more entries than the limit on voxels allows.
+// Free them with `tree_equations_free`.
+tree_status tree_equations_new(const struct tree_carved *carved,
+                               const struct tree_particle_view *views,
+                               size_t n_views,
+                               const struct tree_density_params *params,
+                               const struct tree_control *control,
+                               struct tree_equations **equations);
+
+// Views equations. Set `columns->struct_size` first.
+tree_status tree_equations_view(const struct tree_equations *equations,
+                                struct tree_equations_columns *columns);
+
+// Frees equations.
+tree_status tree_equations_free(struct tree_equations *equations);
+
 // The matte that a camera sees of a density: 1 - exp(-sum of density times length) along the ray of each
 // pixel. `control` may be NULL. Free the matte with `tree_matte_free`.
 tree_status tree_grid_look_through(const struct tree_grid *grid,
@@ -5166,7 +5215,7 @@ tree_status tree_way_costs(const struct tree_way *way,
 
 // The way on from `n_points` points, three floats each in metres; outside the grid as from its nearest
 // point. `directions` has room for `capacity` floats, three for each point: vectors of length 0 to 1, and 0
-// for points that are not finite. `control` may be NULL; `nodes` of its limits caps the points.
+// for points that are not finite or too far off. `control` may be NULL; `nodes` of its limits caps the points.
 tree_status tree_way_sample(const struct tree_way *way,
                             const float *points,
                             size_t n_points,
@@ -5183,7 +5232,7 @@ tree_status tree_flow_view_init(struct tree_flow_view *view, size_t size);
 // The directions that particles take at `n_points` points, three floats each in metres, where no neighbour
 // pulls: by the fields of `n_views` views (none will do) and the way to the base. `params` may be NULL.
 // `directions` has room for `capacity` floats, three for each point: unit vectors, and 0 for points that are
-// not finite. `control` may be NULL; `nodes` of its limits caps the points.
+// not finite or too far off. `control` may be NULL; `nodes` of its limits caps the points.
 tree_status tree_way_directions(const struct tree_way *way,
                                 const struct tree_flow_view *views,
                                 size_t n_views,
@@ -5264,7 +5313,8 @@ tree_status tree_photo_session_new(const struct tree_photo_shot *shots,
 tree_status tree_photo_session_copy(const struct tree_photo_session *session,
                                     struct tree_photo_session **copy);
 
-// Frees a session. What it handed out lives on.
+// Frees a session. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a
+// progress callback for instance: it lives on then.
 tree_status tree_photo_session_free(struct tree_photo_session *session);
 
 // Another seed: other particles, twigs and leaves in the same density.
@@ -5371,6 +5421,13 @@ tree_status tree_photo_session_attractor(struct tree_photo_session *session,
                                          const struct tree_control *control,
                                          struct tree_attractor **attractor);
 
+// A view's main branches as strokes, one for each segment: what `TREE_BRANCHES_STROKES` takes, to draw on
+// where the library left off. Free them with `tree_strokes_free`.
+tree_status tree_photo_session_strokes(struct tree_photo_session *session,
+                                       size_t view,
+                                       const struct tree_control *control,
+                                       struct tree_strokes **strokes);
+
 // The density in space, optical depth per metre. Free it with `tree_grid_free`.
 tree_status tree_photo_session_density(struct tree_photo_session *session,
                                        const struct tree_control *control,
@@ -5400,7 +5457,8 @@ tree_status tree_photo_session_tree(struct tree_photo_session *session,
                                     struct tree_photo_report *report,
                                     struct tree_tree **tree);
 
-// What one view gave. The tree is made first where it is not there. Set `report->struct_size` first.
+// What one view gave, an imagined one too. The tree is made first where it is not there. Set
+// `report->struct_size` first.
 tree_status tree_photo_session_view_report(struct tree_photo_session *session,
                                            size_t view,
                                            const struct tree_control *control,
@@ -5414,6 +5472,16 @@ tree_status tree_photo_session_gaps(struct tree_photo_session *session,
                                     const struct tree_control *control,
                                     float *gaps,
                                     size_t capacity);
+
+// Where the views do not agree with each other: `TREE_ALIGN_CROWN_BASE` and `TREE_ALIGN_CROWN_WIDTH`. Their
+// number goes into `n_warnings`, they themselves into `warnings`, which has room for `capacity` rows; with
+// NULL they are only counted. The tree is made first where it is not there.
+// `tree_align_warnings_text` puts them into words.
+tree_status tree_photo_session_disagreements(struct tree_photo_session *session,
+                                             const struct tree_control *control,
+                                             struct tree_align_warning *warnings,
+                                             size_t capacity,
+                                             size_t *n_warnings);
 
 // Everything doubtful, a line each, for a person to read; none where all went well. The tree is made first
 // where it is not there. Free the lines with `tree_lines_free`.
@@ -5810,7 +5878,7 @@ tree_status tree_attractor_move_near(const struct tree_attractor *attractor,
                                      struct tree_attractor **changed);
 
 // A new graph with left and right exchanged, in a picture `width` pixels wide. Free it with
-// `tree_attractor_free`.
+// `tree_attractor_free`. `TREE_ERROR_PARAMETER` for a width with which nodes would not be finite.
 tree_status tree_attractor_mirrored(const struct tree_attractor *attractor,
                                     float width,
                                     struct tree_attractor **changed);

@@ -399,6 +399,7 @@ class Capsules;
 class Carved;
 class Crossings;
 class DirectionField;
+class Equations;
 class FoundLeaves;
 class GltfAttributes;
 class GltfLeaves;
@@ -461,6 +462,7 @@ using DensityView = tree_density_view;
 struct DifferenceParams;
 struct DirectionFieldColumns;
 struct DisplaceParams;
+struct EquationsColumns;
 struct EraseReport;
 struct FieldParams;
 struct FinishParams;
@@ -660,6 +662,10 @@ struct DirectionFieldColumns : tree_direction_field_columns {
 
 struct DisplaceParams : tree_displace_params {
     DisplaceParams() : tree_displace_params{} { tree_displace_params_init(this, sizeof(tree_displace_params)); }
+};
+
+struct EquationsColumns : tree_equations_columns {
+    EquationsColumns() : tree_equations_columns{} { struct_size = sizeof *this; }
 };
 
 struct EraseReport : tree_erase_report {
@@ -1152,6 +1158,14 @@ public:
     Photo draw_over(const Photo &photo, uint32_t color) const;
 };
 
+class Equations : public detail::Object<tree_equations, tree_equations_free> {
+public:
+    using Object::Object;
+    static Equations make(const Carved &carved, Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr);
+    EquationsColumns view() const &;
+    EquationsColumns view() const && = delete;
+};
+
 class FoundLeaves : public detail::Object<tree_found_leaves, tree_found_leaves_free> {
 public:
     using Object::Object;
@@ -1388,6 +1402,7 @@ public:
     Photo photo(size_t view) const;
     ParticleCamera camera(size_t view, Ref<tree_control> control = nullptr) const;
     Attractor attractor(size_t view, Ref<tree_control> control = nullptr) const;
+    Strokes strokes(size_t view, Ref<tree_control> control = nullptr) const;
     Grid density(Ref<tree_control> control = nullptr) const;
     DirectionField field(size_t view, Ref<tree_control> control = nullptr) const;
     Traces traces(Ref<tree_control> control = nullptr) const;
@@ -1395,6 +1410,7 @@ public:
     Tree tree(Ref<tree_control> control = nullptr, tree_photo_report *report = nullptr) const;
     PhotoViewReport view_report(size_t view, Ref<tree_control> control = nullptr) const;
     bool gaps(size_t view, Ref<tree_control> control, Span<float> gaps) const;
+    size_t disagreements(Ref<tree_control> control, Span<tree_align_warning> warnings) const;
     Lines warnings(Ref<tree_control> control = nullptr) const;
     Photo draw_matte(size_t view) const;
     Photo draw_attractor(size_t view, Ref<tree_control> control = nullptr) const;
@@ -2416,6 +2432,16 @@ inline Grid Carved::solve(Span<const tree_particle_view> views, Ref<tree_density
     detail::done(tree_carved_solve(get(), views.data(), views.size(), params, control, report, rows.data(), rows.size(), grid.place()), control);
     return grid;
 }
+inline Equations Equations::make(const Carved &carved, Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control) {
+    Equations equations;
+    detail::done(tree_equations_new(carved.get(), views.data(), views.size(), params, control, equations.place()), control);
+    return equations;
+}
+inline EquationsColumns Equations::view() const & {
+    EquationsColumns columns;
+    if (!(detail::done(tree_equations_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
 inline Matte Grid::look_through(Ref<tree_particle_camera> camera, Ref<tree_control> control) const {
     Matte matte;
     detail::done(tree_grid_look_through(get(), camera, control, matte.place()), control);
@@ -2692,6 +2718,11 @@ inline Attractor PhotoSession::attractor(size_t view, Ref<tree_control> control)
     detail::done(tree_photo_session_attractor(get(), view, control, attractor.place()), control);
     return attractor;
 }
+inline Strokes PhotoSession::strokes(size_t view, Ref<tree_control> control) const {
+    Strokes strokes;
+    detail::done(tree_photo_session_strokes(get(), view, control, strokes.place()), control);
+    return strokes;
+}
 inline Grid PhotoSession::density(Ref<tree_control> control) const {
     Grid density;
     detail::done(tree_photo_session_density(get(), control, density.place()), control);
@@ -2724,6 +2755,11 @@ inline PhotoViewReport PhotoSession::view_report(size_t view, Ref<tree_control> 
 }
 inline bool PhotoSession::gaps(size_t view, Ref<tree_control> control, Span<float> gaps) const {
     return detail::done(tree_photo_session_gaps(get(), view, control, gaps.data(), gaps.size()), control);
+}
+inline size_t PhotoSession::disagreements(Ref<tree_control> control, Span<tree_align_warning> warnings) const {
+    size_t n_warnings{};
+    detail::done(tree_photo_session_disagreements(get(), control, warnings.data(), warnings.size(), &n_warnings), control);
+    return n_warnings;
 }
 inline Lines PhotoSession::warnings(Ref<tree_control> control) const {
     Lines warnings;

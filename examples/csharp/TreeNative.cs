@@ -60,6 +60,13 @@ namespace TreeFamily.Native
     public struct tree_direction_field { }
 
     /// <summary>
+    /// The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
+    /// them in metres, add up to -ln of the transparency seen. Wanted is the x &gt;= 0 with the least
+    /// |A x - b|^2 + lambda^2 |x / weights|^2.
+    /// </summary>
+    public struct tree_equations { }
+
+    /// <summary>
     /// Leaves found in a mesh, and their kinds.
     /// </summary>
     public struct tree_found_leaves { }
@@ -184,7 +191,7 @@ namespace TreeFamily.Native
     public struct tree_skeleton { }
 
     /// <summary>
-    /// Strokes read from a drawing.
+    /// Strokes read from a drawing, or a session's branches as strokes.
     /// </summary>
     public struct tree_strokes { }
 
@@ -3205,6 +3212,59 @@ namespace TreeFamily.Native
         /// Voxels that no picture shows.
         /// </summary>
         public ulong n_unseen;
+    }
+
+    /// <summary>
+    /// A view of equations. The entries of ray `i` are rows `starts[i]` up to, but not including,
+    /// `starts[i + 1]`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_equations_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_equations_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of rays: rows of A.
+        /// </summary>
+        public UIntPtr n_rays;
+        /// <summary>
+        /// `n_rays + 1` numbers, 0 first and `n_entries` last.
+        /// </summary>
+        public ulong* starts;
+        /// <summary>
+        /// For each ray what is seen along it: b.
+        /// </summary>
+        public float* targets;
+        /// <summary>
+        /// Number of voxels: columns of A, in the order of `tree_carved_view`.
+        /// </summary>
+        public UIntPtr n_voxels;
+        /// <summary>
+        /// For each voxel how far it lies inside the rounded crown, above 0 to 1.
+        /// </summary>
+        public float* weights;
+        /// <summary>
+        /// Number of entries of A that are not zero.
+        /// </summary>
+        public UIntPtr n_entries;
+        /// <summary>
+        /// For each entry the voxel that the ray meets.
+        /// </summary>
+        public uint* voxels;
+        /// <summary>
+        /// For each entry the ray's length in it, in metres.
+        /// </summary>
+        public float* lengths;
+        /// <summary>
+        /// Weight of the demand that densities are small and even, in metres.
+        /// </summary>
+        public float lambda;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -8334,6 +8394,26 @@ namespace TreeFamily.Native
         public static extern int tree_carved_free(tree_carved* carved);
 
         /// <summary>
+        /// Sets up the equations that `tree_carved_solve` solves, for the views and params that were carved. Arguments
+        /// and errors are as there; `TREE_ERROR_LIMIT` too when there are more entries than the limit on voxels allows.
+        /// Free them with `tree_equations_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_equations_new(tree_carved* carved, tree_particle_view* views, UIntPtr n_views, tree_density_params* @params, tree_control* control, tree_equations** equations);
+
+        /// <summary>
+        /// Views equations. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_equations_view(tree_equations* equations, tree_equations_columns* columns);
+
+        /// <summary>
+        /// Frees equations.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_equations_free(tree_equations* equations);
+
+        /// <summary>
         /// The matte that a camera sees of a density: 1 - exp(-sum of density times length) along the ray of each
         /// pixel. `control` may be NULL. Free the matte with `tree_matte_free`.
         /// </summary>
@@ -8563,7 +8643,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// The way on from `n_points` points, three floats each in metres; outside the grid as from its nearest
         /// point. `directions` has room for `capacity` floats, three for each point: vectors of length 0 to 1, and 0
-        /// for points that are not finite. `control` may be NULL; `nodes` of its limits caps the points.
+        /// for points that are not finite or too far off. `control` may be NULL; `nodes` of its limits caps the points.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_way_sample(tree_way* way, float* points, UIntPtr n_points, tree_control* control, float* directions, UIntPtr capacity);
@@ -8584,7 +8664,7 @@ namespace TreeFamily.Native
         /// The directions that particles take at `n_points` points, three floats each in metres, where no neighbour
         /// pulls: by the fields of `n_views` views (none will do) and the way to the base. `params` may be NULL.
         /// `directions` has room for `capacity` floats, three for each point: unit vectors, and 0 for points that are
-        /// not finite. `control` may be NULL; `nodes` of its limits caps the points.
+        /// not finite or too far off. `control` may be NULL; `nodes` of its limits caps the points.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_way_directions(tree_way* way, tree_flow_view* views, UIntPtr n_views, float* points, UIntPtr n_points, tree_flow_params* @params, tree_control* control, float* directions, UIntPtr capacity);
@@ -8660,7 +8740,8 @@ namespace TreeFamily.Native
         public static extern int tree_photo_session_copy(tree_photo_session* session, tree_photo_session** copy);
 
         /// <summary>
-        /// Frees a session. What it handed out lives on.
+        /// Frees a session. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a
+        /// progress callback for instance: it lives on then.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_photo_session_free(tree_photo_session* session);
@@ -8791,6 +8872,13 @@ namespace TreeFamily.Native
         public static extern int tree_photo_session_attractor(tree_photo_session* session, UIntPtr view, tree_control* control, tree_attractor** attractor);
 
         /// <summary>
+        /// A view's main branches as strokes, one for each segment: what `TREE_BRANCHES_STROKES` takes, to draw on
+        /// where the library left off. Free them with `tree_strokes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_strokes(tree_photo_session* session, UIntPtr view, tree_control* control, tree_strokes** strokes);
+
+        /// <summary>
         /// The density in space, optical depth per metre. Free it with `tree_grid_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -8823,7 +8911,8 @@ namespace TreeFamily.Native
         public static extern int tree_photo_session_tree(tree_photo_session* session, tree_control* control, tree_photo_report* report, tree_tree** tree);
 
         /// <summary>
-        /// What one view gave. The tree is made first where it is not there. Set `report-&gt;struct_size` first.
+        /// What one view gave, an imagined one too. The tree is made first where it is not there. Set
+        /// `report-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_photo_session_view_report(tree_photo_session* session, UIntPtr view, tree_control* control, tree_photo_view_report* report);
@@ -8835,6 +8924,15 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_photo_session_gaps(tree_photo_session* session, UIntPtr view, tree_control* control, float* gaps, UIntPtr capacity);
+
+        /// <summary>
+        /// Where the views do not agree with each other: `TREE_ALIGN_CROWN_BASE` and `TREE_ALIGN_CROWN_WIDTH`. Their
+        /// number goes into `n_warnings`, they themselves into `warnings`, which has room for `capacity` rows; with
+        /// NULL they are only counted. The tree is made first where it is not there.
+        /// `tree_align_warnings_text` puts them into words.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_session_disagreements(tree_photo_session* session, tree_control* control, tree_align_warning* warnings, UIntPtr capacity, UIntPtr* n_warnings);
 
         /// <summary>
         /// Everything doubtful, a line each, for a person to read; none where all went well. The tree is made first
@@ -9299,7 +9397,7 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// A new graph with left and right exchanged, in a picture `width` pixels wide. Free it with
-        /// `tree_attractor_free`.
+        /// `tree_attractor_free`. `TREE_ERROR_PARAMETER` for a width with which nodes would not be finite.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_attractor_mirrored(tree_attractor* attractor, float width, tree_attractor** changed);

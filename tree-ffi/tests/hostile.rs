@@ -94,6 +94,10 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_grid", "tree_grid_from_views(one_view(), 1, few_voxels(), NULL, NULL, NULL, 0, &made)"),
     ("tree_carved", "tree_carved_new(one_view(), 1, few_voxels(), NULL, &made)"),
     (
+        "tree_equations",
+        "tree_equations_new(live_tree_carved(), one_view(), 1, few_voxels(), NULL, &made)",
+    ),
+    (
         "tree_direction_field",
         "tree_direction_field_new(live_tree_attractor(), 8, 12, 3, 11, few_rows(), NULL, &made)",
     ),

@@ -1,8 +1,8 @@
 //! Grids of numbers.
 
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, fill, free, get, out, out_value,
-    slice, tree_status, vec3s, write,
+    Failure, Handle, Result, TREE_ERROR_BUFFER, TREE_ERROR_INVALID, Versioned, call, fill, free,
+    get, out, out_value, slice, tree_status, vec3s, write,
 };
 use crate::control::{limits, run, tree_control};
 use crate::mesh::column;
@@ -239,6 +239,15 @@ pub(super) unsafe fn ask<R: Send>(
         Ok(answers)
     };
     unsafe { run(control, body) }
+}
+
+/// Looks at a buffer before the work whose result goes there, so that no work is done in vain.
+pub(super) fn room_for(needed: usize, capacity: usize, argument: &str) -> Result<()> {
+    if needed <= capacity {
+        return Ok(());
+    }
+    let text = format!("{argument} has room for {capacity} values, {needed} are needed");
+    Err(Failure::new(TREE_ERROR_BUFFER, text))
 }
 
 /// As [`fill`]; for no values there need be no buffer.

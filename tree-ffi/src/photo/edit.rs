@@ -139,7 +139,7 @@ pub unsafe extern "C" fn tree_attractor_move_near(
 }
 
 /// A new graph with left and right exchanged, in a picture `width` pixels wide. Free it with
-/// `tree_attractor_free`.
+/// `tree_attractor_free`. `TREE_ERROR_PARAMETER` for a width with which nodes would not be finite.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_attractor_mirrored(
     attractor: *const tree_attractor,
@@ -149,11 +149,13 @@ pub unsafe extern "C" fn tree_attractor_mirrored(
     call(|| {
         let place = unsafe { out(changed, "changed") }?;
         let graph = unsafe { get(attractor, "attractor") }?.rust();
-        // The library takes any width; what is not finite would make a graph of no use.
-        if !width.is_finite() {
-            return Err(Failure::new(TREE_ERROR_PARAMETER, "width is not finite"));
+        // The library takes any width; nodes that are not finite would make a graph of no use.
+        let made = graph.mirrored(width);
+        if !width.is_finite() || !made.nodes().iter().all(|node| node.is_finite()) {
+            let text = format!("width is {width}: the nodes would not be finite");
+            return Err(Failure::new(TREE_ERROR_PARAMETER, text));
         }
-        place.put(tree_attractor::new(graph.mirrored(width)));
+        place.put(tree_attractor::new(made));
         Ok(())
     })
 }

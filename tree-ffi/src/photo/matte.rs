@@ -4,8 +4,8 @@ use super::camera::tree_particle_camera;
 use super::picture::tree_photo;
 use super::{blamed, fill_some};
 use crate::border::{
-    self, Handle, TREE_ERROR_INVALID, Versioned, call, free, get, get_opt, out, out_opt, slice,
-    tree_status, vec2s, write,
+    self, Handle, TREE_ERROR_INVALID, Versioned, call, foresee, free, get, get_opt, out, out_opt,
+    slice, tree_status, vec2s, write,
 };
 use crate::control::{limits, tree_control};
 use crate::io::tree_bytes;
@@ -171,6 +171,7 @@ pub unsafe extern "C" fn tree_matte_turned(
         let (turned_photo, place) =
             unsafe { (out_opt(turned_photo, "turned_photo"), out(turned, "turned")) };
         let (turned_photo, place) = (turned_photo?, place?);
+        unsafe { foresee(turned_camera, "turned_camera") }?;
         let matte = unsafe { get(matte, "matte") }?.rust().clone();
         let photo = unsafe { get_opt(photo, "photo") }?.map(|photo| photo.rust().clone());
         let camera = unsafe { tree_particle_camera::get(camera) }?;

@@ -136,7 +136,8 @@ pub(crate) unsafe fn strokes(
     }
     // One more than there are strokes.
     let room = Limits { nodes: limits.nodes.saturating_add(1), ..*limits };
-    let starts = unsafe { slice(columns.starts, n + 1, &room, nodes, &part("starts")) }?;
+    let n_starts = n.saturating_add(1);
+    let starts = unsafe { slice(columns.starts, n_starts, &room, nodes, &part("starts")) }?;
     let ends = (starts.first(), starts.last());
     if ends != (Some(&0), Some(&(points.len() as u64))) {
         let text = format!("{name}.starts must begin with 0 and end with n_points");
@@ -187,10 +188,21 @@ pub unsafe extern "C" fn tree_attractor_from_strokes(
     })
 }
 
-/// Strokes read from a drawing.
+/// Strokes read from a drawing, or a session's branches as strokes.
 pub struct tree_strokes {
     starts: Vec<u64>,
     points: Vec<Vec2>,
+}
+
+impl tree_strokes {
+    pub(crate) fn new(strokes: Vec<Vec<Vec2>>) -> Self {
+        let mut made = Self { starts: vec![0], points: Vec::new() };
+        for stroke in strokes {
+            made.points.extend(stroke);
+            made.starts.push(made.points.len() as u64);
+        }
+        made
+    }
 }
 
 impl Handle for tree_strokes {
@@ -220,12 +232,7 @@ pub unsafe extern "C" fn tree_strokes_from_svg(
         })?;
         let size = Vec2::new(width, height);
         let found = unsafe { run(control, |_| Ok(strokes_from_svg(text, size)?)) }?;
-        let mut made = tree_strokes { starts: vec![0], points: Vec::new() };
-        for stroke in found {
-            made.points.extend(stroke);
-            made.starts.push(made.points.len() as u64);
-        }
-        place.put(made);
+        place.put(tree_strokes::new(found));
         Ok(())
     })
 }

@@ -215,7 +215,21 @@ static tree_grid *densities(tree_matte *matte, const tree_particle_view views[2]
           tree_carved_solve(carved, views, 2, &params, NULL, &report, rows, 1, &solved));
     CHECK(solved == NULL);
     OK(tree_grid_free(alpha));
+
+    /* The equations outlive what they were made of, and hold what they count. */
+    tree_equations *equations;
+    OK(tree_equations_new(carved, views, 2, &params, NULL, &equations));
     OK(tree_carved_free(carved));
+    tree_equations_columns of = {.struct_size = sizeof of};
+    OK(tree_equations_view(equations, &of));
+    CHECK(of.n_rays == report.n_rays && of.n_voxels == report.n_voxels && of.lambda > 0);
+    CHECK(of.n_entries == report.n_entries && of.starts[0] == 0);
+    CHECK(of.starts[of.n_rays] == of.n_entries);
+    for (size_t ray = 0; ray < of.n_rays; ray++) CHECK(of.starts[ray] < of.starts[ray + 1]);
+    for (size_t i = 0; i < of.n_entries; i++)
+        CHECK(of.voxels[i] < of.n_voxels && of.lengths[i] >= 0);
+    CHECK(of.targets[0] >= 0 && of.weights[0] > 0 && of.weights[0] <= 1);
+    OK(tree_equations_free(equations));
 
     /* Looking through it gives the matte again. */
     tree_matte *seen;
@@ -337,8 +351,10 @@ static void flows(tree_grid *grid, tree_direction_field *field, const tree_parti
     OK(tree_way_new(grid, &params, NULL, &way));
     tree_grid *costs;
     OK(tree_way_costs(way, &costs));
-    static const float points[] = {0.1f, 7, 0.1f, NAN, 0, 0};
+    static const float points[] = {0.1f, 7, 0.1f, NAN, 0, 0}, far_off[] = {3e38f, -3e38f, 3e38f};
     float values[2], directions[6];
+    OK(tree_way_sample(way, far_off, 1, NULL, directions, 6));
+    for (int i = 0; i < 3; i++) CHECK(fabsf(directions[i]) <= 1);
     OK(tree_grid_sample(costs, points, 1, NULL, values, 2));
     CHECK(values[0] > 3);
     OK(tree_grid_free(costs));
@@ -429,6 +445,7 @@ static int32_t call_again(void *user, const char *stage, float fraction) {
     uint64_t seed;
     (void)stage, (void)fraction;
     FAILS(TREE_ERROR_ORDER, "one call", tree_photo_session_seed(user, &seed));
+    FAILS(TREE_ERROR_ORDER, "one call", tree_photo_session_free(user));
     return 0;
 }
 
@@ -533,6 +550,14 @@ static void stages(tree_photo_session *session) {
     OK(tree_photo_session_attractor(session, 0, NULL, &graph));
     OK(tree_attractor_view(graph, &columns));
     CHECK(columns.n_nodes > 4 && ran(session, "1100000"));
+    tree_strokes *strokes;
+    tree_strokes_columns drawn = {.struct_size = sizeof drawn};
+    OK(tree_photo_session_strokes(session, 0, NULL, &strokes));
+    OK(tree_strokes_view(strokes, &drawn));
+    CHECK(drawn.n_strokes + 1 == columns.n_nodes && drawn.n_points == 2 * drawn.n_strokes);
+    CHECK(drawn.points[0] == columns.positions[0] && ran(session, "1100000"));
+    OK(tree_strokes_free(strokes));
+    FAILS(TREE_ERROR_PARAMETER, "2 views", tree_photo_session_strokes(session, 2, NULL, &strokes));
     OK(tree_attractor_free(graph));
     tree_grid *density;
     OK(tree_photo_session_density(session, NULL, &density));
@@ -560,6 +585,11 @@ static void stages(tree_photo_session *session) {
     OK(tree_photo_session_view_report(session, 0, NULL, &row));
     CHECK(row.n_warnings < TREE_ALIGN_WARNINGS && row.residual < 0.5);
     CHECK(row.has_livewire && row.n_tips > 1 && row.attracts && !row.has_strokes);
+    FAILS(TREE_ERROR_PARAMETER, "2 views", tree_photo_session_view_report(session, 2, NULL, &row));
+    /* The same tree from both sides. */
+    size_t n_doubts = 99;
+    OK(tree_photo_session_disagreements(session, NULL, NULL, 0, &n_doubts));
+    CHECK(n_doubts == 0);
     tree_lines *warnings;
     const tree_str *texts;
     size_t n_texts;
@@ -758,7 +788,15 @@ static void one_photograph(tree_matte *matte, small *small) {
         OK(tree_photo_session_new(&shot, 1, &small->params, 7, NULL, &session));
         OK(tree_photo_session_count_views(session, NULL, &n_views));
         CHECK(n_views == 1 + imagine);
-        if (imagine) OK(tree_photo_session_camera(session, 1, NULL, &camera));
+        tree_photo_view_report row = {.struct_size = sizeof row};
+        if (imagine) {
+            OK(tree_photo_session_camera(session, 1, NULL, &camera));
+            OK(tree_photo_session_view_report(session, 1, NULL, &row));
+            CHECK(row.residual > 0 && row.n_warnings == 0);
+        } else {
+            FAILS(TREE_ERROR_PARAMETER, "1 views",
+                  tree_photo_session_view_report(session, 1, NULL, &row));
+        }
         OK(tree_photo_session_free(session));
     }
     CHECK(fabsf(fabsf(camera.yaw) - 1.5707963f) < 1e-5f);

@@ -516,6 +516,13 @@ static void attractors(void) {
     CHECK(columns.positions[4] == 8 && columns.positions[5] == 1);
     OK(tree_attractor_free(changed));
     FAILS(TREE_ERROR_PARAMETER, "width", tree_attractor_mirrored(fork, INFINITY, &bad));
+    static const float wide[] = {-3e38f, 0, 1, 1};
+    static const uint32_t up[] = {TREE_NO_PARENT, 0};
+    tree_attractor_columns far_off = {.struct_size = sizeof far_off, 2, wide, up};
+    tree_attractor *afar;
+    OK(tree_attractor_from_columns(&far_off, NULL, &afar));
+    FAILS(TREE_ERROR_PARAMETER, "width", tree_attractor_mirrored(afar, 3e38f, &bad));
+    OK(tree_attractor_free(afar));
 
     tree_photo *paper, *drawn;
     OK(tree_photo_blank(10, 10, 0x000000ff, NULL, &paper));

@@ -6,7 +6,7 @@
 use super::photo::check_size;
 use super::{Matte, Photo};
 use crate::error::Result;
-use glam::Vec2;
+use glam::{DVec2, Vec2};
 use tree_core::{Limits, Resource};
 
 /// A colour: red, green, blue (sRGB) and how much it covers, 0 to 255.
@@ -17,6 +17,9 @@ const HEAD: f32 = 0.35;
 
 /// Length of the pieces in which a line is drawn, in times its half width.
 const PIECE: f32 = 4.0;
+
+/// Largest half width of a line in pixels, so that squares of lengths stay numbers; wider ones are drawn so wide.
+const RADIUS_MAX: f32 = 1e6;
 
 /// A picture to draw on.
 #[derive(Clone, Debug)]
@@ -73,7 +76,10 @@ impl Canvas {
 
     /// Draws a line with round ends. A line that is not finite is left out.
     pub fn line(&mut self, from: Vec2, to: Vec2, width: f32, colour: Colour) {
-        let radius = 0.5 * width.max(0.0);
+        if !width.is_finite() {
+            return;
+        }
+        let radius = (0.5 * width).clamp(0.0, RADIUS_MAX);
         let reach = radius + 1.0;
         let Some((from, to)) = self.clip(from, to, reach) else { return };
         let along = to - from;
@@ -127,13 +133,15 @@ impl Canvas {
 
     /// The part of a line that can be seen, `reach` beyond the picture included.
     fn clip(&self, from: Vec2, to: Vec2, reach: f32) -> Option<(Vec2, Vec2)> {
-        if !(from.is_finite() && to.is_finite() && reach.is_finite()) {
+        if !(from.is_finite() && to.is_finite()) {
             return None;
         }
-        let low = Vec2::splat(-reach);
-        let high = Vec2::new(self.width as f32, self.height as f32) + reach;
+        // In f64: the difference of two f32 may be beyond f32.
+        let (from, to, reach) = (from.as_dvec2(), to.as_dvec2(), f64::from(reach));
+        let low = DVec2::splat(-reach);
+        let high = DVec2::new(f64::from(self.width), f64::from(self.height)) + reach;
         let along = to - from;
-        let (mut first, mut last) = (0.0_f32, 1.0_f32);
+        let (mut first, mut last) = (0.0_f64, 1.0_f64);
         for axis in 0..2 {
             if along[axis] == 0.0 {
                 if from[axis] < low[axis] || from[axis] > high[axis] {
@@ -146,7 +154,9 @@ impl Canvas {
             first = first.max(a.min(b));
             last = last.min(a.max(b));
         }
-        (first <= last).then(|| (from + along * first, from + along * last))
+        // Rounding takes ends of enormous lines far out again.
+        let inside = |share: f64| (from + along * share).max(low).min(high).as_vec2();
+        (first <= last).then(|| (inside(first), inside(last)))
     }
 
     /// Lays a colour over a pixel.
@@ -197,5 +207,19 @@ mod tests {
         assert_eq!(sum(&canvas), 0.0);
         canvas.line(Vec2::new(-1e9, 10.5), Vec2::new(1e9, 10.5), 1.0, [255; 4]);
         assert!((sum(&canvas) - 40.0).abs() < 1.0);
+    }
+
+    #[test]
+    fn enormous_lines_are_drawn_as_fast_as_others() {
+        for (from, to, width) in [
+            (Vec2::new(-3e38, 10.5), Vec2::new(3e38, 10.5), 1.0),
+            (Vec2::splat(-3e38), Vec2::splat(3e38), 1.0),
+            (Vec2::splat(-3e38), Vec2::splat(3e38), 3e38),
+            (Vec2::new(1.0, -3e38), Vec2::new(3e38, 1.0), 1e30),
+        ] {
+            let mut canvas = canvas();
+            canvas.line(from, to, width, [255; 4]);
+            assert!(sum(&canvas) <= 1200.0);
+        }
     }
 }

@@ -18,6 +18,12 @@ impl Handle for tree_carved {
     const NAME: &'static str = "tree_carved";
 }
 
+impl tree_carved {
+    pub(super) fn rust(&self) -> &Carved {
+        &self.0
+    }
+}
+
 /// A view of what carving left.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]

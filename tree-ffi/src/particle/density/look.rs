@@ -2,7 +2,7 @@
 
 use crate::border::{call, get, out, out_value, read, tree_status};
 use crate::control::{User, limits, run, tree_control};
-use crate::particle::grid::{fill_vectors, tree_grid};
+use crate::particle::grid::{fill_vectors, room_for, tree_grid};
 use crate::photo::{tree_matte, tree_particle_camera};
 use glam::Vec3;
 use std::ffi::c_void;
@@ -84,6 +84,7 @@ pub unsafe extern "C" fn tree_grid_draw_points(
     call(|| {
         let grid = unsafe { get(grid, "grid") }?.rust();
         unsafe { limits(control) }?.check(Resource::Nodes, n_points.into())?;
+        room_for(3 * n_points as usize, capacity, "points")?;
         let user = User(user);
         let weight = move |point: Vec3| match weight {
             None => 1.0,

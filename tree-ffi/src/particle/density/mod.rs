@@ -1,12 +1,14 @@
 //! The density of a tree in space.
 
 mod carve;
+mod equations;
 mod look;
 mod paint;
 mod params;
 mod report;
 
 pub use carve::*;
+pub use equations::*;
 pub use look::*;
 pub use paint::*;
 pub use params::*;

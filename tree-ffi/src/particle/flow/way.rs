@@ -64,7 +64,7 @@ pub unsafe extern "C" fn tree_way_costs(
 
 /// The way on from `n_points` points, three floats each in metres; outside the grid as from its nearest
 /// point. `directions` has room for `capacity` floats, three for each point: vectors of length 0 to 1, and 0
-/// for points that are not finite. `control` may be NULL; `nodes` of its limits caps the points.
+/// for points that are not finite or too far off. `control` may be NULL; `nodes` of its limits caps the points.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_way_sample(
     way: *const tree_way,
@@ -81,8 +81,10 @@ pub unsafe extern "C" fn tree_way_sample(
     })
 }
 
+/// What `answer` says of a finite point; 0 where that is so far off that there is no number for it.
 fn finite(point: Vec3, answer: impl Fn(Vec3) -> Vec3) -> [f32; 3] {
-    if point.is_finite() { answer(point).to_array() } else { [0.0; 3] }
+    let found = if point.is_finite() { answer(point) } else { Vec3::ZERO };
+    if found.is_finite() { found.to_array() } else { [0.0; 3] }
 }
 
 /// Frees a way.
@@ -138,7 +140,7 @@ pub(super) unsafe fn flow_views<'a>(
 /// The directions that particles take at `n_points` points, three floats each in metres, where no neighbour
 /// pulls: by the fields of `n_views` views (none will do) and the way to the base. `params` may be NULL.
 /// `directions` has room for `capacity` floats, three for each point: unit vectors, and 0 for points that are
-/// not finite. `control` may be NULL; `nodes` of its limits caps the points.
+/// not finite or too far off. `control` may be NULL; `nodes` of its limits caps the points.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_way_directions(
     way: *const tree_way,

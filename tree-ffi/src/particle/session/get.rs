@@ -12,7 +12,8 @@ use crate::particle::field::tree_direction_field;
 use crate::particle::flow::tree_traces;
 use crate::particle::grid::{fill_some, tree_grid};
 use crate::photo::{
-    or_nan, tree_attractor, tree_lines, tree_matte, tree_particle_camera, tree_photo,
+    or_nan, tree_align_warning, tree_attractor, tree_lines, tree_matte, tree_particle_camera,
+    tree_photo, tree_strokes,
 };
 use crate::skeleton::tree_skeleton;
 use crate::tree::tree_tree;
@@ -151,6 +152,7 @@ pub unsafe extern "C" fn tree_photo_session_camera(
         let body = |session: &mut Session, control: &Control| {
             Ok(tree_particle_camera::of(&of_view(session.views(control)?, view)?.camera))
         };
+        unsafe { foresee(camera, "camera") }?;
         let found = unsafe { ask(session, control, body) }?;
         unsafe { write(camera, "camera", &found) }
     })
@@ -170,6 +172,26 @@ pub unsafe extern "C" fn tree_photo_session_attractor(
             Ok(of_view(session.attractors(control)?, view)?.clone())
         };
         place.put(tree_attractor::new(unsafe { ask(session, control, body) }?));
+        Ok(())
+    })
+}
+
+/// A view's main branches as strokes, one for each segment: what `TREE_BRANCHES_STROKES` takes, to draw on
+/// where the library left off. Free them with `tree_strokes_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_photo_session_strokes(
+    session: *mut tree_photo_session,
+    view: usize,
+    control: *const tree_control,
+    strokes: *mut *mut tree_strokes,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(strokes, "strokes") }?;
+        let body = |session: &mut Session, control: &Control| {
+            check_view(session, view)?;
+            Ok(session.strokes(view, control)?)
+        };
+        place.put(tree_strokes::new(unsafe { ask(session, control, body) }?));
         Ok(())
     })
 }
@@ -270,7 +292,8 @@ unsafe fn report_of(
     unsafe { ask(session, control, body) }
 }
 
-/// What one view gave. The tree is made first where it is not there. Set `report->struct_size` first.
+/// What one view gave, an imagined one too. The tree is made first where it is not there. Set
+/// `report->struct_size` first.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_photo_session_view_report(
     session: *mut tree_photo_session,
@@ -279,9 +302,13 @@ pub unsafe extern "C" fn tree_photo_session_view_report(
     report: *mut tree_photo_view_report,
 ) -> tree_status {
     call(|| {
-        check_view(&unsafe { lock(session) }?.session, view)?;
-        let found = unsafe { report_of(session, control) }?;
-        unsafe { write(report, "report", &tree_photo_view_report::of(&found, view)) }
+        unsafe { foresee(report, "report") }?;
+        let body = |session: &mut Session, control: &Control| {
+            of_view(session.views(control)?, view)?;
+            Ok(tree_photo_view_report::of(&session.tree(control)?.report, view))
+        };
+        let found = unsafe { ask(session, control, body) }?;
+        unsafe { write(report, "report", &found) }
     })
 }
 
@@ -302,6 +329,29 @@ pub unsafe extern "C" fn tree_photo_session_gaps(
         let strokes = found.views.get(view).and_then(|view| view.strokes.as_ref());
         let found = strokes.map_or(Vec::new(), |strokes| or_nan(&strokes.gaps));
         unsafe { fill_some(gaps, capacity, &found, "gaps") }
+    })
+}
+
+/// Where the views do not agree with each other: `TREE_ALIGN_CROWN_BASE` and `TREE_ALIGN_CROWN_WIDTH`. Their
+/// number goes into `n_warnings`, they themselves into `warnings`, which has room for `capacity` rows; with
+/// NULL they are only counted. The tree is made first where it is not there.
+/// `tree_align_warnings_text` puts them into words.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_photo_session_disagreements(
+    session: *mut tree_photo_session,
+    control: *const tree_control,
+    warnings: *mut tree_align_warning,
+    capacity: usize,
+    n_warnings: *mut usize,
+) -> tree_status {
+    call(|| {
+        let found = unsafe { report_of(session, control) }?.disagreements;
+        let rows: Vec<_> = found.iter().map(tree_align_warning::of).collect();
+        unsafe { out_value(n_warnings, rows.len(), "n_warnings") }?;
+        if warnings.is_null() {
+            return Ok(());
+        }
+        unsafe { fill_some(warnings, capacity, &rows, "warnings") }
     })
 }
 

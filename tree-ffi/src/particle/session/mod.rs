@@ -156,8 +156,15 @@ pub unsafe extern "C" fn tree_photo_session_copy(
     })
 }
 
-/// Frees a session. What it handed out lives on.
+/// Frees a session. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a
+/// progress callback for instance: it lives on then.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_photo_session_free(session: *mut tree_photo_session) -> tree_status {
-    call(|| unsafe { free(session, "session") })
+    call(|| {
+        if !session.is_null() {
+            // Waits for no one: who holds it would go on with what is freed.
+            drop(unsafe { lock(session) }?);
+        }
+        unsafe { free(session, "session") }
+    })
 }

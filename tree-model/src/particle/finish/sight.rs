@@ -51,7 +51,8 @@ impl<'a> Sight<'a> {
             return None;
         }
         let (x, y) = (at.x as usize, at.y as usize);
-        (x < self.size[0] && y < self.size[1]).then_some(y * self.size[0] + x)
+        // Not reckoned with far outside: the product could overflow.
+        (x < self.size[0] && y < self.size[1]).then(|| y * self.size[0] + x)
     }
 
     /// Mean of the matte about a point; `None` outside the image, where it says nothing.
