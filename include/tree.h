@@ -2523,7 +2523,7 @@ typedef struct tree_finish_params {
     size_t struct_size;
     // How thick branches are: a rule of the kind `TREE_RADII_PIPE`. Without a `trunk_radius` that seen in
     // the pictures is taken, and where they show no bare trunk, `slenderness`. NULL for the default: an
-    // exponent of 2.2.
+    // exponent of 2.49.
     const struct tree_radius_rule *radii;
     // Twigs on the ends of the traces; NULL for none. Default those of an oak.
     const struct tree_twig_params *twigs;
@@ -2581,9 +2581,9 @@ typedef struct tree_flow_params {
     uint32_t steps;
     // Way of a particle in one step, 1e-4 to 0.1. Default 0.008. Smaller is smoother and slower.
     float step;
-    // Particles nearer than this join, 1e-5 to 0.2. Default 0.01. Larger gives fewer, longer branches.
+    // Particles nearer than this join, 1e-5 to 0.2. Default 0.02. Larger gives fewer, longer branches.
     float join;
-    // How far a particle sees its nearest neighbour, 0 to 1. Default 0.06.
+    // How far a particle sees its nearest neighbour, 0 to 1. Default 0.1.
     float sight;
     // Pull along the pictures' direction fields, 0 to 10. Default 1. The pulls decide the direction only,
     // so just their proportions matter.
@@ -2591,7 +2591,7 @@ typedef struct tree_flow_params {
     // Pull towards the base, through the densest way, 0 to 10. Default 0.3. Where no field says anything
     // it counts in full.
     float base;
-    // Pull of the nearest neighbour when it is close, 0 to 10. Default 0.45. Larger joins twigs sooner.
+    // Pull of the nearest neighbour when it is close, 0 to 10. Default 0.7. Larger joins twigs sooner.
     float neighbour;
     // Way on which a lone particle turns most of the way into a new direction, 1e-4 to 1. Default 0.012.
     float turn;
@@ -2604,7 +2604,7 @@ typedef struct tree_flow_params {
     // Least distance between nodes of a trace, 1e-4 to 0.2. Default 0.01.
     float spacing;
     // Error of one step that is tolerated, as a share of `join`, 1e-4 to 1; worse steps are halved.
-    // Default 0.05.
+    // Default 0.03.
     float tolerance;
     // 0.
     uint32_t reserved;

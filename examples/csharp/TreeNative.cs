@@ -3442,7 +3442,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// How thick branches are: a rule of the kind `TREE_RADII_PIPE`. Without a `trunk_radius` that seen in
         /// the pictures is taken, and where they show no bare trunk, `slenderness`. NULL for the default: an
-        /// exponent of 2.2.
+        /// exponent of 2.49.
         /// </summary>
         public tree_radius_rule* radii;
         /// <summary>
@@ -3552,11 +3552,11 @@ namespace TreeFamily.Native
         /// </summary>
         public float step;
         /// <summary>
-        /// Particles nearer than this join, 1e-5 to 0.2. Default 0.01. Larger gives fewer, longer branches.
+        /// Particles nearer than this join, 1e-5 to 0.2. Default 0.02. Larger gives fewer, longer branches.
         /// </summary>
         public float join;
         /// <summary>
-        /// How far a particle sees its nearest neighbour, 0 to 1. Default 0.06.
+        /// How far a particle sees its nearest neighbour, 0 to 1. Default 0.1.
         /// </summary>
         public float sight;
         /// <summary>
@@ -3570,7 +3570,7 @@ namespace TreeFamily.Native
         /// </summary>
         public float @base;
         /// <summary>
-        /// Pull of the nearest neighbour when it is close, 0 to 10. Default 0.45. Larger joins twigs sooner.
+        /// Pull of the nearest neighbour when it is close, 0 to 10. Default 0.7. Larger joins twigs sooner.
         /// </summary>
         public float neighbour;
         /// <summary>
@@ -3593,7 +3593,7 @@ namespace TreeFamily.Native
         public float spacing;
         /// <summary>
         /// Error of one step that is tolerated, as a share of `join`, 1e-4 to 1; worse steps are halved.
-        /// Default 0.05.
+        /// Default 0.03.
         /// </summary>
         public float tolerance;
         /// <summary>

@@ -69,7 +69,7 @@ static tree_flow_params few(void) {
 static tree_finish_params sparse(tree_leaf_params *leaves) {
     tree_finish_params params;
     OK(tree_finish_params_init(&params, sizeof params));
-    CHECK(params.radii->kind == TREE_RADII_PIPE && fabsf(params.radii->exponent - 2.2f) < 1e-6f);
+    CHECK(params.radii->kind == TREE_RADII_PIPE && fabsf(params.radii->exponent - 2.49f) < 1e-6f);
     CHECK(params.twigs && params.leaves && params.species->n_leaf_kinds == 1);
     OK(tree_finish_params_check(&params));
     params.blade = -1;

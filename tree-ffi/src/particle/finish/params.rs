@@ -25,7 +25,7 @@ pub struct tree_finish_params {
     pub struct_size: usize,
     /// How thick branches are: a rule of the kind `TREE_RADII_PIPE`. Without a `trunk_radius` that seen in
     /// the pictures is taken, and where they show no bare trunk, `slenderness`. NULL for the default: an
-    /// exponent of 2.2.
+    /// exponent of 2.49.
     pub radii: *const tree_radius_rule,
     /// Twigs on the ends of the traces; NULL for none. Default those of an oak.
     pub twigs: *const tree_twig_params,

@@ -18,9 +18,9 @@ pub struct tree_flow_params {
     pub steps: u32,
     /// Way of a particle in one step, 1e-4 to 0.1. Default 0.008. Smaller is smoother and slower.
     pub step: f32,
-    /// Particles nearer than this join, 1e-5 to 0.2. Default 0.01. Larger gives fewer, longer branches.
+    /// Particles nearer than this join, 1e-5 to 0.2. Default 0.02. Larger gives fewer, longer branches.
     pub join: f32,
-    /// How far a particle sees its nearest neighbour, 0 to 1. Default 0.06.
+    /// How far a particle sees its nearest neighbour, 0 to 1. Default 0.1.
     pub sight: f32,
     /// Pull along the pictures' direction fields, 0 to 10. Default 1. The pulls decide the direction only,
     /// so just their proportions matter.
@@ -28,7 +28,7 @@ pub struct tree_flow_params {
     /// Pull towards the base, through the densest way, 0 to 10. Default 0.3. Where no field says anything
     /// it counts in full.
     pub base: f32,
-    /// Pull of the nearest neighbour when it is close, 0 to 10. Default 0.45. Larger joins twigs sooner.
+    /// Pull of the nearest neighbour when it is close, 0 to 10. Default 0.7. Larger joins twigs sooner.
     pub neighbour: f32,
     /// Way on which a lone particle turns most of the way into a new direction, 1e-4 to 1. Default 0.012.
     pub turn: f32,
@@ -41,7 +41,7 @@ pub struct tree_flow_params {
     /// Least distance between nodes of a trace, 1e-4 to 0.2. Default 0.01.
     pub spacing: f32,
     /// Error of one step that is tolerated, as a share of `join`, 1e-4 to 1; worse steps are halved.
-    /// Default 0.05.
+    /// Default 0.03.
     pub tolerance: f32,
     /// 0.
     pub reserved: u32,
