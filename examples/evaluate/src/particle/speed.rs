@@ -57,7 +57,7 @@ fn flow(table: &mut Table, mesh: &Mesh) -> Result<(), Box<dyn Error>> {
             let aim = if first { Aim::AtMost(FLOW_MILLISECONDS) } else { Aim::None };
             let paper = first.then_some(PAPER_MILLISECONDS);
             row("simulation", paper, 1e3 * seconds, "ms", aim);
-            let all = params.join == APART;
+            let all = first && params.join == APART;
             let aim = if all { Aim::AtLeast(f64::from(FLOW_STEPS)) } else { Aim::None };
             row("steps taken", None, f64::from(report.steps), "", aim);
             row("Runge-Kutta parts", None, report.parts as f64, "", Aim::None);
