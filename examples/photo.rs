@@ -101,8 +101,7 @@ impl Request {
 
     fn shot(&self, index: usize, control: &Control) -> Result<Shot, Box<dyn Error>> {
         let path = &self.photos[index];
-        let photo = Photo::open(path, &control.limits)
-            .map_err(|error| format!("{}: {error}", path.display()))?;
+        let photo = Photo::open(path, &control.limits)?;
         let given = |list: &[String]| list.get(index).filter(|text| *text != "-").cloned();
         let matte = matte(&photo, given(&self.trimaps).as_deref(), control)
             .map_err(|error| format!("{}: {error}", path.display()))?;

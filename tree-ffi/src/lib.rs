@@ -43,7 +43,6 @@ pub use io::*;
 pub use look::*;
 pub use memory::*;
 pub use mesh::*;
-#[allow(unused_imports, unreachable_pub, reason = "its functions come next")]
 pub use particle::*;
 pub use path::*;
 pub use photo::*;

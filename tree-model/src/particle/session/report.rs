@@ -7,6 +7,9 @@ use crate::particle::finish::CrownReport;
 use crate::particle::flow::FlowReport;
 use tree_core::Tree;
 
+/// Fewer leaves than this make no crown.
+const FEW_LEAVES: f64 = 100.0;
+
 /// A tree from photographs and how it came about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhotoTree {
@@ -67,6 +70,13 @@ impl PhotoReport {
             ),
             other => other.to_string(),
         }));
+        let asked = self.crown.leaves_asked;
+        if asked > 0.0 && asked < FEW_LEAVES {
+            lines.push(format!(
+                "about {asked:.0} leaves cover the whole crown: they are large for so small a tree; lower \
+                 `finish.leaves.size` or raise `height`"
+            ));
+        }
         if self.flow.steered > 0 {
             lines.push(format!(
                 "{} of {} particles were still on their way after all steps and were steered to the base: \
@@ -81,5 +91,21 @@ impl PhotoReport {
             ));
         }
         lines
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn leaves_too_large_for_the_tree_are_warned_of() {
+        let with = |leaves_asked| {
+            let crown = CrownReport { leaves_asked, ..CrownReport::default() };
+            PhotoReport { crown, ..PhotoReport::default() }.warnings()
+        };
+        assert!(with(4.0)[0].contains("finish.leaves.size"));
+        // A full crown, and a bare tree.
+        assert!(with(5000.0).is_empty() && with(0.0).is_empty());
     }
 }

@@ -385,8 +385,13 @@ impl Session {
         // The bare trunk is dense as well, but nothing sprouts from it.
         let sprouts = |point: Vec3| f32::from(u8::from(point.y >= crown_base));
         let seed = self.seed.stream("particles");
-        let starts = sample_points(density, params.particles, sprouts, seed, control)
-            .or_else(|_| sample_points(density, params.particles, |_| 1.0, seed, control))?;
+        let starts = match sample_points(density, params.particles, sprouts, seed, control) {
+            // Nothing is dense above the trunk: then the trunk is all there is.
+            Err(ModelError::Parameter { .. }) => {
+                sample_points(density, params.particles, |_| 1.0, seed, control)
+            }
+            other => other,
+        }?;
         let forces = Forces::new(&fields, way, params);
         let flow = run(&starts, self.params.height, &forces, params, &control.part(0.5, 0.7))?;
         self.report.flow = flow.report;
