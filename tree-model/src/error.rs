@@ -130,6 +130,26 @@ pub enum ModelError {
         /// What is wrong with it, and what would be right.
         problem: String,
     },
+    /// A drawing cannot become a tree.
+    #[error("sketch: {problem}")]
+    Sketch {
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
+    /// A stroke of a drawing cannot be used.
+    #[error("{stroke}: {problem}")]
+    Stroke {
+        /// Which one: its number in the drawing, and its name where it has one.
+        stroke: String,
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
+    /// A template of trees cannot be used.
+    #[error("template: {problem}")]
+    Template {
+        /// What is wrong with it, where, and what would be right.
+        problem: String,
+    },
     /// There is no preset of this name.
     #[error("no preset named '{name}'; there are {known}")]
     UnknownPreset {

@@ -1,0 +1,89 @@
+//! Branch segments in space, from fork to fork (Neubert 2012, section 4.5).
+
+use glam::Vec3;
+
+/// Which part a segment plays where its parent ends (section 4.5, l).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Label {
+    /// It continues its parent's axis.
+    Apical,
+    /// It is the lateral of this number, from 0.
+    Lateral(u16),
+}
+
+/// Segments in columns, parents first. Segment 0 has no parent and every other one begins where its parent ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branches {
+    pub(super) parents: Vec<u32>,
+    pub(super) labels: Vec<Label>,
+    /// Where each segment's points begin in `points`; one more than there are segments.
+    pub(super) starts: Vec<u32>,
+    pub(super) points: Vec<Vec3>,
+    /// Whether segment 0 is not drawn: it stands below a base from which several stems rise.
+    pub(super) imagined_root: bool,
+}
+
+impl Branches {
+    /// Number of segments, at least 1.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "the root segment is always there")]
+    pub fn len(&self) -> usize {
+        self.parents.len()
+    }
+
+    /// Parent of each segment; [`NO_PARENT`](tree_core::NO_PARENT) for segment 0.
+    #[must_use]
+    pub fn parents(&self) -> &[u32] {
+        &self.parents
+    }
+
+    /// Label of each segment; the root is [`Label::Apical`].
+    #[must_use]
+    pub fn labels(&self) -> &[Label] {
+        &self.labels
+    }
+
+    /// Whether segment 0 is not part of the tree: it stands below a base from which several stems rise, and only says
+    /// that they rise.
+    #[must_use]
+    pub fn has_imagined_root(&self) -> bool {
+        self.imagined_root
+    }
+
+    /// The points of a segment in metres, from its parent's end to its own, at least two; none where there is no such
+    /// segment.
+    #[must_use]
+    pub fn points(&self, segment: usize) -> &[Vec3] {
+        let ends = self.starts.get(segment).zip(self.starts.get(segment + 1));
+        ends.and_then(|(&from, &to)| self.points.get(from as usize..to as usize)).unwrap_or(&[])
+    }
+
+    /// Where a segment begins; the origin where there is no such segment.
+    #[must_use]
+    pub fn start(&self, segment: usize) -> Vec3 {
+        self.points(segment).first().copied().unwrap_or_default()
+    }
+
+    /// Where a segment ends; the origin where there is no such segment.
+    #[must_use]
+    pub fn end(&self, segment: usize) -> Vec3 {
+        self.points(segment).last().copied().unwrap_or_default()
+    }
+
+    /// vᵢ: from a segment's beginning to its end.
+    #[must_use]
+    pub fn vector(&self, segment: usize) -> Vec3 {
+        self.end(segment) - self.start(segment)
+    }
+
+    /// Gravelius order of each segment's axis: one more than its parent's for a lateral.
+    #[must_use]
+    pub fn orders(&self) -> Vec<u32> {
+        let mut orders = vec![0_u32; self.len()];
+        for segment in 1..self.len() {
+            let parent = orders[self.parents[segment] as usize];
+            orders[segment] = parent + u32::from(self.labels[segment] != Label::Apical);
+        }
+        orders
+    }
+}

@@ -1,0 +1,12 @@
+//! A freehand drawing becomes a tree: branches from strokes by a Markov random field (Neubert 2012, chapter 4;
+//! Chen, Neubert, Xu, Deussen & Kang 2008).
+
+mod branches;
+mod omega;
+mod plan;
+mod stroke;
+
+pub use branches::{Branches, Label};
+pub use omega::{Habit, Normal, Omega};
+pub use plan::Plan;
+pub use stroke::{Drawing, Role, Stroke};
