@@ -3,6 +3,7 @@
 
 mod branches;
 mod frame;
+pub mod infer;
 mod omega;
 mod plan;
 mod relation;
