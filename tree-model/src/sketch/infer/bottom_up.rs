@@ -5,12 +5,12 @@
 //! [assignment](super::labels)) for more. Departure: the thesis goes on with the one best solution; here the best few
 //! go on together (a beam), so that what is second best at a fork and first best above it is not lost.
 
+use super::densities::Densities;
 use super::factors::Fork;
 use super::labels::best_assignment;
 use super::posterior::{Graph, State};
 use crate::error::Result;
 use crate::sketch::branches::Label;
-use crate::sketch::omega::Omega;
 use tree_core::Control;
 
 /// Depths are sought at slopes of up to this tangent.
@@ -22,7 +22,7 @@ const REFINEMENTS: usize = 7;
 /// Children up to which all ways to label them are tried.
 const FEW: usize = 3;
 /// Places kept for each child and label.
-const MODES: usize = 2;
+const MODES: usize = 3;
 
 /// A half-placed tree.
 #[derive(Clone)]
@@ -34,13 +34,13 @@ struct Hypothesis {
 
 /// The best trees found, best first, at most `width`.
 pub(super) fn bottom_up(
-    graph: &Graph<'_>,
-    omega: &Omega,
+    graph: &Graph,
+    omega: &Densities,
     start: &State,
     width: usize,
     control: &Control,
 ) -> Result<Vec<State>> {
-    let segments = graph.segments;
+    let segments = graph.segments();
     let orders = vec![0; segments.len()];
     let mut beam = vec![Hypothesis { state: start.clone(), orders, ln: 0.0 }];
     for parent in 0..segments.len() {
@@ -61,8 +61,8 @@ pub(super) fn bottom_up(
 
 /// Placing the children of one fork in one half-placed tree.
 struct Placing<'a> {
-    graph: &'a Graph<'a>,
-    omega: &'a Omega,
+    graph: &'a Graph,
+    omega: &'a Densities,
     parent: usize,
     hypothesis: &'a Hypothesis,
 }
@@ -72,11 +72,11 @@ type Mode = (f64, f64);
 
 impl Placing<'_> {
     fn extend(&self, width: usize, out: &mut Vec<Hypothesis>) {
-        let children = self.graph.segments.children(self.parent);
+        let children = self.graph.segments().children(self.parent);
         let k = children.len();
         let mut labels: Vec<Label> = vec![Label::Apical];
         // Stems of a shrub are laterals, all of them.
-        if self.graph.segments.imagined_root && self.parent == 0 {
+        if self.graph.segments().imagined_root && self.parent == 0 {
             labels =
                 (0..k).map(|place| Label::Lateral(place.min(u16::MAX as usize) as u16)).collect();
         }
@@ -129,7 +129,7 @@ impl Placing<'_> {
     fn modes(&self, fork: &Fork, child: usize, label: Label) -> Vec<Mode> {
         let Self { graph, omega, .. } = self;
         let base = self.hypothesis.state.depths[self.parent];
-        let chord = graph.segments.chord(child);
+        let chord = graph.segments().chord(child);
         let mut depths = self.hypothesis.state.depths.clone();
         let mut value = |depth: f64| {
             depths[child] = depth;
@@ -140,7 +140,7 @@ impl Placing<'_> {
             let depth = self.hypothesis.state.depths[child];
             return vec![(depth, value(depth))];
         }
-        let length = chord.length().max(0.02 * graph.segments.extent);
+        let length = chord.length().max(0.02 * graph.segments().extent);
         let places: Vec<f64> = (0..=2 * PLACES)
             .map(|i| {
                 let share = i as f64 / PLACES as f64 - 1.0;

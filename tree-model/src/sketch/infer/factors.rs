@@ -1,10 +1,11 @@
 //! The factors `f(v_c, v_p, l | Ω)` between a segment and its parent (Eq. 4.16), as logarithms.
 //!
 //! Each is a normal density of length ratio, divergence or roll about what the segment [aims](super::aims) at. Departures: its
-//! tails are heavier (Geman and McClure, 1985), so that a branch no template explains does not wrench its depth; to the factors of the
+//! tails are heavier (redescending; Geman 1985), so that a branch no template explains does not wrench its depth; to the factors of the
 //! thesis come two for strokes: they rather go on as the same axis, and do not bend to and fro in depth.
 
 use super::aims::{Aims, Quantity};
+use super::densities::{Densities, Density, HALF_LN_TAU};
 use super::params::InferParams;
 use super::segments::Segments;
 use crate::sketch::branches::Label;
@@ -16,8 +17,6 @@ use tree_core::Seed;
 
 /// Residuals beyond so many standard deviations hardly count any more.
 const OUTLIER: f64 = 3.0;
-/// ½ ln 2π.
-const HALF_LN_TAU: f64 = 0.918_938_533_204_672_7;
 /// Segments are at least this share of the drawing's size long: a stroke that ends where it began has no direction.
 const SHORTEST: f64 = 1e-4;
 /// How stems that rise from one base diverge from the vertical, and how evenly they spread about it: a shrub's.
@@ -63,8 +62,8 @@ pub(super) fn robust(residual: f64) -> f64 {
 }
 
 /// All that factors need and that does not change while depths and labels are sought.
-pub(super) struct Factors<'a> {
-    pub(super) segments: &'a Segments,
+pub(super) struct Factors {
+    pub(super) segments: Segments,
     pub(super) aims: Aims,
     pub(super) follow: f64,
     bending: f64,
@@ -72,20 +71,20 @@ pub(super) struct Factors<'a> {
     phase: f64,
 }
 
-impl<'a> Factors<'a> {
+impl Factors {
     pub(super) fn new(
-        segments: &'a Segments,
+        segments: Segments,
         template: &Omega,
         params: &InferParams,
         seed: Seed,
     ) -> Self {
         Self {
-            segments,
-            aims: Aims::draw(segments, template, params.spread.into(), seed),
+            aims: Aims::draw(&segments, template, params.spread.into(), seed),
             follow: params.follow.into(),
             bending: params.bending.into(),
             shortest: SHORTEST * segments.extent,
             phase: Aims::phase(seed),
+            segments,
         }
     }
 
@@ -172,7 +171,7 @@ impl<'a> Factors<'a> {
     /// The terms of a child at a fork; returns how many there are.
     pub(super) fn terms(
         &self,
-        omega: &Omega,
+        omega: &Densities,
         fork: &Fork,
         v: DVec3,
         i: usize,
@@ -180,26 +179,41 @@ impl<'a> Factors<'a> {
     ) -> ([Term; 3], usize) {
         let mut list = Terms { rows: [EMPTY; 3], n: 0, order: fork.order };
         if self.is_imagined(fork.parent) {
-            list.put(None, STEMS, angle(fork.along, v), self.aims.of(i, Quantity::Beta, 0));
+            list.put(
+                None,
+                Density::of(STEMS),
+                angle(fork.along, v),
+                self.aims.of(i, Quantity::Beta, 0),
+            );
             if let Label::Lateral(place) = label {
                 let turn = TAU * (self.phase + f64::from(place) / fork.n_laterals as f64);
-                list.put_turn(None, STEM_ROLL, roll(DVec3::Y, DVec3::X, v) - turn, 0.0);
+                list.put_turn(
+                    None,
+                    Density::of(STEM_ROLL),
+                    roll(DVec3::Y, DVec3::X, v) - turn,
+                    0.0,
+                );
             }
             return (list.rows, list.n);
         }
-        let habit = omega.habit(fork.order);
+        let density = |quantity| omega.get(fork.order, quantity);
         let (scale, divergence) = match label {
             Label::Apical => (Quantity::Scale, Quantity::Alpha),
             Label::Lateral(_) => (Quantity::LateralScale, Quantity::Beta),
         };
         let aim = |quantity| self.aims.of(i, quantity, fork.order);
         let length = v.length().max(self.shortest) / fork.along.length().max(self.shortest);
-        list.put(Some(scale), scale.of(&habit), libm::log(length), aim(scale));
-        list.put(Some(divergence), divergence.of(&habit), angle(fork.along, v), aim(divergence));
+        list.put(Some(scale), density(scale), libm::log(length), aim(scale));
+        list.put(Some(divergence), density(divergence), angle(fork.along, v), aim(divergence));
         if let (Label::Lateral(place), Some(side)) = (label, fork.side) {
             let share = f64::from(place) / fork.n_laterals as f64;
             let turn = roll(fork.axis, side, v) - TAU * share;
-            list.put_turn(Some(Quantity::Gamma), habit.gamma, turn, aim(Quantity::Gamma));
+            list.put_turn(
+                Some(Quantity::Gamma),
+                density(Quantity::Gamma),
+                turn,
+                aim(Quantity::Gamma),
+            );
         }
         (list.rows, list.n)
     }
@@ -217,7 +231,7 @@ impl<'a> Factors<'a> {
     /// ln f of a child at a fork.
     pub(super) fn child(
         &self,
-        omega: &Omega,
+        omega: &Densities,
         fork: &Fork,
         v: DVec3,
         i: usize,
@@ -230,7 +244,7 @@ impl<'a> Factors<'a> {
     /// ln f of segment `i`; 0 for the root.
     pub(super) fn segment(
         &self,
-        omega: &Omega,
+        omega: &Densities,
         depths: &[f64],
         labels: &[Label],
         orders: &[u32],
@@ -267,17 +281,16 @@ struct Terms {
 }
 
 impl Terms {
-    fn put(&mut self, quantity: Option<Quantity>, normal: Normal, value: f64, aim: f64) {
-        let (mean, deviation) = (f64::from(normal.mean), f64::from(normal.deviation));
-        let residual = (value - mean) / deviation - aim;
-        let ln = -robust(residual) - libm::log(deviation) - HALF_LN_TAU;
+    fn put(&mut self, quantity: Option<Quantity>, density: Density, value: f64, aim: f64) {
+        let residual = (value - density.mean) * density.narrowness - aim;
+        let ln = density.top - robust(residual);
         self.rows[self.n] = Term { quantity, order: self.order, value, aim, ln };
         self.n += 1;
     }
 
     /// A turn: whole ones make no difference.
-    fn put_turn(&mut self, quantity: Option<Quantity>, normal: Normal, turn: f64, aim: f64) {
-        let aimed = f64::from(normal.mean) + f64::from(normal.deviation) * aim;
-        self.put(quantity, normal, aimed + wrapped(turn - aimed), aim);
+    fn put_turn(&mut self, quantity: Option<Quantity>, density: Density, turn: f64, aim: f64) {
+        let aimed = density.mean + density.deviation * aim;
+        self.put(quantity, density, aimed + wrapped(turn - aimed), aim);
     }
 }

@@ -4,8 +4,8 @@
 //! comes, which can overshoot. The roll γ takes part: with the frames of this module it depends on a few
 //! segments only. Whole branches may swing from front to back.
 
+use super::densities::Densities;
 use super::posterior::{Graph, State, Wiring};
-use crate::sketch::omega::Omega;
 
 /// First step of a search, as a share of the segment's length in the plane.
 const FIRST_STEP: f64 = 0.2;
@@ -16,14 +16,14 @@ const MOST_STEPS: u32 = 40;
 
 /// One search for each depth in turn; returns by how much depths changed altogether.
 pub(super) fn sweep(
-    graph: &Graph<'_>,
-    omega: &Omega,
+    graph: &Graph,
+    omega: &Densities,
     state: &mut State,
     wiring: &Wiring,
     share: f64,
 ) -> f64 {
     let mut change = 0.0;
-    for segment in 1..graph.segments.len() {
+    for segment in 1..graph.segments().len() {
         if !graph.pinned[segment] {
             let before = state.depths[segment];
             search(graph, omega, state, wiring, segment, share);
@@ -35,15 +35,15 @@ pub(super) fn sweep(
 
 /// Raises the posterior along the depth of one segment by steps that double and halve. `share` shortens the first one.
 fn search(
-    graph: &Graph<'_>,
-    omega: &Omega,
+    graph: &Graph,
+    omega: &Densities,
     state: &mut State,
     wiring: &Wiring,
     segment: usize,
     share: f64,
 ) {
     let first =
-        FIRST_STEP * graph.segments.chord(segment).length().max(0.01 * graph.segments.extent);
+        FIRST_STEP * graph.segments().chord(segment).length().max(0.01 * graph.segments().extent);
     let mut best = graph.around(omega, state, wiring, segment);
     let mut step = first * share;
     for _ in 0..MOST_STEPS {
@@ -76,8 +76,8 @@ fn search(
 
 /// Swings each branch to the other side of the plane through its base, where that raises the posterior; returns whether any did.
 /// O(segments · size of their branches).
-pub(super) fn swing(graph: &Graph<'_>, omega: &Omega, state: &mut State, total: &mut f64) -> bool {
-    let segments = graph.segments;
+pub(super) fn swing(graph: &Graph, omega: &Densities, state: &mut State, total: &mut f64) -> bool {
+    let segments = graph.segments();
     let mut any = false;
     for segment in 1..segments.len() {
         let Some(parent) = segments.parent(segment) else { continue };

@@ -17,8 +17,10 @@
 
 mod aims;
 mod bottom_up;
+mod densities;
 mod depth;
 mod factors;
+mod graph;
 mod icm;
 mod labels;
 mod near;
@@ -28,6 +30,7 @@ mod posterior;
 mod run;
 mod segments;
 
+pub use graph::FactorGraph;
 pub use params::InferParams;
 pub use posterior::Posterior;
 pub use run::{FactorRow, Inferred, Pin, Step, TraceRow, infer, infer_with};

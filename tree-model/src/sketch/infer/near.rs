@@ -12,7 +12,7 @@ const VOXELS: f64 = 25.0;
 /// Branches compete up to this many voxels away.
 const REACH: f64 = 8.0;
 /// Each branch end competes with at most so many points of others, the nearest in the drawing.
-const MOST: usize = 32;
+const MOST: usize = 16;
 /// A middle or an end stands for half a segment.
 const HALF: f64 = 0.5;
 /// Exponent of the pipe model by which the thickness of branches is estimated (Murray).

@@ -8,6 +8,7 @@
 //! Departure: the largest posterior itself would be at too small a variance, as aims are met more closely than chance would.
 
 use super::aims::Quantity;
+use super::densities::Densities;
 use super::factors::{robust, weight};
 use super::posterior::{Graph, State};
 use crate::sketch::frame::wrapped;
@@ -46,13 +47,13 @@ impl OmegaPrior {
     }
 
     /// The M-step.
-    pub(super) fn estimate(&self, graph: &Graph<'_>, omega: &Omega, state: &State) -> Omega {
-        let last = omega.orders.len().saturating_sub(1);
-        let mut samples = vec![[const { Vec::<Sample>::new() }; 5]; omega.orders.len()];
+    pub(super) fn estimate(&self, graph: &Graph, omega: &Densities, state: &State) -> Omega {
+        let last = omega.omega.orders.len().saturating_sub(1);
+        let mut samples = vec![[const { Vec::<Sample>::new() }; 5]; omega.omega.orders.len()];
         graph.terms(omega, state, |quantity, order, value, aim| {
             samples[(order as usize).min(last)][quantity as usize].push((value, aim));
         });
-        let mut next = omega.clone();
+        let mut next = omega.omega.clone();
         let habits = next.orders.iter_mut().zip(&self.template.orders).zip(&samples);
         for ((habit, usual), samples) in habits {
             for quantity in Quantity::ALL {

@@ -1,12 +1,12 @@
 //! The posterior p(Z, L | X, Y, Ω) as one number (Eq. 4.17 with Eq. 4.22), and what of it changes with one depth.
 
 use super::aims::Quantity;
+use super::densities::Densities;
 use super::factors::Factors;
 use super::near::Near;
 use super::omega_step::OmegaPrior;
 use super::segments::Segments;
 use crate::sketch::branches::Label;
-use crate::sketch::omega::Omega;
 
 /// Depths and labels: what is inferred.
 #[derive(Clone, Debug)]
@@ -38,14 +38,15 @@ impl Posterior {
 }
 
 /// Everything that stays while depths and labels change.
-pub(super) struct Graph<'a> {
-    pub(super) segments: &'a Segments,
-    pub(super) factors: Factors<'a>,
+pub(super) struct Graph {
+    pub(super) factors: Factors,
     pub(super) near: Near,
     pub(super) prior: OmegaPrior,
     /// Pairs and crossings that change with each segment's depth.
     pairs: Rows,
     crossings: Rows,
+    /// Where inference begins.
+    pub(super) start: State,
     /// Depths that stay as they are.
     pub(super) pinned: Vec<bool>,
 }
@@ -82,14 +83,15 @@ pub(super) struct Wiring {
     factors: Rows,
 }
 
-impl<'a> Graph<'a> {
+impl Graph {
     pub(super) fn new(
-        factors: Factors<'a>,
+        factors: Factors,
         near: Near,
         prior: OmegaPrior,
+        start: State,
         pinned: Vec<bool>,
     ) -> Self {
-        let segments = factors.segments;
+        let segments = &factors.segments;
         let n = segments.len();
         let mut pairs = Vec::with_capacity(3 * near.pairs.len());
         for (item, pair) in near.pairs.iter().enumerate() {
@@ -106,15 +108,12 @@ impl<'a> Graph<'a> {
                 );
             }
         }
-        Self {
-            segments,
-            factors,
-            near,
-            prior,
-            pinned,
-            pairs: Rows::of(n, pairs),
-            crossings: Rows::of(n, crossings),
-        }
+        let (pairs, crossings) = (Rows::of(n, pairs), Rows::of(n, crossings));
+        Self { factors, near, prior, pairs, crossings, start, pinned }
+    }
+
+    pub(super) fn segments(&self) -> &Segments {
+        &self.factors.segments
     }
 
     pub(super) fn wiring(&self, labels: &[Label]) -> Wiring {
@@ -128,7 +127,7 @@ impl<'a> Graph<'a> {
     /// The part of the posterior that changes with the depth of `segment`.
     pub(super) fn around(
         &self,
-        omega: &Omega,
+        omega: &Densities,
         state: &State,
         wiring: &Wiring,
         segment: usize,
@@ -142,7 +141,7 @@ impl<'a> Graph<'a> {
 
     /// Competition and crossings that change with the depth of `segment`.
     pub(super) fn shared(&self, depths: &[f64], segment: usize) -> f64 {
-        let Self { segments, near, .. } = self;
+        let (segments, near) = (self.segments(), &self.near);
         let pairs = self
             .pairs
             .get(segment)
@@ -153,21 +152,21 @@ impl<'a> Graph<'a> {
 
     /// Crossings that change with the depth of `segment`.
     pub(super) fn crossed(&self, depths: &[f64], segment: usize) -> f64 {
-        let Self { segments, near, .. } = self;
+        let (segments, near) = (self.segments(), &self.near);
         let rows = self.crossings.get(segment).iter();
         rows.map(|&i| near.crossing(segments, depths, &near.crossings[i as usize])).sum()
     }
 
     /// Crossings of `segment` with segments before it.
     pub(super) fn crossed_before(&self, depths: &[f64], segment: usize) -> f64 {
-        let Self { segments, near, .. } = self;
+        let (segments, near) = (self.segments(), &self.near);
         let rows = self.crossings.get(segment).iter().map(|&i| &near.crossings[i as usize]);
         rows.filter(|c| c.b.0 as usize == segment).map(|c| near.crossing(segments, depths, c)).sum()
     }
 
     /// The whole posterior.
-    pub(super) fn posterior(&self, omega: &Omega, state: &State) -> Posterior {
-        let Self { segments, near, .. } = self;
+    pub(super) fn posterior(&self, omega: &Densities, state: &State) -> Posterior {
+        let (segments, near) = (self.segments(), &self.near);
         let State { depths, labels } = state;
         let orders = self.factors.orders(labels);
         let factor = |i| self.factors.segment(omega, depths, labels, &orders, i);
@@ -175,25 +174,25 @@ impl<'a> Graph<'a> {
             branches: (0..segments.len()).map(factor).sum(),
             competition: near.pairs.iter().map(|pair| near.pair(segments, depths, pair)).sum(),
             crossings: near.crossings.iter().map(|c| near.crossing(segments, depths, c)).sum(),
-            omega: self.prior.ln(omega),
+            omega: self.prior.ln(&omega.omega),
         }
     }
 
-    pub(super) fn total(&self, omega: &Omega, state: &State) -> f64 {
+    pub(super) fn total(&self, omega: &Densities, state: &State) -> f64 {
         self.posterior(omega, state).total()
     }
 
     /// Every term of Ω in the factors, with the values they see.
     pub(super) fn terms(
         &self,
-        omega: &Omega,
+        omega: &Densities,
         state: &State,
         mut with: impl FnMut(Quantity, u32, f64, f64),
     ) {
         let State { depths, labels } = state;
         let orders = self.factors.orders(labels);
-        for i in 1..self.segments.len() {
-            let Some(parent) = self.segments.parent(i) else { continue };
+        for i in 1..self.segments().len() {
+            let Some(parent) = self.segments().parent(i) else { continue };
             let fork = self.factors.fork(depths, labels, orders[parent], parent);
             let v = self.factors.vector(depths, i);
             let (terms, n) = self.factors.terms(omega, &fork, v, i, labels[i]);

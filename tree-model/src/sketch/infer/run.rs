@@ -1,19 +1,18 @@
 //! The whole of inference.
 
 use super::bottom_up::bottom_up;
-use super::depth::{in_space, unknown};
-use super::factors::Factors;
+use super::densities::Densities;
+use super::depth::in_space;
+use super::graph::build;
 use super::icm::{sweep, swing};
-use super::near::{Crossing, Near, crossings, radii};
-use super::omega_step::OmegaPrior;
+use super::near::Crossing;
 use super::params::InferParams;
 use super::posterior::{Graph, Posterior, State};
-use super::segments::Segments;
-use crate::error::{ModelError, Result};
+use crate::error::Result;
 use crate::sketch::branches::{Branches, Label};
 use crate::sketch::omega::Omega;
 use crate::sketch::plan::Plan;
-use tree_core::{Control, Resource, Seed};
+use tree_core::{Control, Seed};
 
 /// The beam is so wide that it times the segments stays below this.
 const BEAM_BUDGET: usize = 1200;
@@ -122,26 +121,13 @@ pub fn infer_with(
     seed: Seed,
     control: &Control,
 ) -> Result<Inferred> {
-    params.validate()?;
-    template.validate()?;
-    control.limits.check(Resource::Nodes, plan.len() as u64)?;
-    let segments = Segments::of(plan);
-    let crossings = if params.clearance > 0.0 {
-        let radii = radii(&segments, params.slenderness.into());
-        crossings(&segments, plan.positions(), &radii, params.clearance.into())
-    } else {
-        Vec::new()
-    };
-    let (start, pinned) = pinned(&segments, pins)?;
-    let near = Near::new(&segments, crossings, params.competition.into());
-    let prior = OmegaPrior::new(template, params.template_weight.into());
-    let factors = Factors::new(&segments, template, params, seed);
-    let graph = Graph::new(factors, near, prior, pinned);
+    let graph = build(plan, template, pins, params, seed, control)?;
+    let start = graph.start.clone();
     let mut run = Run {
         graph: &graph,
         params,
         control,
-        omega: template.clone(),
+        omega: Densities::of(template.clone()),
         state: start,
         total: f64::NEG_INFINITY,
         trace: Vec::new(),
@@ -150,38 +136,12 @@ pub fn infer_with(
     Ok(run.finish(plan))
 }
 
-/// Where depths begin, and which stay.
-fn pinned(segments: &Segments, pins: &[Pin]) -> Result<(State, Vec<bool>)> {
-    let mut state = unknown(segments);
-    let mut pinned = vec![false; segments.len()];
-    let mut ends: Vec<(u32, usize)> = (1..segments.len())
-        .filter_map(|i| segments.nodes(i).last().map(|&node| (node, i)))
-        .collect();
-    ends.sort_unstable();
-    for (row, pin) in pins.iter().enumerate() {
-        if !pin.depth.is_finite() {
-            return Err(ModelError::Sketch {
-                problem: format!("pins[{row}]: the depth {} is not finite", pin.depth),
-            });
-        }
-        let Ok(found) = ends.binary_search_by_key(&pin.node, |&(node, _)| node) else {
-            let problem =
-                format!("pins[{row}]: node {} is no fork or tip above the root segment", pin.node);
-            return Err(ModelError::Sketch { problem });
-        };
-        let segment = ends[found].1;
-        state.depths[segment] = pin.depth.into();
-        pinned[segment] = true;
-    }
-    Ok((state, pinned))
-}
-
 /// A run of inference.
 struct Run<'a> {
-    graph: &'a Graph<'a>,
+    graph: &'a Graph,
     params: &'a InferParams,
     control: &'a Control,
-    omega: Omega,
+    omega: Densities,
     state: State,
     total: f64,
     trace: Vec<TraceRow>,
@@ -189,7 +149,7 @@ struct Run<'a> {
 
 impl Run<'_> {
     fn all(&mut self) -> Result<()> {
-        let n = self.graph.segments.len();
+        let n = self.graph.segments().len();
         let width = (BEAM_BUDGET / n)
             .clamp(2, self.params.beam.max(2) as usize)
             .min(self.params.beam as usize);
@@ -242,7 +202,7 @@ impl Run<'_> {
         let mut state = self.state.clone();
         self.icm(&mut state, if round == 0 { 1.0 } else { 0.25 })?;
         self.accept(state, Step::Icm);
-        let n = self.graph.segments.len();
+        let n = self.graph.segments().len();
         if n * n <= SWING_BUDGET && round < 2 {
             let mut state = self.state.clone();
             let mut total = self.total;
@@ -263,7 +223,7 @@ impl Run<'_> {
         for _ in 0..self.params.sweeps {
             self.control.check()?;
             let change = sweep(self.graph, &self.omega, state, &wiring, share);
-            if change <= f64::from(self.params.settled) * self.graph.segments.extent {
+            if change <= f64::from(self.params.settled) * self.graph.segments().extent {
                 break;
             }
             share = (share * 0.6).max(0.02);
@@ -274,7 +234,7 @@ impl Run<'_> {
     /// Moves branches that cross without room apart along the z-axis: the higher one swings or moves to either
     /// side, whichever the posterior likes best.
     fn separate(&mut self) -> Result<()> {
-        let segments = self.graph.segments;
+        let segments = self.graph.segments();
         for _ in 0..SEPARATIONS {
             let mut any = false;
             for crossing in &self.graph.near.crossings {
@@ -294,7 +254,7 @@ impl Run<'_> {
 
     /// Gives one crossing room; returns whether that raised the posterior.
     fn part(&mut self, crossing: &Crossing) -> bool {
-        let segments = self.graph.segments;
+        let segments = self.graph.segments();
         let before = self.total;
         for segment in [crossing.b.0 as usize, crossing.a.0 as usize] {
             for side in [1.2, -1.2, 2.4, -2.4] {
@@ -317,7 +277,7 @@ impl Run<'_> {
     }
 
     fn estimate(&mut self) {
-        let next = self.graph.prior.estimate(self.graph, &self.omega, &self.state);
+        let next = Densities::of(self.graph.prior.estimate(self.graph, &self.omega, &self.state));
         let total = self.graph.total(&next, &self.state);
         if total >= self.total {
             (self.omega, self.total) = (next, total);
@@ -341,7 +301,7 @@ impl Run<'_> {
 
     fn finish(self, plan: &Plan) -> Inferred {
         let Self { graph, omega, mut state, trace, .. } = self;
-        let segments = graph.segments;
+        let segments = graph.segments();
         // A sketch of one stroke has labels nobody asked for.
         for label in &mut state.labels {
             if *label == Label::Lateral(u16::MAX) {
@@ -358,22 +318,22 @@ impl Run<'_> {
                 .collect(),
             posterior: graph.posterior(&omega, &state),
             factors: factor_rows(graph, &omega, &state),
-            omega,
+            omega: omega.omega,
             trace,
             interpenetrations,
         }
     }
 }
 
-fn factor_rows(graph: &Graph<'_>, omega: &Omega, state: &State) -> Vec<FactorRow> {
+fn factor_rows(graph: &Graph, omega: &Densities, state: &State) -> Vec<FactorRow> {
     let factors = &graph.factors;
     let orders = factors.orders(&state.labels);
     let row = |i: usize| {
-        let parent = graph.segments.parent(i)?;
+        let parent = graph.segments().parent(i)?;
         let fork = factors.fork(&state.depths, &state.labels, orders[parent], parent);
         let v = factors.vector(&state.depths, i);
         let (terms, n) = factors.terms(omega, &fork, v, i, state.labels[i]);
-        let imagined = graph.segments.imagined_root && parent == 0;
+        let imagined = graph.segments().imagined_root && parent == 0;
         let ln = |place: usize| terms[..n].get(place).map_or(0.0, |term| term.ln);
         // Stems have no length ratio.
         let (scale, divergence, roll) =
@@ -387,5 +347,5 @@ fn factor_rows(graph: &Graph<'_>, omega: &Omega, state: &State) -> Vec<FactorRow
             shared: graph.shared(&state.depths, i),
         })
     };
-    (0..graph.segments.len()).filter_map(row).collect()
+    (0..graph.segments().len()).filter_map(row).collect()
 }
