@@ -4,6 +4,7 @@
 mod branches;
 mod omega;
 mod plan;
+pub mod read;
 mod stroke;
 
 pub use branches::{Branches, Label};
