@@ -2,12 +2,16 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
+mod footprint;
+mod midline;
 mod omega;
 mod plan;
 pub mod read;
 mod stroke;
 
 pub use branches::{Branches, Label};
+pub use footprint::{DIRECTIONS, Footprint, convex_hull};
+pub use midline::{FillRule, Midline, MidlineParams, midlines, midlines_of};
 pub use omega::{Habit, Normal, Omega};
 pub use plan::Plan;
 pub use stroke::{Drawing, Role, Stroke};
