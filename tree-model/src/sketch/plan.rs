@@ -84,6 +84,15 @@ impl Plan {
         &self.strokes
     }
 
+    /// The same plan, `factor` times as large in metres.
+    ///
+    /// # Errors
+    /// [`ModelError::Sketch`] where that is not above 0, or a coordinate grows beyond what an f32 holds.
+    pub fn scaled(self, factor: f32) -> Result<Self> {
+        let positions = self.positions.iter().map(|&position| position * factor).collect();
+        Self::from_columns(positions, self.parents, self.strokes, self.base, self.scale * factor)
+    }
+
     /// A point of the plan, in the drawing's units.
     #[must_use]
     pub fn to_drawing(&self, point: Vec2) -> Vec2 {

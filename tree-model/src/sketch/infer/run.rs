@@ -78,8 +78,8 @@ pub struct FactorRow {
 pub struct Inferred {
     /// The segments, with labels and points. Seen along −Z their points are those of the plan.
     pub branches: Branches,
-    /// For each segment the plan's node at its end.
-    pub end_nodes: Vec<u32>,
+    /// A name for each segment that stays when other branches are drawn or erased: streams of randomness go by it.
+    pub names: Vec<u64>,
     /// Ω of the sketch: the template's, or estimated.
     pub omega: Omega,
     /// The posterior.
@@ -90,6 +90,23 @@ pub struct Inferred {
     pub factors: Vec<FactorRow>,
     /// Crossings in the drawing of branches that could not be given room.
     pub interpenetrations: u32,
+    nodes: Vec<u32>,
+}
+
+impl Inferred {
+    /// The plan's nodes that the points of a segment are; for an imagined root the base alone, and none where there is no
+    /// such segment.
+    #[must_use]
+    pub fn nodes(&self, segment: usize) -> &[u32] {
+        // Rows are as those of the points, which an imagined root has one more of.
+        let skip = usize::from(self.branches.imagined_root);
+        let ends = self.branches.starts.get(segment).zip(self.branches.starts.get(segment + 1));
+        let row = ends.map(|(&from, &to)| {
+            let from = if segment == 0 { 0 } else { from as usize - skip };
+            from..to as usize - skip
+        });
+        row.and_then(|row| self.nodes.get(row)).unwrap_or(&[])
+    }
 }
 
 /// Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's.
@@ -313,9 +330,8 @@ impl Run<'_> {
         let interpenetrations = overlaps.count() as u32;
         Inferred {
             branches: in_space(plan, segments, &state, &graph.near.crossings),
-            end_nodes: (0..segments.len())
-                .map(|i| segments.nodes(i).last().copied().unwrap_or(0))
-                .collect(),
+            names: segments.keys.iter().map(|&[stroke, place]| (stroke << 32) ^ place).collect(),
+            nodes: segments.all_nodes().to_vec(),
             posterior: graph.posterior(&omega, &state),
             factors: factor_rows(graph, &omega, &state),
             omega: omega.omega,

@@ -117,6 +117,11 @@ impl Segments {
         &self.nodes[self.node_starts[segment] as usize..self.node_starts[segment + 1] as usize]
     }
 
+    /// The rows of [`nodes`](Self::nodes), one after the other.
+    pub(in crate::sketch) fn all_nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+
     pub(in crate::sketch) fn start(&self, segment: usize) -> DVec2 {
         self.parent(segment).map_or(self.base, |parent| self.ends[parent])
     }
