@@ -2,8 +2,10 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
+pub mod finish;
 mod omega;
 mod plan;
+pub mod propagate;
 mod stroke;
 
 pub use branches::{Branches, Label};
