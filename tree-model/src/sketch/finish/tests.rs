@@ -1,0 +1,1 @@
+//! The finish, told by what it does.
