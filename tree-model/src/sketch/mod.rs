@@ -5,6 +5,7 @@ mod branches;
 mod omega;
 mod plan;
 mod stroke;
+pub mod template;
 
 pub use branches::{Branches, Label};
 pub use omega::{Habit, Normal, Omega};

@@ -1,0 +1,5 @@
+//! Templates (draft).
+
+mod exemplars;
+
+pub use exemplars::{EXEMPLARS, Exemplar};
