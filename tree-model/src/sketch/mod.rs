@@ -2,12 +2,15 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
+mod frame;
 mod omega;
 mod plan;
+mod relation;
 mod stroke;
 pub mod template;
 
 pub use branches::{Branches, Label};
 pub use omega::{Habit, Normal, Omega};
 pub use plan::Plan;
+pub use relation::Relation;
 pub use stroke::{Drawing, Role, Stroke};

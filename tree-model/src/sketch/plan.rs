@@ -43,7 +43,7 @@ impl Plan {
         if let Some(node) = positions.iter().position(|p| !p.is_finite()) {
             return fail(format!("positions[{node}] is not finite"));
         }
-        if !base.is_finite() || !(scale > 0.0 && scale.is_finite()) {
+        if !(base.is_finite() && scale > 0.0 && scale.is_finite()) {
             return fail(format!(
                 "base {base} and scale {scale} must be finite, the scale above 0"
             ));
