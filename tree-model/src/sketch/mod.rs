@@ -2,6 +2,7 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
+pub mod footprint;
 mod frame;
 mod omega;
 mod plan;
@@ -10,6 +11,7 @@ mod stroke;
 pub mod template;
 
 pub use branches::{Branches, Label};
+pub use footprint::Footprint;
 pub use omega::{Habit, Normal, Omega};
 pub use plan::Plan;
 pub use relation::Relation;
