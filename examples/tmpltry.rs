@@ -2,10 +2,12 @@ use std::error::Error;
 use tree_core::{Control, Seed};
 use tree_model::sketch::template::*;
 fn main() -> Result<(), Box<dyn Error>> {
+    if std::env::args().any(|a| a == "dump") { return dump(); }
     let control = Control::default();
     let args: Vec<String> = std::env::args().skip(1).collect();
     let get = |n: &str, d: f32| args.iter().position(|a| a == n).map_or(d, |i| args[i + 1].parse().unwrap());
     let tp = TemplateParams { views: get("--views", 8.0) as u32, ..Default::default() };
+    let tp = TemplateParams { main: MainBranches { gather: get("--gather", 0.015), most: get("--maxs", 40.0) as u32, least: get("--least", 0.3), least_second: get("--least2", 0.3), ..Default::default() }, ..tp };
     let sp = SelectParams { crown: get("--crown", 20.0), branches: get("--branches", 20.0), shape: get("--shape", 1.0), hand: get("--hand", 0.1), most: get("--most", 4.0) };
     let verbose = args.iter().any(|a| a == "-v");
     let mut templates = Vec::new();
@@ -49,5 +51,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         println!("seeds {seeds:?} crown {with_crown}: first {:.1} % third {:.1} % of {n}, margin {margin:.2}", 100.0 * first as f32 / n as f32, 100.0 * third as f32 / n as f32);
     }}
+    Ok(())
+}
+#[allow(dead_code)]
+pub fn dump() -> Result<(), Box<dyn Error>> {
+    let control = Control::default();
+    let tp = TemplateParams::default();
+    let mut out = String::new();
+    for e in EXEMPLARS {
+        let tree = e.tree(Seed(1), &control)?;
+        let b = main_branches(tree.skeleton(), &tp.main)?;
+        let d = project(&b, 0.3, &[]);
+        out += &format!("# {}\n", e.name());
+        for s in &d.strokes { for p in &s.points { out += &format!("{} {} ", p.x, p.y); } out += "\n"; }
+    }
+    std::fs::write("/tmp/sketches.txt", out)?;
     Ok(())
 }

@@ -21,13 +21,13 @@ const IMAGINED_ROOT: f32 = 0.05;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct MainBranches {
-    /// Least length of axes of order 1 as a share of the tree's extent, 0 to 1. Default 0.05.
+    /// Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
     pub least: f32,
-    /// Least length of axes of order 2 as a share of the tree's extent, 0 to 1. Default 0.1.
+    /// Least length of axes of order 2 as a share of their parent's, 0 to 1. Default 0.35.
     pub least_second: f32,
-    /// Most axes, 1 to 1000. Default 40.
+    /// Most axes, 1 to 1000. Default 36.
     pub most: u32,
-    /// Forks closer than this on an axis, as a share of the tree's extent, are taken for one, 0 to 0.5. Default 0.015.
+    /// Forks closer than this on an axis, as a share of the tree's extent, are taken for one, 0 to 0.5. Default 0.025.
     pub gather: f32,
     /// What continues an axis at a fork. Default the thickest child.
     pub continuation: Continuation,
@@ -36,10 +36,10 @@ pub struct MainBranches {
 impl Default for MainBranches {
     fn default() -> Self {
         Self {
-            least: 0.05,
-            least_second: 0.1,
-            most: 40,
-            gather: 0.015,
+            least: 0.3,
+            least_second: 0.35,
+            most: 36,
+            gather: 0.025,
             continuation: Continuation::Thickest,
         }
     }
@@ -70,7 +70,7 @@ pub fn main_branches(skeleton: &Skeleton, params: &MainBranches) -> Result<Branc
         return Err(ModelError::Template { problem });
     }
     let axes = skeleton.axes(params.continuation);
-    let kept = kept(skeleton, &axes, extent, params);
+    let kept = kept(skeleton, &axes, params);
     let joints = Joints::find(skeleton, &axes, &kept, params.gather * extent);
     let kept: Vec<Axis<'_>> = kept.iter().filter_map(|&axis| axes.get(axis)).collect();
     let mut draft = Draft::new(skeleton.len());
@@ -86,20 +86,26 @@ pub fn main_branches(skeleton: &Skeleton, params: &MainBranches) -> Result<Branc
 }
 
 /// The axes kept, in their order, parents first.
-fn kept(skeleton: &Skeleton, axes: &Axes, extent: f32, params: &MainBranches) -> Vec<u32> {
+fn kept(skeleton: &Skeleton, axes: &Axes, params: &MainBranches) -> Vec<u32> {
+    let lengths: Vec<f32> = axes.iter().map(|axis| length(skeleton, axis)).collect();
+    let of_order = |order| axes.iter().filter(move |axis| axis.order == order);
+    let longest = of_order(1).map(|axis| lengths[axis.index as usize]).fold(0.0, f32::max);
     let mut is_kept = vec![false; axes.len()];
     is_kept[0] = true;
     let mut left = params.most - 1;
-    for (order, least) in [(1, params.least), (2, params.least_second)] {
-        let mut long: Vec<(f32, u32)> = axes
-            .iter()
-            .filter(|axis| axis.order == order)
-            .filter(|&axis| parent_axis(skeleton, axes, axis).is_some_and(|p| is_kept[p as usize]))
-            .map(|axis| (length(skeleton, axis), axis.index))
-            .filter(|&(length, _)| length >= least * extent && length > 0.0)
-            .collect();
-        long.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        for &(_, axis) in long.iter().take(left as usize) {
+    for order in [1, 2] {
+        let is_long = |&axis: &Axis<'_>| {
+            let Some(parent) = parent_axis(skeleton, axes, axis) else { return false };
+            let least = match order {
+                1 => params.least * longest,
+                _ => params.least_second * lengths[parent as usize],
+            };
+            let length = lengths[axis.index as usize];
+            is_kept[parent as usize] && length >= least && length > 0.0
+        };
+        let mut long: Vec<u32> = of_order(order).filter(is_long).map(|axis| axis.index).collect();
+        long.sort_by(|&a, &b| lengths[b as usize].total_cmp(&lengths[a as usize]).then(a.cmp(&b)));
+        for axis in long.into_iter().take(left as usize) {
             is_kept[axis as usize] = true;
             left -= 1;
         }
