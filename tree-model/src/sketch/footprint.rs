@@ -53,13 +53,6 @@ impl Footprint {
         let squares = self.0.iter().zip(&other.0).map(|(f, g)| (f - g) * (f - g));
         (squares.sum::<f32>() / DIRECTIONS as f32).sqrt()
     }
-
-    /// The footprint of the mirror image, left and right exchanged.
-    #[must_use]
-    pub fn mirrored(&self) -> Self {
-        let turned = |k: usize| self.0[(DIRECTIONS / 2 + DIRECTIONS - k) % DIRECTIONS];
-        Self((0..DIRECTIONS).map(turned).collect())
-    }
 }
 
 impl TryFrom<Vec<f32>> for Footprint {

@@ -2,16 +2,19 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
-pub mod footprint;
+mod footprint;
 mod frame;
+mod midline;
 mod omega;
 mod plan;
+pub mod read;
 mod relation;
 mod stroke;
 pub mod template;
 
 pub use branches::{Branches, Label};
-pub use footprint::Footprint;
+pub use footprint::{DIRECTIONS, Footprint, convex_hull};
+pub use midline::{FillRule, Midline, MidlineParams, midlines, midlines_of};
 pub use omega::{Habit, Normal, Omega};
 pub use plan::Plan;
 pub use relation::Relation;

@@ -127,7 +127,14 @@ fn compare(
 
 /// Root mean square distance of two footprints, the second mirrored or not.
 fn distance(drawn: &Footprint, of: &Footprint, mirrored: bool) -> f32 {
-    if mirrored { drawn.distance(&of.mirrored()) } else { drawn.distance(of) }
+    if !mirrored {
+        return drawn.distance(of);
+    }
+    let (f, g) = (drawn.distances(), of.distances());
+    let n = f.len();
+    // Direction k is k turns of 2π/n from +x; its mirror image is as far from −x the other way.
+    let squares = (0..n).map(|k| (f[k] - g[(n / 2 + n - k) % n]) * (f[k] - g[(n / 2 + n - k) % n]));
+    (squares.sum::<f32>() / n as f32).sqrt()
 }
 
 /// L_b.
