@@ -7,7 +7,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let get = |n: &str, d: f32| args.iter().position(|a| a == n).map_or(d, |i| args[i + 1].parse().unwrap());
     let tp = TemplateParams { views: get("--views", 8.0) as u32, ..Default::default() };
-    let tp = TemplateParams { main: MainBranches { gather: get("--gather", 0.015), most: get("--maxs", 40.0) as u32, least: get("--least", 0.3), least_second: get("--least2", 0.3), ..Default::default() }, ..tp };
+    let tp = TemplateParams { main: MainBranches { gather: get("--gather", 0.025), ..Default::default() }, ..tp };
     let sp = SelectParams { crown: get("--crown", 20.0), branches: get("--branches", 20.0), shape: get("--shape", 1.0), hand: get("--hand", 0.1), most: get("--most", 4.0) };
     let verbose = args.iter().any(|a| a == "-v");
     let mut templates = Vec::new();
@@ -28,29 +28,49 @@ fn main() -> Result<(), Box<dyn Error>> {
     let again = parse(&to_text(&templates))?;
     assert_eq!(to_text(&again), to_text(&templates));
     let templates = again;
-    for seeds in [vec![1u64], vec![2, 3]] {
-    for with_crown in [true, false] {
-        let (mut first, mut third, mut n) = (0, 0, 0);
-        let mut margin: f32 = 1e9;
+    // (name, seeds, most strokes, drawn with crown)
+    let grids: Vec<[f32; 5]> = if args.iter().any(|a| a == "grid") {
+        let mut g = vec![];
+        for c in [10.0, 20.0, 40.0] { for b in [10.0, 20.0, 40.0] { for m in [1.0, 2.0, 4.0] { for h in [0.1, 0.3] { g.push([c, b, 1.0, h, m]); }}}}
+        g
+    } else { vec![[sp.crown, sp.branches, sp.shape, sp.hand, sp.most]] };
+    let mut cases = vec![];
+    for (name, seeds, most) in [("same", vec![1u64], 36), ("same12", vec![1], 12), ("other", vec![2, 3], 36), ("other12", vec![2, 3], 12), ("other7", vec![2, 3], 7)] {
+        let mut list = vec![];
         for (k, e) in EXEMPLARS.iter().enumerate() {
-            let mut line = String::new();
             for &seed in &seeds {
-            let fresh; let tree = if seed == 1 { &trees[k] } else { fresh = e.tree(Seed(seed), &control)?; &fresh };
-            let b = main_branches(tree.skeleton(), &tp.main)?;
-            for v in 0..8 {
-                let yaw = std::f32::consts::TAU * (v as f32 + 0.37) / 8.0;
-                let crown = if with_crown { let c = crown_points(tree, yaw); if c.is_empty() { vec![] } else { c } } else { vec![] };
-                let drawn = DrawnShape::of_branches(&b, yaw, &crown);
-                let c = select(&drawn, &templates, &sp)?;
-                let rank = c.iter().position(|c| c.template == k).unwrap();
-                n += 1; first += usize::from(rank == 0); third += usize::from(rank < 3);
-                if rank == 0 { margin = margin.min(c[0].score - c[1].score); }
-                if rank > 0 { line += &format!(" {}:{}(#{})", v, templates[c[0].template].name, rank + 1); }
-            }}
-            if !line.is_empty() && (verbose || seeds.len() == 1) { println!("   {:14}{}", e.name(), line); }
+                let fresh; let tree = if seed == 1 { &trees[k] } else { fresh = e.tree(Seed(seed), &control)?; &fresh };
+                let b = main_branches(tree.skeleton(), &MainBranches { most, ..tp.main.clone() })?;
+                for v in 0..8 {
+                    let yaw = std::f32::consts::TAU * (v as f32 + 0.37) / 8.0;
+                    for with in [true, false] {
+                        let crown = if with { crown_points(tree, yaw) } else { vec![] };
+                        list.push((k, v, with, DrawnShape::of_branches(&b, yaw, &crown)));
+                    }
+                }
+            }
         }
-        println!("seeds {seeds:?} crown {with_crown}: first {:.1} % third {:.1} % of {n}, margin {margin:.2}", 100.0 * first as f32 / n as f32, 100.0 * third as f32 / n as f32);
-    }}
+        cases.push((name, list));
+    }
+    for g in grids {
+        let sp = SelectParams { crown: g[0], branches: g[1], shape: g[2], hand: g[3], most: g[4] };
+        let mut line = format!("{g:?}");
+        for (name, list) in &cases {
+            let mut c = [[0.0f32; 3]; 2];
+            let mut margin = 1e9f32;
+            let mut wrong = String::new();
+            for (k, v, with, d) in list {
+                let r = select(d, &templates, &sp)?;
+                let rank = r.iter().position(|c| c.template == *k).unwrap();
+                let c = &mut c[usize::from(!with)];
+                c[0] += 1.0; c[1] += f32::from(rank == 0); c[2] += f32::from(rank < 3);
+                if rank == 0 { margin = margin.min(r[0].score - r[1].score); } else { wrong += &format!(" {}{}>{}", EXEMPLARS[*k].name(), if *with { "+" } else { "-" }, templates[r[0].template].name); let _ = v; }
+            }
+            line += &format!(" | {name} {:.0}/{:.0} {:.0}/{:.0} m{margin:.2}", 100.0 * c[0][1] / c[0][0], 100.0 * c[0][2] / c[0][0], 100.0 * c[1][1] / c[1][0], 100.0 * c[1][2] / c[1][0]);
+            if verbose { println!("{name}: {wrong}"); }
+        }
+        println!("{line}");
+    }
     Ok(())
 }
 #[allow(dead_code)]

@@ -18,7 +18,7 @@ mod select;
 mod shape;
 mod text;
 
-pub use exemplars::{EXEMPLARS, Exemplar};
+pub use exemplars::{EXEMPLARS, Exemplar, SEED};
 pub use main_branches::{MainBranches, main_branches};
 pub use measure::{DrawnShape, TemplateParams, crown_points};
 pub use project::{project, seen_from};

@@ -23,13 +23,13 @@ use std::f32::consts::PI;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct SelectParams {
-    /// Weight of the crown's footprint, 0 to 1000. Default 20.
+    /// Weight of the crown's footprint, 0 to 1000. Default 40.
     pub crown: f32,
     /// Weight of the branches' footprint, 0 to 1000. Default 20.
     pub branches: f32,
     /// Weight of the branching shape, 0 to 1000. Default 1.
     pub shape: f32,
-    /// Added to every deviation of the branching shape, 0.001 to 10: what the hand adds. Default 0.1.
+    /// Added to every deviation of the branching shape, 0.001 to 10: what the hand adds. Default 0.3.
     pub hand: f32,
     /// What one of the branching shape's three parts can take away at most, 0 to 1000. Default 4.
     pub most: f32,
@@ -37,7 +37,7 @@ pub struct SelectParams {
 
 impl Default for SelectParams {
     fn default() -> Self {
-        Self { crown: 20.0, branches: 20.0, shape: 1.0, hand: 0.1, most: 4.0 }
+        Self { crown: 40.0, branches: 20.0, shape: 1.0, hand: 0.3, most: 4.0 }
     }
 }
 

@@ -29,6 +29,9 @@ pub struct Exemplar {
     row: &'static Row,
 }
 
+/// The seed of the trees that the [built-in templates](super::Template::builtin) were measured by.
+pub const SEED: Seed = Seed(1);
+
 const ROWS: [&Row; 20] = [
     &broadleaved::OAK,
     &broadleaved::BEECH,
