@@ -2,6 +2,7 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
+pub mod clean;
 mod footprint;
 mod frame;
 mod midline;
