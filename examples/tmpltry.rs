@@ -8,7 +8,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let get = |n: &str, d: f32| args.iter().position(|a| a == n).map_or(d, |i| args[i + 1].parse().unwrap());
     let tp = TemplateParams { views: get("--views", 8.0) as u32, ..Default::default() };
     let tp = TemplateParams { main: MainBranches { gather: get("--gather", 0.025), ..Default::default() }, ..tp };
-    let sp = SelectParams { crown: get("--crown", 20.0), branches: get("--branches", 20.0), shape: get("--shape", 1.0), hand: get("--hand", 0.1), most: get("--most", 4.0) };
+    let sp = SelectParams { crown: get("--crown", 40.0), branches: get("--branches", 20.0), shape: get("--shape", 1.0), hand: get("--hand", 0.3), most: get("--most", 4.0) };
     let verbose = args.iter().any(|a| a == "-v");
     let mut templates = Vec::new();
     let mut trees = Vec::new();
@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         g
     } else { vec![[sp.crown, sp.branches, sp.shape, sp.hand, sp.most]] };
     let mut cases = vec![];
-    for (name, seeds, most) in [("same", vec![1u64], 36), ("same12", vec![1], 12), ("other", vec![2, 3], 36), ("other12", vec![2, 3], 12), ("other7", vec![2, 3], 7)] {
+    for (name, seeds, most) in [("same", vec![1u64], 36), ("same12", vec![1], 12), ("other", vec![2, 3], 36)] {
         let mut list = vec![];
         for (k, e) in EXEMPLARS.iter().enumerate() {
             for &seed in &seeds {
@@ -45,6 +45,15 @@ fn main() -> Result<(), Box<dyn Error>> {
                     let yaw = std::f32::consts::TAU * (v as f32 + 0.37) / 8.0;
                     for with in [true, false] {
                         let crown = if with { crown_points(tree, yaw) } else { vec![] };
+                        if args.iter().any(|a| a == "clean") {
+                            let lines = if with && !crown.is_empty() { vec![tree_model::sketch::convex_hull(&crown)] } else { vec![] };
+                            let mut d = project(&b, yaw, &lines);
+                            if args.iter().any(|a| a == "norole") { for s in &mut d.strokes { s.role = None; } }
+                            let cleaned = tree_model::sketch::clean::clean(&d, &Default::default(), &control)?;
+                            let crown: Vec<_> = cleaned.crown.concat();
+                            list.push((k, v, with, DrawnShape::measure(&cleaned.plan, &crown)));
+                            continue;
+                        }
                         list.push((k, v, with, DrawnShape::of_branches(&b, yaw, &crown)));
                     }
                 }

@@ -76,13 +76,15 @@ impl Branches {
         self.end(segment) - self.start(segment)
     }
 
-    /// Gravelius order of each segment's axis: one more than its parent's for a lateral.
+    /// Gravelius order of each segment's axis: one more than its parent's for a lateral; 0 for all stems.
     #[must_use]
     pub fn orders(&self) -> Vec<u32> {
         let mut orders = vec![0_u32; self.len()];
         for segment in 1..self.len() {
-            let parent = orders[self.parents[segment] as usize];
-            orders[segment] = parent + u32::from(self.labels[segment] != Label::Apical);
+            let parent = self.parents[segment] as usize;
+            let stem = self.imagined_root && parent == 0;
+            orders[segment] =
+                orders[parent] + u32::from(!stem && self.labels[segment] != Label::Apical);
         }
         orders
     }

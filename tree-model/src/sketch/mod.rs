@@ -5,6 +5,7 @@ mod branches;
 pub mod clean;
 mod footprint;
 mod frame;
+pub mod infer;
 mod midline;
 mod omega;
 mod plan;
