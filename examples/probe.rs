@@ -110,7 +110,13 @@ fn med(v: &[f64]) -> f64 {
     v[v.len() / 2]
 }
 
-fn local(g: &FactorGraph, omega: &Omega, labels: &[Label], mut z: Vec<f64>, tol: f64) -> (f64, Vec<f64>) {
+fn local(
+    g: &FactorGraph,
+    omega: &Omega,
+    labels: &[Label],
+    mut z: Vec<f64>,
+    tol: f64,
+) -> (f64, Vec<f64>) {
     let mut best = g.posterior(omega, &z, labels).unwrap().total();
     let mut step: Vec<f64> = (0..z.len()).map(|i| 0.2 * g.length(i).max(0.05)).collect();
     for _ in 0..400 {
@@ -119,10 +125,24 @@ fn local(g: &FactorGraph, omega: &Omega, labels: &[Label], mut z: Vec<f64>, tol:
             for s in [step[i], -step[i]] {
                 z[i] += s;
                 let v = g.posterior(omega, &z, labels).unwrap().total();
-                if v > best { best = v; any = true; step[i] *= 1.5; break; } else { z[i] -= s; }
+                if v > best {
+                    best = v;
+                    any = true;
+                    step[i] *= 1.5;
+                    break;
+                } else {
+                    z[i] -= s;
+                }
             }
         }
-        if !any { for s in &mut step { *s *= 0.5; } if step.iter().all(|s| *s < tol) { break; } }
+        if !any {
+            for s in &mut step {
+                *s *= 0.5;
+            }
+            if step.iter().all(|s| *s < tol) {
+                break;
+            }
+        }
     }
     (best, z)
 }
@@ -132,12 +152,42 @@ fn label_ways(parents: &[u32]) -> Vec<Vec<Label>> {
     let mut ways = vec![vec![Label::Apical; n]];
     for p in 0..n {
         let kids: Vec<usize> = (0..n).filter(|&i| parents[i] == p as u32).collect();
-        if kids.is_empty() { continue }
+        if kids.is_empty() {
+            continue;
+        }
         let mut perms: Vec<Vec<Label>> = vec![vec![]];
         for _ in 0..kids.len() {
-            perms = perms.into_iter().flat_map(|q| (0..kids.len()).filter_map(move |l| { let lab = if l == 0 { Label::Apical } else { Label::Lateral(l as u16 - 1) }; if q.contains(&lab) { None } else { let mut r = q.clone(); r.push(lab); Some(r) } })).collect();
+            perms = perms
+                .into_iter()
+                .flat_map(|q| {
+                    (0..kids.len()).filter_map(move |l| {
+                        let lab = if l == 0 { Label::Apical } else { Label::Lateral(l as u16 - 1) };
+                        if q.contains(&lab) {
+                            None
+                        } else {
+                            let mut r = q.clone();
+                            r.push(lab);
+                            Some(r)
+                        }
+                    })
+                })
+                .collect();
         }
-        ways = ways.into_iter().flat_map(|w| perms.iter().map(|pm| { let mut w = w.clone(); for (k, l) in kids.iter().zip(pm) { w[*k] = *l; } w }).collect::<Vec<_>>()).collect();
+        ways = ways
+            .into_iter()
+            .flat_map(|w| {
+                perms
+                    .iter()
+                    .map(|pm| {
+                        let mut w = w.clone();
+                        for (k, l) in kids.iter().zip(pm) {
+                            w[*k] = *l;
+                        }
+                        w
+                    })
+                    .collect::<Vec<_>>()
+            })
+            .collect();
     }
     ways
 }
@@ -150,34 +200,64 @@ fn exhaustive(g: &FactorGraph, omega: &Omega) -> f64 {
         let mut idx = vec![0usize; n];
         let mut z = vec![0.0; n];
         'all: loop {
-            for i in 1..n { z[i] = z[g.parents()[i] as usize] + slopes[idx[i]] * g.length(i); }
+            for i in 1..n {
+                z[i] = z[g.parents()[i] as usize] + slopes[idx[i]] * g.length(i);
+            }
             let v = g.posterior(omega, &z, &labels).unwrap().total();
-            if top.len() < 60 || v > top[top.len() - 1].0 { let at = top.partition_point(|t| t.0 > v); top.insert(at, (v, z.clone(), labels.clone())); top.truncate(60); }
-            for i in 1..n { idx[i] += 1; if idx[i] < slopes.len() { continue 'all } idx[i] = 0; }
+            if top.len() < 60 || v > top[top.len() - 1].0 {
+                let at = top.partition_point(|t| t.0 > v);
+                top.insert(at, (v, z.clone(), labels.clone()));
+                top.truncate(60);
+            }
+            for i in 1..n {
+                idx[i] += 1;
+                if idx[i] < slopes.len() {
+                    continue 'all;
+                }
+                idx[i] = 0;
+            }
             break;
         }
     }
-    top.into_iter().map(|(_, z, l)| local(g, omega, &l, z, 1e-6).0).fold(f64::NEG_INFINITY, f64::max)
+    top.into_iter()
+        .map(|(_, z, l)| local(g, omega, &l, z, 1e-6).0)
+        .fold(f64::NEG_INFINITY, f64::max)
 }
 
 fn small() {
-    let h = Habit { scale: Normal::new(-0.1, 0.25), lateral_scale: Normal::new(-0.1, 0.3), alpha: Normal::new(0.25, 0.12), beta: Normal::new(0.9, 0.2), gamma: Normal::new(2.4, 0.4) };
+    let h = Habit {
+        scale: Normal::new(-0.1, 0.25),
+        lateral_scale: Normal::new(-0.1, 0.3),
+        alpha: Normal::new(0.25, 0.12),
+        beta: Normal::new(0.9, 0.2),
+        gamma: Normal::new(2.4, 0.4),
+    };
     let omega = Omega { orders: vec![h] };
     for s in 0..12 {
-        for (name, mut params) in [("default", InferParams::default()), ("thesis", InferParams::thesis())] {
+        for (name, mut params) in
+            [("default", InferParams::default()), ("thesis", InferParams::thesis())]
+        {
             let t = grow(&omega, 5, Seed(s));
             let pl = plan(&t, 0.7 * s as f64);
             params.keep_omega = true;
             let inf = infer(&pl, &omega, &params, Seed(s + 100), &Control::default()).unwrap();
-            let g = FactorGraph::new(&pl, &omega, &params, Seed(s + 100), &Control::default()).unwrap();
+            let g =
+                FactorGraph::new(&pl, &omega, &params, Seed(s + 100), &Control::default()).unwrap();
             let best = exhaustive(&g, &omega);
-            println!("{s} {name}: ours {:.5} best {:.5} diff {:.5}", inf.posterior.total(), best, best - inf.posterior.total());
+            println!(
+                "{s} {name}: ours {:.5} best {:.5} diff {:.5}",
+                inf.posterior.total(),
+                best,
+                best - inf.posterior.total()
+            );
         }
     }
 }
 
 fn main() {
-    if std::env::args().nth(1).as_deref() == Some("small") { return small(); }
+    if std::env::args().nth(1).as_deref() == Some("small") {
+        return small();
+    }
     let n: usize = std::env::args().nth(1).and_then(|a| a.parse().ok()).unwrap_or(41);
     for (name, spread, comp) in [
         ("spread 0", 0.0, 5.0),

@@ -95,7 +95,9 @@ impl Template {
 fn view(name: &str, tree: &Tree, branches: &Branches, yaw: f32) -> Result<TemplateView> {
     let flat = flat(branches, yaw);
     let no_area = |what: &str| ModelError::Template {
-        problem: format!("the {what} of '{name}' has no area seen from {yaw} rad: a tree needs branches"),
+        problem: format!(
+            "the {what} of '{name}' has no area seen from {yaw} rad: a tree needs branches"
+        ),
     };
     let mut crown = crown_points(tree, yaw);
     crown.extend(flat.above_root_branch());

@@ -99,7 +99,8 @@ impl Template {
     pub fn validate(&self) -> Result<()> {
         for (field, name) in [("name", &self.name), ("species", &self.species)] {
             if name.trim() != name || name.is_empty() || name.contains(char::is_control) {
-                let problem = format!("{field} {name:?} must be one line of text, without space round it");
+                let problem =
+                    format!("{field} {name:?} must be one line of text, without space round it");
                 return Err(ModelError::Template { problem });
             }
         }
@@ -107,7 +108,9 @@ impl Template {
         check("slenderness", self.slenderness, 0.0, 1.0)?;
         self.omega.validate()?;
         if self.views.is_empty() {
-            return Err(ModelError::Template { problem: "there is no view: give at least one".into() });
+            return Err(ModelError::Template {
+                problem: "there is no view: give at least one".into(),
+            });
         }
         self.views.iter().enumerate().try_for_each(|(number, view)| view.validate(number))
     }
@@ -117,7 +120,8 @@ impl TemplateView {
     fn validate(&self, number: usize) -> Result<()> {
         check(format!("views[{number}].yaw"), self.yaw, 0.0, 2.0 * PI)?;
         let shape = &self.shape;
-        for (name, normal) in [("scale", shape.scale), ("alpha", shape.alpha), ("beta", shape.beta)] {
+        for (name, normal) in [("scale", shape.scale), ("alpha", shape.alpha), ("beta", shape.beta)]
+        {
             let Some(normal) = normal else { continue };
             let field = format!("views[{number}].shape.{name}");
             check(format!("{field}.mean"), normal.mean, -20.0, 20.0)?;

@@ -204,7 +204,9 @@ impl<'a> Lines<'a> {
                 return Err(self.wrong(format!("'{name} MEAN DEVIATION' is missing")));
             };
             if found != name {
-                return Err(self.wrong(format!("'{}' stands where '{name}' must", shortened(found))));
+                return Err(
+                    self.wrong(format!("'{}' stands where '{name}' must", shortened(found)))
+                );
             }
             if (mean, deviation) != ("-", "-") {
                 *normal = Some(Normal::new(self.number_in(mean)?, self.number_in(deviation)?));
