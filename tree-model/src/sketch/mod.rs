@@ -2,6 +2,7 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
+mod crown;
 mod footprint;
 mod midline;
 mod omega;
@@ -9,6 +10,7 @@ mod plan;
 mod stroke;
 
 pub use branches::{Branches, Label};
+pub use crown::{Crown, CrownParams, CrownRepair, CrownReport, OutlineParams, outline_of};
 pub use footprint::{DIRECTIONS, Footprint, convex_hull};
 pub use midline::{FillRule, Midline, MidlineParams, midlines, midlines_of};
 pub use omega::{Habit, Normal, Omega};
