@@ -345,23 +345,23 @@ fn stops(
     let (low, high) = joint.range;
     let mut guests = guests.iter().peekable();
     let mut stops: Vec<(Vec2, Vec<usize>)> = Vec::new();
-    let mut at = 0;
+    let (mut at, mut early) = (0, Vec::new());
     for i in low..=high {
         if i == joint.point {
             at = stops.len();
         }
-        stops.push((line.points[i], Vec::new()));
-        // What would join beyond the end joins at the end.
+        let here = line.points[i];
+        stops.push((here, std::mem::take(&mut early)));
+        let next = line.points.get(i + 1).copied().unwrap_or(here);
+        // What would join beyond an end joins at the end.
         while let Some((place, guest)) =
             guests.next_if(|g| (g.0.segment as usize) <= i || i == high)
         {
-            let position = if (place.segment as usize) < i || i == high {
-                line.points[i]
-            } else {
-                line.position(place)
-            };
+            let beyond = (place.segment as usize) < i || i == high;
+            let position = if beyond { here } else { line.position(place) };
             match stops.last_mut() {
                 Some(stop) if stop.0.distance(position) <= same => stop.1.push(*guest),
+                _ if next.distance(position) <= same => early.push(*guest),
                 _ => stops.push((position, vec![*guest])),
             }
         }

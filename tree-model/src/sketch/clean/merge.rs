@@ -94,7 +94,7 @@ pub(super) fn merge(
     for (_, _, index) in order {
         control.check()?;
         let ink = &inks[index];
-        for piece in remaining(ink, &grid, within, report) {
+        for piece in remaining(ink, &grid, within, RepairKind::Merged, report) {
             grid.add(&piece);
             kept.push((index, piece));
         }
@@ -103,8 +103,36 @@ pub(super) fn merge(
     Ok(kept.into_iter().map(|(_, ink)| ink).collect())
 }
 
+/// Leaves out of middle lines what runs along a crown's line: who draws with a pen or fills an outline has the line's
+/// ink as an area of its own, often one with that of the branches.
+pub(super) fn leave_out_ink(
+    inks: Vec<Ink>,
+    crowns: &[Ink],
+    within: f32,
+    spacing: f32,
+    report: &mut CleanReport,
+) -> Vec<Ink> {
+    let n = crowns.iter().map(|ink| ink.points.len()).sum();
+    let mut grid = Grid::new(within + spacing, n);
+    crowns.iter().for_each(|ink| grid.add(ink));
+    let keep = |ink: Ink| {
+        if ink.middle && !ink.marked {
+            remaining(&ink, &grid, within, RepairKind::CrownInk, report)
+        } else {
+            vec![ink]
+        }
+    };
+    inks.into_iter().flat_map(keep).collect()
+}
+
 /// What is left of a stroke beside those in the grid.
-fn remaining(ink: &Ink, grid: &Grid, within: f32, report: &mut CleanReport) -> Vec<Ink> {
+fn remaining(
+    ink: &Ink,
+    grid: &Grid,
+    within: f32,
+    whole: fn(u32) -> RepairKind,
+    report: &mut CleanReport,
+) -> Vec<Ink> {
     let points = &ink.points;
     let last = points.len() - 1;
     let along: Vec<Option<u32>> = (0..points.len())
@@ -141,8 +169,13 @@ fn remaining(ink: &Ink, grid: &Grid, within: f32, report: &mut CleanReport) -> V
         pieces.push((from, last));
     }
     let into = covered.iter().find_map(|&(start, _)| along[start]).unwrap_or(ink.stroke);
-    let kind = if pieces.is_empty() { RepairKind::Merged } else { RepairKind::MergedPartly };
-    report.add(ink.stroke, kind(into));
+    report.add(
+        ink.stroke,
+        match (whole(into), pieces.is_empty()) {
+            (RepairKind::Merged(_), false) => RepairKind::MergedPartly(into),
+            (kind, _) => kind,
+        },
+    );
     let piece =
         |(from, to): (usize, usize)| Ink { points: points[from..=to].to_vec(), ..ink.clone() };
     pieces.into_iter().map(piece).collect()

@@ -39,6 +39,12 @@ use tree_core::{Control, NO_PARENT, Resource};
 /// An imagined trunk ends at this share of the crown's height.
 const IMAGINED: f32 = 2.0 / 3.0;
 
+/// Wood reaches below the top of the ground by up to this share of the height.
+const BELOW: f32 = 0.01;
+
+/// Middle lines within this share of the height of a crown's line are its ink.
+const INK: f32 = 0.03;
+
 /// Strokes join at a node that is nearer than this share of the spacing to where they meet.
 const SAME: f32 = 0.25;
 
@@ -100,8 +106,9 @@ fn steps(
     control.report("strokes", 0.0)?;
     let mut inks = tidy::tidy(drawing, report)?;
     control.check()?;
+    let mut ground = None;
     if params.guess {
-        roles::decide(&mut inks, report);
+        ground = roles::decide(&mut inks, report);
         control.report("roles", 0.1)?;
         outlines::trunks(&mut inks, report);
     }
@@ -119,17 +126,38 @@ fn steps(
     let (crowns, wood): (Vec<Ink>, Vec<Ink>) =
         inks.into_iter().partition(|ink| ink.role == Some(Role::Crown));
     control.report("merging", 0.4)?;
+    let wood = above(wood, ground.map(|y| y + BELOW * unit), report);
+    let wood = merge::leave_out_ink(wood, &crowns, INK * unit, 1.5 * spacing, report);
     let wood = merge::merge(wood, params.merge * unit, 1.5 * spacing, report, control)?;
     let wood = if wood.is_empty() { vec![imagined(&crowns, spacing, report)?] } else { wood };
     control.report("joining", 0.5)?;
     let lines: Vec<Line> = wood.iter().map(|ink| Line::new(ink.points.clone())).collect();
     let root = root::find(&wood, &lines, params.root, unit);
+    if let Some(ink) = wood.get(root.stroke).filter(|ink| ink.role.is_none()) {
+        report.add(ink.stroke, RepairKind::TakenAs(Role::Trunk));
+    }
     let work = join::Join { inks: &wood, lines: &lines, params, unit };
     let joints = work.run(&root, report, control)?;
     let nodes = join::nodes(&wood, &lines, &joints, SAME * spacing);
     let plan = plan(nodes, &crowns, params.height)?;
     control.report("joined", 1.0)?;
     Ok((plan, crowns))
+}
+
+/// What of wood is above the ground, where there is one.
+fn above(wood: Vec<Ink>, ground: Option<f32>, report: &mut CleanReport) -> Vec<Ink> {
+    let Some(level) = ground else { return wood };
+    let mut out = Vec::with_capacity(wood.len());
+    for ink in wood {
+        let runs = ink.points.split(|p| p.y > level).filter(|run| run.len() > 1);
+        let pieces: Vec<Ink> =
+            runs.map(|run| Ink { points: run.to_vec(), ..ink.clone() }).collect();
+        if pieces.iter().map(|piece| piece.points.len()).sum::<usize>() < ink.points.len() {
+            report.add(ink.stroke, RepairKind::BelowGround);
+        }
+        out.extend(pieces);
+    }
+    out
 }
 
 /// A straight trunk for a drawing with nothing but a crown: from its lowest level, below its middle, up to two thirds

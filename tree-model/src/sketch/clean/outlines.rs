@@ -26,6 +26,12 @@ const STEEP: f32 = 0.7;
 /// Where two sides are closest they are within this share of the lower one's rise, and in the mean within twice it.
 const CLOSE: f32 = 0.3;
 
+/// The same below a crown: two lines there are hardly two trees ...
+const CLOSE_BELOW_CROWN: f32 = 0.4;
+
+/// ... and then this share of the height will do.
+const WIDTH_BELOW_CROWN: f32 = 0.2;
+
 /// Sides are at least this share of the height apart: below, one is drawn over the other.
 const APART: f32 = 0.015;
 
@@ -33,7 +39,7 @@ const APART: f32 = 0.015;
 const PART: f32 = 1.3;
 
 /// Of a mark on the bark at least this share of the points is between the sides.
-const WITHIN: f32 = 0.85;
+const WITHIN: f32 = 0.7;
 
 /// Takes middle lines of trunks that nobody marked as anything else.
 pub(super) fn trunks(inks: &mut Vec<Ink>, report: &mut CleanReport) {
@@ -88,7 +94,14 @@ pub(super) fn branches(drawing: &Drawing, inks: &mut Vec<Ink>, report: &mut Clea
         for (i, points) in middle_lines(group).into_iter().enumerate() {
             // Only the strongest line of a filled trunk is the trunk.
             let role = if i > 0 && ink.role.is_some() { Some(Role::Branch) } else { ink.role };
-            out.push(Ink { points, role, closed: false, filled: false, ..ink.clone() });
+            out.push(Ink {
+                points,
+                role,
+                closed: false,
+                filled: false,
+                middle: true,
+                ..ink.clone()
+            });
         }
     }
     *inks = out;
@@ -145,18 +158,25 @@ fn trunk_outline(ink: &Ink, foot: f32, unit: f32) -> Option<Vec<Vec2>> {
     if width(0.15)? < 0.5 * width(0.8)? {
         return None;
     }
-    let shares = (0..N_MIDDLE).map(|i| 0.01 + 0.98 * i as f32 / (N_MIDDLE - 1) as f32);
-    let middle = shares.filter_map(|share| {
-        let (low, high) = at(share)?;
-        Some(Vec2::new(0.5 * (low + high), shape.extent.high.y - share * rise))
-    });
-    let middle: Vec<Vec2> = middle.collect();
-    (middle.len() > 1).then_some(middle)
+    let shares = (0..N_MIDDLE).map(|i| (i as f32 + 0.5) / N_MIDDLE as f32);
+    let slices: Vec<(f32, f32, f32)> = shares
+        .filter_map(|share| at(share).map(|(low, high)| (share, 0.5 * (low + high), high - low)))
+        .collect();
+    let mut widths: Vec<f32> = slices.iter().map(|slice| slice.2).collect();
+    widths.sort_by(f32::total_cmp);
+    // Where it is narrow a corner is cut, not the trunk.
+    let least = 0.5 * widths.get(widths.len() / 2)?;
+    let sound = || slices.iter().filter(|slice| slice.2 >= least);
+    let ends = [(1.0, sound().next_back()?.1), (0.0, sound().next()?.1)];
+    let inner = sound().map(|slice| (slice.0, slice.1));
+    let middle = [ends[1]].into_iter().chain(inner).chain([ends[0]]);
+    Some(middle.map(|(share, x)| Vec2::new(x, shape.extent.high.y - share * rise)).collect())
 }
 
 /// Two strokes that are the sides of one trunk: of all such pairs the longest.
 fn two_sides(inks: &[Ink], foot: f32, unit: f32) -> Option<(usize, usize)> {
     let rise = |i: usize| Extent::of(&inks[i].points).size().y;
+    let crowned = inks.iter().any(|ink| ink.role == Some(Role::Crown));
     let is_side = |i: &usize| {
         let ink = &inks[*i];
         let trunk = ink.role == Some(Role::Trunk) && ink.marked;
@@ -175,7 +195,9 @@ fn two_sides(inks: &[Ink], foot: f32, unit: f32) -> Option<(usize, usize)> {
     for (k, &a) in sides.iter().enumerate() {
         for &b in &sides[k + 1..] {
             let score = rise(a).min(rise(b));
-            if best.is_none_or(|best| score > best.0) && are_sides(&inks[a], &inks[b], unit) {
+            if best.is_none_or(|best| score > best.0)
+                && are_sides(&inks[a], &inks[b], unit, crowned)
+            {
                 best = Some((score, a, b));
             }
         }
@@ -183,7 +205,7 @@ fn two_sides(inks: &[Ink], foot: f32, unit: f32) -> Option<(usize, usize)> {
     best.map(|(_, a, b)| (a.min(b), a.max(b)))
 }
 
-fn are_sides(a: &Ink, b: &Ink, unit: f32) -> bool {
+fn are_sides(a: &Ink, b: &Ink, unit: f32, crowned: bool) -> bool {
     let boxes = [a, b].map(|ink| Extent::of(&ink.points));
     let least = boxes[0].size().y.min(boxes[1].size().y);
     let shared = boxes[0].high.y.min(boxes[1].high.y) - boxes[0].low.y.max(boxes[1].low.y);
@@ -200,10 +222,15 @@ fn are_sides(a: &Ink, b: &Ink, unit: f32) -> bool {
     let third = gaps.len() / 3;
     let (low, high) = (wide(&gaps[..third]), wide(&gaps[gaps.len() - third..]));
     let closest = gaps.iter().map(|gap| gap.x.abs()).fold(f32::INFINITY, f32::min);
+    let close = if crowned {
+        (CLOSE_BELOW_CROWN * least).max(WIDTH_BELOW_CROWN * unit)
+    } else {
+        CLOSE * least
+    };
     !crossed
-        && closest < CLOSE * least
+        && closest < close
         && closest > APART * unit
-        && wide(&gaps) < 2.0 * CLOSE * least
+        && wide(&gaps) < 2.0 * close
         && high < PART * low + APART * unit
 }
 

@@ -33,6 +33,12 @@ pub enum RepairKind {
     Ground,
     /// It was taken for a mark on the trunk's bark, and left out.
     BarkMark,
+    /// It is a small mark that touches nothing, and was left out.
+    Speck,
+    /// It shows roots below the ground: what is below was left out.
+    BelowGround,
+    /// It runs along the crown's outline, this stroke: that part is its ink, and was left out.
+    CrownInk(u32),
     /// It was not marked, and was taken to show this.
     TakenAs(Role),
     /// It shows the trunk and the crown in one go, and was cut at the corner between them.
@@ -80,6 +86,11 @@ impl fmt::Display for Repair {
             K::Empty => write!(f, "has no length and was left out"),
             K::Ground => write!(f, "was taken for the ground and left out"),
             K::BarkMark => write!(f, "was taken for a mark on the bark and left out"),
+            K::Speck => write!(f, "is a small mark that touches nothing and was left out"),
+            K::BelowGround => write!(f, "goes below the ground: what is there was left out"),
+            K::CrownInk(crown) => {
+                write!(f, "runs along the crown's outline strokes[{crown}] and was left out there")
+            }
             K::TakenAs(Role::Trunk) => write!(f, "was taken for the trunk"),
             K::TakenAs(Role::Branch) => write!(f, "was taken for a branch"),
             K::TakenAs(Role::Crown) => write!(f, "was taken for the crown's outline"),

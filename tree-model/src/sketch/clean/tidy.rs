@@ -31,6 +31,8 @@ pub(super) struct Ink {
     pub(super) marked: bool,
     pub(super) closed: bool,
     pub(super) filled: bool,
+    /// Whether it is the middle line of an outline.
+    pub(super) middle: bool,
     /// In units of the drawing, y downwards; at least two, no two in a row the same.
     pub(super) points: Vec<Vec2>,
 }
@@ -101,13 +103,14 @@ pub(super) fn tidy(drawing: &Drawing, report: &mut CleanReport) -> Result<Vec<In
             continue;
         }
         let closed = close(&mut points, stroke.closed);
-        let (role, marked) = (stroke.role, stroke.role.is_some());
+        let (role, marked, filled) = (stroke.role, stroke.role.is_some(), stroke.filled);
         inks.push(Ink {
             stroke: index as u32,
             role,
             marked,
             closed,
-            filled: stroke.filled,
+            filled,
+            middle: false,
             points,
         });
     }
