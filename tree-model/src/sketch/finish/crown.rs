@@ -3,10 +3,9 @@
 use super::params::SketchFinish;
 use super::spread::Cells;
 use crate::error::Result;
-use crate::foliage::{
-    DENSITY_CAP, LeafParams, TwigParams, grow_leaves, grow_leaves_in, grow_twigs_in, refine,
-};
+use crate::foliage::{DENSITY_CAP, LeafParams, TwigParams, grow_leaves_in, grow_twigs_in, refine};
 use crate::sketch::propagate::Surface;
+use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::{
     Continuation, Control, Foliage, Leaf, NO_PARENT, Seed, Skeleton, SkeletonColumns, Tree,
@@ -28,8 +27,10 @@ const SPARE: f32 = 1.5;
 const TIP_TWIGS: f32 = 0.5;
 /// Twigs for each tip of a bare tree.
 const BARE_TWIGS: f32 = 3.0;
-/// Most twigs.
-const MOST_TWIGS: f32 = 8_000.0;
+/// Most nodes of all twigs, about.
+const MOST_TWIG_NODES: f32 = 30_000.0;
+/// Most internodes of a main twig: they are millimetres thick.
+const INTERNODES: f32 = 7.0;
 /// Twigs are at least this share of the usual distance between tips long.
 const REACH: f32 = 0.8;
 /// Twigs are made longer by at most this factor.
@@ -48,11 +49,11 @@ pub struct FinishReport {
     pub wood_nodes: u64,
     /// Nodes of twigs.
     pub twig_nodes: u64,
-    /// Nodes of twigs cut off because they left the crown.
+    /// Nodes of twigs cut off because they left the crown or entered the ground.
     pub twig_nodes_cut: u64,
     /// Blades that stayed: rows of the foliage.
     pub leaves: u64,
-    /// Blades left out because they left the crown.
+    /// Blades left out because they left the crown or entered the ground.
     pub leaves_outside: u64,
     /// How much larger leaves are than the species', because there would be too many.
     pub leaves_larger: f32,
@@ -61,7 +62,8 @@ pub struct FinishReport {
 /// Grows twigs and leaves of a species on `wood`; inside `crown`, where one is drawn, but for half a leaf.
 ///
 /// # Errors
-/// As [`SketchFinish::validate`], [`grow_twigs`](crate::foliage::grow_twigs) and [`grow_leaves`].
+/// As [`SketchFinish::validate`], [`grow_twigs`](crate::foliage::grow_twigs) and
+/// [`grow_leaves`](crate::foliage::grow_leaves).
 ///
 /// # Complexity
 /// O(nodes + leaves).
@@ -84,7 +86,8 @@ pub fn grow_crown_in(
         report.leaves_larger = leaves.1.larger;
         leaves
     });
-    let finisher = Finisher { crown, seed, control };
+    let ground = wood.positions()[0].y;
+    let finisher = Finisher { crown, ground, seed, control };
     let mut skeleton = wood.clone();
     if let Some(twigs) = &sprays.twigs {
         control.report("twigs", 0.1)?;
@@ -162,7 +165,7 @@ impl<'a> Shoots<'a> {
         let mut twigs = twigs.clone();
         twigs.length = (twigs.length * longer).min(1e6);
         twigs.bearing = (twigs.bearing * longer).min(1e6);
-        twigs.internode = (twigs.internode * longer.sqrt()).min(1e6);
+        twigs.internode = (twigs.internode * longer.sqrt()).max(twigs.length / INTERNODES).min(1e6);
         twigs.per_metre = (twigs.per_metre / longer).max(1e-3);
         twigs.stiffness = (twigs.stiffness * longer * longer).min(1e6);
         twigs
@@ -170,24 +173,48 @@ impl<'a> Shoots<'a> {
 
     /// How many twigs to grow.
     fn n_twigs(&self, twigs: &TwigParams, leaves: Option<&(LeafParams, Demand)>) -> f32 {
+        let laterals = (twigs.levels - 1) as f32 * twigs.per_metre * twigs.length * twigs.lateral;
+        let each = (1.0 + laterals) * (twigs.length / twigs.internode).max(1.0);
+        let most = MOST_TWIG_NODES / each;
         let Some((leaves, demand)) = leaves else {
-            return (BARE_TWIGS * self.n_tips).min(MOST_TWIGS);
+            return (BARE_TWIGS * self.n_tips).min(most);
         };
         let places = |shoot: f32| leaves.arrangement.per_node() as f32 * shoot / leaves.spacing;
         let there = places(self.length(leaves.bearing)) + self.n_tips;
         let each = places(TWIG_SHOOT * twigs.length).max(1.0);
         let missing = (SPARE * demand.leaves - there) / each;
-        missing.clamp((TIP_TWIGS * self.n_tips).min(MOST_TWIGS), MOST_TWIGS)
+        missing.clamp((TIP_TWIGS * self.n_tips).min(most), most)
     }
+}
+
+/// Counts places for leaves without growing any: in proportion to the length of shoots that bear them.
+fn places(skeleton: &Skeleton, leaves: &LeafParams) -> Cells {
+    let mut cells = Cells::about(skeleton);
+    let (positions, children) = (skeleton.positions(), skeleton.children());
+    let to_tip = skeleton.distances_to_tip();
+    let each = leaves.arrangement.per_node() as f32 / leaves.spacing;
+    for (below, node) in skeleton.segments() {
+        let [a, b] = [below, node].map(|node| positions[node as usize]);
+        let bearing = a.distance(b).min((leaves.bearing - to_tip[node as usize]).max(0.0));
+        let tip = if children.is_tip(node) && leaves.terminal { 1.0 } else { 0.0 };
+        cells.add(b.lerp(a, 0.5), each * bearing + tip);
+    }
+    cells
 }
 
 struct Finisher<'a> {
     crown: Option<&'a dyn Surface>,
+    ground: f32,
     seed: Seed,
     control: &'a Control,
 }
 
 impl Finisher<'_> {
+    /// Whether something may be here: in the crown and above the ground.
+    fn may_be(&self, point: Vec3) -> bool {
+        point.y >= self.ground && self.crown.is_none_or(|crown| crown.contains(point))
+    }
+
     /// Grows twigs, and cuts off what leaves the crown.
     fn twigs(
         &self,
@@ -211,14 +238,13 @@ impl Finisher<'_> {
         Ok(cut)
     }
 
-    /// Cuts twigs off where they leave the crown; the first `n_wood` nodes stay.
+    /// Cuts twigs off where they leave the crown or enter the ground; the first `n_wood` nodes stay.
     fn cut(&self, skeleton: &Skeleton, n_wood: usize) -> Result<Skeleton> {
-        let Some(crown) = self.crown else { return Ok(skeleton.clone()) };
         let positions = skeleton.positions();
         let inside: Vec<bool> = positions[n_wood..]
             .par_iter()
             .with_min_len(1024)
-            .map(|&point| crown.contains(point))
+            .map(|&point| self.may_be(point))
             .collect();
         let mut rows = vec![NO_PARENT; skeleton.len()];
         let mut columns = SkeletonColumns::default();
@@ -235,7 +261,7 @@ impl Finisher<'_> {
         Ok(Skeleton::try_from(columns)?)
     }
 
-    /// Grows about `wanted` leaves, and leaves out those outside the crown.
+    /// Grows about `wanted` leaves, and leaves out those outside the crown or in the ground.
     fn leaves(
         &self,
         skeleton: &Skeleton,
@@ -244,10 +270,7 @@ impl Finisher<'_> {
         report: &mut FinishReport,
     ) -> Result<Foliage> {
         let (seed, control) = (self.seed.stream("leaves"), self.control);
-        let places = grow_leaves(skeleton, leaves, seed, control)?;
-        let n_blades = leaves.form.n_leaflets() as usize;
-        let mut cells = Cells::about(skeleton);
-        cells.count(places.positions().iter().step_by(n_blades.max(1)).copied());
+        let cells = places(skeleton, leaves);
         let cells = cells.spread(wanted, DENSITY_CAP);
         let grown =
             grow_leaves_in(skeleton, leaves, &|point| cells.at(point), seed, control)?.foliage;
@@ -258,11 +281,10 @@ impl Finisher<'_> {
     }
 
     fn inside(&self, foliage: &Foliage) -> Result<Foliage> {
-        let Some(crown) = self.crown else { return Ok(foliage.clone()) };
         let rows: Vec<Leaf> = foliage.iter().collect();
         let stays = |leaf: &Leaf| {
-            let middle = leaf.position + leaf.rotation * glam::Vec3::Y * (0.5 * leaf.size);
-            crown.contains(leaf.position) && crown.contains(middle)
+            let middle = leaf.position + leaf.rotation * Vec3::Y * (0.5 * leaf.size);
+            self.may_be(leaf.position) && self.may_be(middle)
         };
         let stays: Vec<bool> = rows.par_iter().with_min_len(1024).map(stays).collect();
         let mut kept = Foliage::with_capacity(rows.len());

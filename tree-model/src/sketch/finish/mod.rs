@@ -12,6 +12,7 @@
 //! Cost: O(nodes + leaves).
 
 mod crown;
+mod depth;
 mod params;
 mod spread;
 #[cfg(test)]
@@ -19,5 +20,6 @@ mod tests;
 mod wood;
 
 pub use crown::{FinishReport, grow_crown_in};
+pub use depth::smooth_depth;
 pub use params::SketchFinish;
 pub use wood::grow_wood;

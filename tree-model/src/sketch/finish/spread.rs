@@ -7,7 +7,7 @@ use tree_core::Skeleton;
 const CELLS: f32 = 28.0;
 /// How evenly leaves spread: a cell bears in proportion to its places to this power. 1 is as many everywhere as the
 /// shoots have places, 0 the same in every cell.
-const EVENNESS: f32 = 0.5;
+const EVENNESS: f32 = 0.6;
 /// Times the factor that makes the sum right is corrected for cells that bear all they can.
 const ROUNDS: u32 = 6;
 
@@ -33,17 +33,26 @@ impl Cells {
     }
 
     fn index(&self, point: Vec3) -> Option<usize> {
-        let at = ((point - self.corner) / self.cell).floor().as_ivec3();
-        let inside = at.cmpge(IVec3::ZERO).all() && at.cmplt(self.size).all();
-        inside.then(|| ((at.z * self.size.y + at.y) * self.size.x + at.x) as usize)
+        let at = ((point - self.corner) / self.cell).floor();
+        // Not a number is in no cell.
+        if !(at.cmpge(Vec3::ZERO).all() && at.cmplt(self.size.as_vec3()).all()) {
+            return None;
+        }
+        let at = at.as_ivec3();
+        Some(((at.z * self.size.y + at.y) * self.size.x + at.x) as usize)
     }
 
     /// Counts points.
     pub(super) fn count(&mut self, points: impl Iterator<Item = Vec3>) {
         for point in points {
-            if let Some(i) = self.index(point) {
-                self.counts[i] += 1.0;
-            }
+            self.add(point, 1.0);
+        }
+    }
+
+    /// Adds to the count of the cell about `point`.
+    pub(super) fn add(&mut self, point: Vec3, count: f32) {
+        if let Some(i) = self.index(point) {
+            self.counts[i] += count;
         }
     }
 
@@ -69,10 +78,8 @@ impl Cells {
 
     /// Turns counts of places into how many leaves are to stand at each, `wanted` in all and at most `most` at one.
     pub(super) fn spread(mut self, wanted: f32, most: f32) -> Self {
-        let shares = self.counts.iter().map(|&count| match count {
-            0.0 => 0.0,
-            count => libm::powf(count, EVENNESS - 1.0),
-        });
+        // A place may be asked about a little beside where it was counted: an empty cell is as one with one place.
+        let shares = self.counts.iter().map(|&count| libm::powf(count.max(1.0), EVENNESS - 1.0));
         let shares: Vec<f32> = shares.collect();
         let mut factor = 0.0;
         let (mut full, mut open) = (0.0, 0.0);

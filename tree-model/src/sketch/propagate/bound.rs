@@ -19,6 +19,8 @@ pub trait Surface: Sync {
 pub(super) struct Bounds<'a> {
     pub(super) crown: Option<&'a dyn Surface>,
     pub(super) obstacle: Option<&'a Obstacle>,
+    /// Height that nothing grows below.
+    pub(super) ground: f32,
 }
 
 /// How much of a line of points the crown leaves.
@@ -56,9 +58,12 @@ impl Bounds<'_> {
         self.crown?.exit(from, from + most * along).map(|share| share * most)
     }
 
-    /// Whether a line of points keeps clear of the obstacle.
+    /// Whether a line of points keeps clear of the obstacle and the ground; where it begins deeper, it need not rise.
     pub(super) fn is_free(&self, points: &[Vec3]) -> bool {
-        self.obstacle
-            .is_none_or(|obstacle| points.windows(2).all(|pair| obstacle.is_free(pair[0], pair[1])))
+        let ground = points.first().map_or(self.ground, |start| self.ground.min(start.y));
+        points.iter().all(|point| point.y >= ground)
+            && self.obstacle.is_none_or(|obstacle| {
+                points.windows(2).all(|pair| obstacle.is_free(pair[0], pair[1]))
+            })
     }
 }

@@ -11,6 +11,11 @@ use tree_core::{NO_PARENT, Seed};
 const LEAST_NATURAL: f32 = 0.5;
 /// Coordinates beyond this many metres are no tree's.
 const FARTHEST: f32 = 1e6;
+/// New segments stay this share of the height above the base: leaves hang from them.
+const ABOVE_GROUND: f32 = 0.03;
+/// An apical segment with at least so many laterals about it, of an order that does not branch, is as those are: a
+/// palm's fronds.
+const ROSETTE: usize = 4;
 /// Smallest and largest length of a new segment against the one below: growth must slow down, but not stop at once.
 pub(super) const RATIO: [f32; 2] = [0.35, 0.9];
 
@@ -104,6 +109,20 @@ impl<'a> Drawn<'a> {
     /// Whether a segment is none: the imagined root.
     pub(super) fn is_imagined(&self, segment: usize) -> bool {
         segment == 0 && self.branches.has_imagined_root()
+    }
+
+    /// Height that nothing new grows below.
+    pub(super) fn ground(&self) -> f32 {
+        let root = usize::from(self.is_imagined(0) && self.branches.len() > 1);
+        self.branches.start(root).y + ABOVE_GROUND * self.height
+    }
+
+    /// Whether a segment is the end of a rosette.
+    pub(super) fn is_in_rosette(&self, segment: usize) -> bool {
+        let parent = self.branches.parents()[segment];
+        parent != NO_PARENT
+            && self.children(segment).is_empty()
+            && self.children(parent as usize).len() > ROSETTE
     }
 
     pub(super) fn children(&self, segment: usize) -> &[u32] {

@@ -15,8 +15,12 @@ use tree_core::seed::{Rng, normal, uniform};
 const LENGTH_VARIATION: f32 = 0.15;
 /// How far an apical segment first goes on as its parent did, so that an axis has no kink at its forks, 0 to 1.
 const EASE: f32 = 0.5;
-/// What grows on a sketched segment is made smaller or larger by at most these factors to reach the crown's surface.
-const FIT: [f32; 2] = [0.6, 1.7];
+/// What grows on a sketched segment is made smaller or larger by at most these factors to reach the crown's surface,
+const FIT: [f32; 2] = [0.5, 2.5];
+/// and what grows in the next generations by these.
+const LATER_FIT: [f32; 2] = [0.7, 1.3];
+/// Generations that are so fitted.
+const FITTED: u32 = 4;
 /// Generations that this reckons with at most: later ones hardly reach farther.
 const FIT_GENERATIONS: u32 = 7;
 /// A segment of which the surface leaves less than this share does not grow.
@@ -140,9 +144,9 @@ impl Grower<'_> {
         let angle = child.angle + uniform(rng, -jitter, jitter);
         let azimuth = open.turn + child.azimuth + uniform(rng, -jitter, jitter);
         let order = open.order + u32::from(!apical);
-        if open.generation == 0 && self.bounds.crown.is_some() {
+        if open.generation < FITTED && self.bounds.crown.is_some() {
             let [along, ..] = open.frame.child(angle, azimuth);
-            length *= self.fit(open.point, along, length, order);
+            length *= self.fit(open, along, length, order);
         }
         if length < self.shortest {
             part.tally.too_short += 1;
@@ -183,12 +187,14 @@ impl Grower<'_> {
         (turn + gamma.mean + gamma.deviation * normal(rng)) % TAU
     }
 
-    /// How much smaller or larger to make what grows here, so that it reaches the crown's surface.
-    fn fit(&self, from: Vec3, along: Vec3, length: f32, order: u32) -> f32 {
+    /// How much smaller or larger to make a child and what grows on it, so that it reaches the crown's surface.
+    fn fit(&self, open: &Open, along: Vec3, length: f32, order: u32) -> f32 {
+        let [least, most] = if open.generation == 0 { FIT } else { LATER_FIT };
         let ratio = usual_ratio(habit(self.omega, order));
-        let reach = length * chain(ratio, self.generations.min(FIT_GENERATIONS));
-        let room = self.bounds.room(from, along, FIT[1] * reach);
-        room.map_or(FIT[1], |room| (room / reach).clamp(FIT[0], FIT[1]))
+        let left = self.generations - open.generation;
+        let reach = length * chain(ratio, left.min(FIT_GENERATIONS));
+        let room = self.bounds.room(open.point, along, most * reach);
+        room.map_or(most, |room| (room / reach).clamp(least, most))
     }
 
     /// Finds a place for a child of this angle, azimuth and length: its points, how many, and whether it touches the

@@ -12,7 +12,7 @@
 //! Departures: the thesis draws blocks from all of the tree; here by order, so that a spruce's shoots do not grow as
 //! its trunk does, and axes of an order without laterals do not branch. What grows on a sketched segment is made
 //! smaller or larger to reach the crown's surface, not only cut. Beyond the thesis: obstacles, which new segments
-//! are turned aside from, end before, or do not grow for; and streams of randomness that are named by the way from
+//! are turned aside from, end before, or do not grow for, and the ground likewise; and streams of randomness that are named by the way from
 //! the root, so that an edit of one branch leaves what grew on others as it was.
 //!
 //! Cost: O(segments × blocks of an order), at most 48; parallel over open ends, the same for any number of
@@ -21,6 +21,8 @@
 mod block;
 mod bound;
 mod drawn;
+#[cfg(test)]
+pub(super) mod fixtures;
 mod frame;
 mod grow;
 mod open;
@@ -86,11 +88,11 @@ pub struct PropagateReport {
     pub outside: u64,
     /// Left out because they would have been shorter than [`PropagateParams::shortest`].
     pub too_short: u64,
-    /// Turned aside from an obstacle.
+    /// Turned aside from an obstacle or the ground.
     pub turned_aside: u64,
-    /// Shortened because of an obstacle.
+    /// Shortened because of an obstacle or the ground.
     pub shortened: u64,
-    /// Left out because of an obstacle.
+    /// Left out because of an obstacle or the ground.
     pub blocked: u64,
     /// Left out because there would have been more than [`PropagateParams::max_segments`].
     pub over_cap: u64,
@@ -145,7 +147,7 @@ pub fn propagate_in(
     let grower = Grower {
         pools: &pools,
         omega,
-        bounds: Bounds { crown, obstacle: obstacle.as_ref() },
+        bounds: Bounds { crown, obstacle: obstacle.as_ref(), ground: drawn.ground() },
         params,
         generations: if crown.is_some() { params.generations_in_crown } else { params.generations },
         shortest: (params.shortest * drawn.height).max(f32::MIN_POSITIVE),

@@ -31,7 +31,9 @@ pub(super) struct Found {
 pub(super) fn find(drawn: &Drawn<'_>, pools: &Pools, grower: &Grower<'_>) -> Found {
     let mut found = Found::default();
     for segment in 0..drawn.orders.len() {
-        if drawn.is_imagined(segment) || !pools.branches(drawn.orders[segment]) {
+        let order = drawn.orders[segment];
+        let frond = !pools.branches(order + 1) && drawn.is_in_rosette(segment);
+        if drawn.is_imagined(segment) || !pools.branches(order) || frond {
             continue;
         }
         along(drawn, grower, segment, &mut found);
@@ -60,6 +62,9 @@ fn along(drawn: &Drawn<'_>, grower: &Grower<'_>, segment: usize, found: &mut Fou
         (true, false) => params.bare,
         (false, _) => SHADE,
     };
+    // What will grow at the axis's tip counts too.
+    let ratio = usual_ratio(habit(grower.omega, order));
+    let beyond = drawn.beyond[segment] + TIP * natural * chain(ratio, grower.generations.max(1));
     found.long += 1;
     let key = drawn.keys[segment].child(FORKS);
     let rng = &mut key.rng();
@@ -85,7 +90,7 @@ fn along(drawn: &Drawn<'_>, grower: &Grower<'_>, segment: usize, found: &mut Fou
             point,
             frame: drawn.frame_at(segment, way),
             turn,
-            length: lateral_length(grower, order, length - way + drawn.beyond[segment]),
+            length: lateral_length(grower, order, length - way + beyond),
             order,
             key: key.child(u64::from(i)),
             laterals: Some(number),

@@ -8,15 +8,15 @@ use crate::error::{Result, check};
 pub struct PropagateParams {
     /// Generations of new segments where no crown is drawn, 0 (none) to 32. Default 5, as in the thesis.
     pub generations: u32,
-    /// Most generations where a crown is drawn: its surface mostly ends growth before, 0 to 32. Default 9.
+    /// Most generations where a crown is drawn: its surface mostly ends growth before, 0 to 32. Default 7.
     pub generations_in_crown: u32,
     /// A sketched segment longer than this many times its natural length gets new laterals, 1 to 1e6. Default 1.5;
     /// 1e6 for none.
     pub long: f32,
     /// Longest natural length of a segment from fork to fork, as a share of the tree's height, 1e-3 to 1. Default
-    /// 0.055. Smaller gives more laterals along sketched branches.
+    /// 0.045. Smaller gives more laterals along sketched branches.
     pub internode: f32,
-    /// Segments shorter than this share of the tree's height do not grow, 1e-4 to 1. Default 0.012.
+    /// Segments shorter than this share of the tree's height do not grow, 1e-4 to 1. Default 0.009.
     pub shortest: f32,
     /// Share of a trunk without drawn branches that stays bare where no crown is drawn, 0 to 1. Default 0.25.
     pub bare: f32,
@@ -40,10 +40,10 @@ impl Default for PropagateParams {
     fn default() -> Self {
         Self {
             generations: 5,
-            generations_in_crown: 9,
+            generations_in_crown: 7,
             long: 1.5,
-            internode: 0.055,
-            shortest: 0.012,
+            internode: 0.045,
+            shortest: 0.009,
             bare: 0.25,
             below_first: false,
             orders: 8,
