@@ -16,11 +16,11 @@ use tree_core::{Control, CoreError, Foliage, Seed, Species, Tree, file, swc};
 use tree_lod::preview::{self, Camera, Framing, Picture, Style, View};
 use tree_mesh::io::{self, ImportOptions};
 use tree_mesh::{Alpha, Look, Mesh, MeshParams};
+use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, skeletonize};
 use tree_model::sketch::Drawing;
 use tree_model::sketch::template::{
     self, EXEMPLARS, Exemplar, MainBranches, Template, TemplateParams, main_branches, project,
 };
-use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, skeletonize};
 
 const USAGE: &str = "templates list [FILE] | build OUT.txt | sheet FOLDER | \
                      add TREE.swc|TREE.glb|TREE.obj --name NAME [--species SPECIES] OUT.txt";
@@ -123,8 +123,7 @@ fn add(arguments: &[&str]) -> Outcome {
     let control = Control::default();
     let tree = tree(Path::new(input), &control)?;
     let species = species.unwrap_or("oak");
-    let template =
-        Template::of_tree(name, species, &tree, &TemplateParams::default(), &control)?;
+    let template = Template::of_tree(name, species, &tree, &TemplateParams::default(), &control)?;
     templates.retain(|other| other.name != name);
     templates.push(template);
     write(out, &templates)
@@ -177,7 +176,8 @@ fn sheet(folder: &Path) -> Outcome {
         tiles.push(beside(picture, &drawn(&project(&branches, YAW, &[])))?);
         println!("{}: {}", exemplar.name(), exemplar.title());
     }
-    let mut sheet = RgbaImage::new(2 * TILE * COLUMNS, TILE * (tiles.len() as u32).div_ceil(COLUMNS));
+    let mut sheet =
+        RgbaImage::new(2 * TILE * COLUMNS, TILE * (tiles.len() as u32).div_ceil(COLUMNS));
     for (number, tile) in (0_u32..).zip(&tiles) {
         let (x, y) = (number % COLUMNS * 2 * TILE, number / COLUMNS * TILE);
         imageops::replace(&mut sheet, tile, i64::from(x), i64::from(y));

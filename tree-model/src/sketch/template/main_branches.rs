@@ -9,8 +9,8 @@
 //! O(nodes) time.
 
 use crate::error::{ModelError, Result, check};
-use crate::sketch::{Branches, Label};
 use crate::sketch::frame::{across, roll};
+use crate::sketch::{Branches, Label};
 use glam::{DVec3, Vec3};
 use tree_core::{Axes, Axis, Continuation, NO_PARENT, Skeleton};
 
@@ -77,7 +77,8 @@ pub fn main_branches(skeleton: &Skeleton, params: &MainBranches) -> Result<Branc
     let several_stems = kept.iter().skip(1).any(|&axis| joints.begin(skeleton, axis) == 0);
     if several_stems {
         let base = skeleton.positions()[0];
-        draft.ends[0] = draft.push(NO_PARENT, true, &[base - IMAGINED_ROOT * extent * Vec3::Y, base]);
+        draft.ends[0] =
+            draft.push(NO_PARENT, true, &[base - IMAGINED_ROOT * extent * Vec3::Y, base]);
     }
     for axis in kept {
         draft.add(skeleton, &joints, axis);
@@ -147,10 +148,8 @@ impl Joints {
                 is_fork[node as usize] = true;
             }
         }
-        let mut joints = Self {
-            of: (0..skeleton.len() as u32).collect(),
-            is_cut: vec![false; skeleton.len()],
-        };
+        let mut joints =
+            Self { of: (0..skeleton.len() as u32).collect(), is_cut: vec![false; skeleton.len()] };
         let positions = skeleton.positions();
         for axis in kept.iter().filter_map(|&axis| axes.get(axis)) {
             let mut joint = joints.begin(skeleton, axis);

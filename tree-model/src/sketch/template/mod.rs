@@ -23,7 +23,7 @@ pub use main_branches::{MainBranches, main_branches};
 pub use measure::{DrawnShape, TemplateParams, crown_points};
 pub use project::{project, seen_from};
 pub use select::{Choice, SelectParams, select};
-pub use shape::BranchShape;
+pub use shape::{BranchShape, DIRECTION_BINS, Directions};
 pub use text::{parse, to_text};
 
 use super::{Footprint, Omega};
@@ -56,6 +56,8 @@ pub struct TemplateView {
     pub yaw: f32,
     /// Statistics of the branching as seen.
     pub shape: BranchShape,
+    /// Which way the branches go.
+    pub directions: Directions,
     /// Footprint of crown and branches without the root branch.
     pub crown: Footprint,
     /// Footprint of the branches alone.
@@ -99,7 +101,8 @@ impl Template {
     pub fn validate(&self) -> Result<()> {
         for (field, name) in [("name", &self.name), ("species", &self.species)] {
             if name.trim() != name || name.is_empty() || name.contains(char::is_control) {
-                let problem = format!("{field} {name:?} must be one line of text, without space round it");
+                let problem =
+                    format!("{field} {name:?} must be one line of text, without space round it");
                 return Err(ModelError::Template { problem });
             }
         }
@@ -107,7 +110,9 @@ impl Template {
         check("slenderness", self.slenderness, 0.0, 1.0)?;
         self.omega.validate()?;
         if self.views.is_empty() {
-            return Err(ModelError::Template { problem: "there is no view: give at least one".into() });
+            return Err(ModelError::Template {
+                problem: "there is no view: give at least one".into(),
+            });
         }
         self.views.iter().enumerate().try_for_each(|(number, view)| view.validate(number))
     }
@@ -117,11 +122,15 @@ impl TemplateView {
     fn validate(&self, number: usize) -> Result<()> {
         check(format!("views[{number}].yaw"), self.yaw, 0.0, 2.0 * PI)?;
         let shape = &self.shape;
-        for (name, normal) in [("scale", shape.scale), ("alpha", shape.alpha), ("beta", shape.beta)] {
+        for (name, normal) in [("scale", shape.scale), ("alpha", shape.alpha), ("beta", shape.beta)]
+        {
             let Some(normal) = normal else { continue };
             let field = format!("views[{number}].shape.{name}");
             check(format!("{field}.mean"), normal.mean, -20.0, 20.0)?;
             check(format!("{field}.deviation"), normal.deviation, 0.0, 20.0)?;
+        }
+        for (bin, &share) in self.directions.0.iter().enumerate() {
+            check(format!("views[{number}].directions[{bin}]"), share, 0.0, 1.0)?;
         }
         match self.silhouette.iter().position(|p| !p.is_finite()) {
             Some(at) => {
@@ -131,3 +140,6 @@ impl TemplateView {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -25,9 +25,8 @@ pub fn project(branches: &Branches, yaw: f32, crown: &[Vec<Vec2>]) -> Drawing {
     let mut lines: Vec<Vec<Vec2>> = Vec::new();
     for segment in first..branches.len() {
         let parent = branches.parents()[segment];
-        let goes_on = segment > first
-            && branches.labels()[segment] == Label::Apical
-            && parent != NO_PARENT;
+        let goes_on =
+            segment > first && branches.labels()[segment] == Label::Apical && parent != NO_PARENT;
         let points = branches.points(segment).iter().map(|&point| seen_from(yaw, point));
         if goes_on {
             let stroke = stroke_of[parent as usize];
