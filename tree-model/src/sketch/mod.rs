@@ -3,6 +3,7 @@
 
 mod branches;
 pub mod clean;
+pub mod crown;
 pub mod finish;
 mod footprint;
 mod frame;
@@ -13,6 +14,7 @@ mod plan;
 pub mod propagate;
 pub mod read;
 mod relation;
+pub mod session;
 mod stroke;
 pub mod template;
 

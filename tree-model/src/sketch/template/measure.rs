@@ -7,13 +7,14 @@
 //!    outline of the crown.
 //!
 //! Departures: the thesis compares drawings without a crown by their branching shape alone; here the hull of the branches
-//! has a footprint too. It takes in the trunk, which tells a palm from a bush.
+//! has a footprint too. It takes in the trunk, which tells a palm from a bush. And [which way the branches
+//! go](super::Directions) is measured, which forks that are joined in another way do not change.
 //!
 //! Some milliseconds for each tree, most of it for outlines.
 
 use super::main_branches::{MainBranches, main_branches};
 use super::project::{flat, seen_from};
-use super::shape::{BranchShape, Flat};
+use super::shape::{BranchShape, Directions, Flat};
 use super::{Template, TemplateView};
 use crate::error::{ModelError, Result, check};
 use crate::sketch::{Branches, Footprint, Omega, Plan, convex_hull};
@@ -105,6 +106,7 @@ fn view(name: &str, tree: &Tree, branches: &Branches, yaw: f32) -> Result<Templa
     Ok(TemplateView {
         yaw,
         shape: BranchShape::of(&flat),
+        directions: Directions::of(&flat),
         crown: Footprint::of(&crown).unwrap_or_else(|| all.clone()),
         branches: all,
         silhouette: convex_hull(&crown),
@@ -122,6 +124,8 @@ pub fn crown_points(tree: &Tree, yaw: f32) -> Vec<Vec2> {
 pub struct DrawnShape {
     /// Its branching shape.
     pub shape: BranchShape,
+    /// Which way its branches go.
+    pub directions: Directions,
     /// Of the drawn crown and all branches but the root branch, where a crown is drawn.
     pub crown: Option<Footprint>,
     /// Of all branches; `None` where they have no area, as a single straight stroke.
@@ -152,6 +156,7 @@ impl DrawnShape {
         });
         Self {
             shape: BranchShape::of(flat),
+            directions: Directions::of(flat),
             crown: drawn_crown.flatten(),
             branches: Footprint::of(&flat.positions),
         }

@@ -23,7 +23,7 @@ pub use main_branches::{MainBranches, main_branches};
 pub use measure::{DrawnShape, TemplateParams, crown_points};
 pub use project::{project, seen_from};
 pub use select::{Choice, SelectParams, select};
-pub use shape::BranchShape;
+pub use shape::{BranchShape, DIRECTION_BINS, Directions};
 pub use text::{parse, to_text};
 
 use super::{Footprint, Omega};
@@ -56,6 +56,8 @@ pub struct TemplateView {
     pub yaw: f32,
     /// Statistics of the branching as seen.
     pub shape: BranchShape,
+    /// Which way the branches go.
+    pub directions: Directions,
     /// Footprint of crown and branches without the root branch.
     pub crown: Footprint,
     /// Footprint of the branches alone.
@@ -127,6 +129,9 @@ impl TemplateView {
             check(format!("{field}.mean"), normal.mean, -20.0, 20.0)?;
             check(format!("{field}.deviation"), normal.deviation, 0.0, 20.0)?;
         }
+        for (bin, &share) in self.directions.0.iter().enumerate() {
+            check(format!("views[{number}].directions[{bin}]"), share, 0.0, 1.0)?;
+        }
         match self.silhouette.iter().position(|p| !p.is_finite()) {
             Some(at) => {
                 Err(ModelError::NotFinite { field: format!("views[{number}].silhouette[{at}]") })
@@ -135,3 +140,6 @@ impl TemplateView {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -7,7 +7,7 @@
 //!
 //! Departures: the terms have weights, since one counts in footprints' distances and the other in deviations. The
 //! footprint of the branches counts as a third term, and without a crown it takes the crown's place, where the thesis has
-//! L_b alone. Each of L_b's three parts is bounded: one odd fork cannot rule a template out. Norms are root mean
+//! L_b alone. A fourth compares which way the branches go. Each of L_b's three parts is bounded: one odd fork cannot rule a template out. Norms are root mean
 //! squares, so that weights do not depend on K_f.
 //!
 //! O(templates · views · K_f): about 50 µs for the built-in ones.
@@ -25,19 +25,21 @@ use std::f32::consts::PI;
 pub struct SelectParams {
     /// Weight of the crown's footprint, 0 to 1000. Default 40.
     pub crown: f32,
-    /// Weight of the branches' footprint, 0 to 1000. Default 20.
+    /// Weight of the branches' footprint, 0 to 1000. Default 40.
     pub branches: f32,
     /// Weight of the branching shape, 0 to 1000. Default 1.
     pub shape: f32,
+    /// Weight of the directions of branches, 0 to 1000. Default 15.
+    pub directions: f32,
     /// Added to every deviation of the branching shape, 0.001 to 10: what the hand adds. Default 0.3.
     pub hand: f32,
-    /// What one of the branching shape's three parts can take away at most, 0 to 1000. Default 4.
+    /// What one of the branching shape's three parts can take away at most, 0 to 1000. Default 2.
     pub most: f32,
 }
 
 impl Default for SelectParams {
     fn default() -> Self {
-        Self { crown: 40.0, branches: 20.0, shape: 1.0, hand: 0.3, most: 4.0 }
+        Self { crown: 40.0, branches: 40.0, shape: 1.0, directions: 15.0, hand: 0.3, most: 2.0 }
     }
 }
 
@@ -50,6 +52,7 @@ impl SelectParams {
         check("select.crown", self.crown, 0.0, 1000.0)?;
         check("select.branches", self.branches, 0.0, 1000.0)?;
         check("select.shape", self.shape, 0.0, 1000.0)?;
+        check("select.directions", self.directions, 0.0, 1000.0)?;
         check("select.hand", self.hand, 0.001_f32, 10.0)?;
         check("select.most", self.most, 0.0, 1000.0)
     }
@@ -70,6 +73,8 @@ pub struct Choice {
     pub branches: f32,
     /// The branching shape's part, weighted: L_b.
     pub shape: f32,
+    /// The directions' part, weighted.
+    pub directions: f32,
 }
 
 /// All templates, best first.
@@ -120,9 +125,10 @@ fn compare(
     let crown = params.crown * footprint(&drawn.crown, &view.crown);
     let branches = params.branches * footprint(&drawn.branches, &view.branches);
     let shape = params.shape * shape_score(&drawn.shape, &view.shape, params);
-    let score = crown + branches + shape;
+    let directions = -params.directions * drawn.directions.distance(&view.directions);
+    let score = crown + branches + shape + directions;
     let yaw = if mirrored { view.yaw + PI } else { view.yaw };
-    Choice { template, yaw, score, crown, branches, shape }
+    Choice { template, yaw, score, crown, branches, shape, directions }
 }
 
 /// Root mean square distance of two footprints, the second mirrored or not.

@@ -28,6 +28,49 @@ pub struct BranchShape {
     pub beta: Option<Normal>,
 }
 
+/// Bins of [`Directions`].
+pub const DIRECTION_BINS: usize = 12;
+
+/// Which way the branches of a drawing go: the shares of their length that go straight up (the first bin), level, straight
+/// down (the last) and between, to either side.
+///
+/// It tells willows from elms and cedars from oaks, and does not care how lines are joined or how many there are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Directions(pub [f32; DIRECTION_BINS]);
+
+impl Directions {
+    pub(super) fn of(flat: &Flat) -> Self {
+        let mut bins = [0.0_f64; DIRECTION_BINS];
+        for (node, &parent) in flat.parents.iter().enumerate() {
+            let Some(below) = flat.positions.get(parent as usize) else { continue };
+            let step = (flat.positions[node] - *below).as_dvec2();
+            let angle = libm::atan2(step.x.abs(), step.y) / std::f64::consts::PI;
+            // Between the middles of two bins both have their share.
+            let place =
+                (angle * DIRECTION_BINS as f64 - 0.5).clamp(0.0, (DIRECTION_BINS - 1) as f64);
+            let (low, rest) = (place.floor() as usize, place.fract());
+            let high = (low + 1).min(DIRECTION_BINS - 1);
+            bins[low] += (1.0 - rest) * step.length();
+            bins[high] += rest * step.length();
+        }
+        let sum = bins.iter().sum::<f64>();
+        Self(bins.map(|bin| if sum > 0.0 { (bin / sum) as f32 } else { 0.0 }))
+    }
+
+    /// The least turning that makes one of the other, as a share of half a turn (the earth mover's distance), 0 to 1.
+    #[must_use]
+    pub fn distance(&self, other: &Self) -> f32 {
+        let mut ahead = 0.0;
+        let mut moved = 0.0;
+        for (a, b) in self.0.iter().zip(&other.0) {
+            ahead += a - b;
+            moved += f32::abs(ahead);
+        }
+        moved / DIRECTION_BINS as f32
+    }
+}
+
 /// Branches in the plane: nodes and their parents, parents first, y up.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flat {

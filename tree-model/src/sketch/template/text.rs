@@ -8,15 +8,16 @@
 //! slenderness 0.0406
 //! order scale -0.12 0.4 lateral 0.5 0.5 alpha 0.2 0.1 beta 0.9 0.2 gamma 2.4 0.6
 //! view 0.3927 scale -0.1 0.5 alpha 0.2 0.1 beta - -
+//! directions 120 80 …      shares of length in thousandths, from straight up to straight down
 //! crown 512 498 …          K_f distances in thousandths
 //! branches 498 …
 //! silhouette -320 410 …    x and y in centimetres
 //! ```
 //!
 //! The first line has the version. `order` comes once for each order of axes, `view` once for each view, followed by the
-//! three lines that belong to it. Empty lines and those that begin with # do not count.
+//! four lines that belong to it. Empty lines and those that begin with # do not count.
 
-use super::{BranchShape, Template, TemplateView};
+use super::{BranchShape, DIRECTION_BINS, Directions, Template, TemplateView};
 use crate::error::{ModelError, Result};
 use crate::sketch::{Footprint, Habit, Normal, Omega};
 use glam::Vec2;
@@ -24,7 +25,7 @@ use std::fmt::Write;
 
 /// Version of the format.
 const VERSION: u32 = 1;
-/// Footprints are stored in such parts of the box's longer side.
+/// Footprints are stored in such parts of the box's longer side, directions of the whole.
 const FOOTPRINT_UNIT: f32 = 0.001;
 /// Silhouettes are stored in such parts of a metre.
 const SILHOUETTE_UNIT: f32 = 0.01;
@@ -59,6 +60,10 @@ fn write_template(text: &mut String, template: &Template) -> std::fmt::Result {
         let shape = [view.shape.scale, view.shape.alpha, view.shape.beta];
         for (name, normal) in SHAPE.iter().zip(shape) {
             write_normal(text, name, normal)?;
+        }
+        write!(text, "\ndirections")?;
+        for share in view.directions.0 {
+            write!(text, " {}", (share / FOOTPRINT_UNIT).round())?;
         }
         for (name, footprint) in [("crown", &view.crown), ("branches", &view.branches)] {
             write!(text, "\n{name}")?;
@@ -231,6 +236,11 @@ impl<'a> Lines<'a> {
         let (yaw, rest) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
         let yaw = self.number_in(yaw)?;
         let [scale, alpha, beta] = self.normals(rest, SHAPE)?;
+        let shares: Result<[f32; DIRECTION_BINS], _> =
+            self.numbers("directions", FOOTPRINT_UNIT)?.try_into();
+        let directions = shares
+            .map(Directions)
+            .map_err(|_| self.wrong(format!("directions has {DIRECTION_BINS} numbers")))?;
         let crown = self.footprint("crown")?;
         let branches = self.footprint("branches")?;
         let numbers = self.numbers("silhouette", SILHOUETTE_UNIT)?;
@@ -239,7 +249,7 @@ impl<'a> Lines<'a> {
         }
         let silhouette = numbers.chunks_exact(2).map(|p| Vec2::new(p[0], p[1])).collect();
         let shape = BranchShape { scale, alpha, beta };
-        Ok(TemplateView { yaw, shape, crown, branches, silhouette })
+        Ok(TemplateView { yaw, shape, directions, crown, branches, silhouette })
     }
 
     fn footprint(&mut self, name: &str) -> Result<Footprint> {
