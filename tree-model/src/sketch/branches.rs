@@ -24,6 +24,8 @@ pub struct Branches {
     pub(super) points: Vec<Vec3>,
     /// Whether segment 0 is not drawn: it stands below a base from which several stems rise.
     pub(super) imagined_root: bool,
+    /// A name for each segment, or none.
+    pub(super) names: Vec<u64>,
 }
 
 impl Branches {
@@ -54,7 +56,8 @@ impl Branches {
         if let Some(point) = points.iter().position(|point| !point.is_finite()) {
             return fail(format!("points[{point}] is not finite"));
         }
-        let branches = Self { parents, labels, starts, points, imagined_root };
+        let names = Vec::new();
+        let branches = Self { parents, labels, starts, points, imagined_root, names };
         for (segment, &parent) in branches.parents.iter().enumerate() {
             let own = branches.points(segment);
             if own.len() < 2 {
@@ -95,6 +98,13 @@ impl Branches {
     #[must_use]
     pub fn labels(&self) -> &[Label] {
         &self.labels
+    }
+
+    /// A name for each segment that stays when other branches are drawn or erased: streams of randomness go by it. Empty where
+    /// segments have none.
+    #[must_use]
+    pub fn names(&self) -> &[u64] {
+        &self.names
     }
 
     /// Whether segment 0 is not part of the tree: it stands below a base from which several stems rise, and only says

@@ -9,8 +9,8 @@ use std::error::Error;
 use tree_model::sketch::clean::{CleanParams, clean};
 use tree_model::sketch::infer::{InferParams, infer};
 use tree_model::sketch::template::{
-    DrawnShape, EXEMPLARS, MainBranches, SEED, SelectParams, Template, main_branches, project, seen_from,
-    select,
+    DrawnShape, EXEMPLARS, MainBranches, SEED, SelectParams, Template, main_branches, project,
+    seen_from, select,
 };
 use tree_model::sketch::{Branches, Label, Plan};
 use tree_model::tree_core::glam::{Vec2, Vec3};

@@ -35,6 +35,7 @@ pub(super) fn in_space(
         starts: vec![0],
         points: Vec::with_capacity(plan.len() + segments.len()),
         imagined_root: segments.imagined_root,
+        names: segments.keys.iter().map(|&[stroke, place]| (stroke << 32) ^ place).collect(),
     };
     for (i, &length) in lengths.iter().enumerate() {
         if i == 0 && segments.imagined_root {

@@ -78,8 +78,6 @@ pub struct FactorRow {
 pub struct Inferred {
     /// The segments, with labels and points. Seen along −Z their points are those of the plan.
     pub branches: Branches,
-    /// A name for each segment that stays when other branches are drawn or erased: streams of randomness go by it.
-    pub names: Vec<u64>,
     /// Ω of the sketch: the template's, or estimated.
     pub omega: Omega,
     /// The posterior.
@@ -330,7 +328,6 @@ impl Run<'_> {
         let interpenetrations = overlaps.count() as u32;
         Inferred {
             branches: in_space(plan, segments, &state, &graph.near.crossings),
-            names: segments.keys.iter().map(|&[stroke, place]| (stroke << 32) ^ place).collect(),
             nodes: segments.all_nodes().to_vec(),
             posterior: graph.posterior(&omega, &state),
             factors: factor_rows(graph, &omega, &state),

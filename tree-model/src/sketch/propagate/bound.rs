@@ -1,6 +1,7 @@
 //! Where new segments may be: inside the crown, outside of obstacles.
 
 use crate::path::Obstacle;
+use crate::sketch::crown::Crown;
 use glam::Vec3;
 
 /// A branch that reaches the surface ends this share of its last piece before it: rounding must not carry it out.
@@ -12,6 +13,16 @@ pub trait Surface: Sync {
     fn contains(&self, point: Vec3) -> bool;
     /// The first share of the way from `from` to `to` where it leaves; `None` where it does not.
     fn exit(&self, from: Vec3, to: Vec3) -> Option<f32>;
+}
+
+impl Surface for Crown {
+    fn contains(&self, point: Vec3) -> bool {
+        self.contains_3d(point)
+    }
+
+    fn exit(&self, from: Vec3, to: Vec3) -> Option<f32> {
+        Self::exit(self, from, to)
+    }
 }
 
 /// All that growth heeds.

@@ -86,7 +86,10 @@ impl<'a> Drawn<'a> {
         if parent != NO_PARENT {
             let parent = parent as usize;
             below = self.ends[parent];
-            self.keys[segment] = self.keys[parent].child(code(label));
+            self.keys[segment] = match self.branches.names().get(segment) {
+                Some(&name) => self.keys[0].child(name),
+                None => self.keys[parent].child(code(label)),
+            };
             if !self.is_stem(segment) {
                 let habit = habit(omega, self.orders[parent]);
                 let scale = if label == Label::Apical { habit.scale } else { habit.lateral_scale };

@@ -28,16 +28,24 @@ impl Depths {
         let mut strokes: BTreeMap<u32, Vec<[Known; 2]>> = BTreeMap::new();
         // Every node but the base lies on one segment beyond its first point.
         for segment in 0..inferred.branches.len() {
-            for (&node, point) in inferred.nodes(segment).iter().zip(inferred.branches.points(segment)) {
+            for (&node, point) in
+                inferred.nodes(segment).iter().zip(inferred.branches.points(segment))
+            {
                 depths[node as usize] = point.z;
             }
         }
-        let known = |node: usize| Known { at: plan.to_drawing(plan.positions()[node]), depth: depths[node] / plan.scale };
+        let known = |node: usize| Known {
+            at: plan.to_drawing(plan.positions()[node]),
+            depth: depths[node] / plan.scale,
+        };
         for node in 1..plan.len() {
             let parent = plan.parents()[node] as usize;
             strokes.entry(plan.strokes()[node]).or_default().push([known(parent), known(node)]);
         }
-        let size = plan.positions().iter().fold(0.0_f32, |most, point| most.max(point.abs().max_element()));
+        let size = plan
+            .positions()
+            .iter()
+            .fold(0.0_f32, |most, point| most.max(point.abs().max_element()));
         Self { strokes, near: NEAR * size / plan.scale }
     }
 
@@ -52,7 +60,8 @@ impl Depths {
         let pin = |&node: &u32| {
             let at = plan.to_drawing(plan.positions()[node as usize]);
             let lines = self.strokes.get(&plan.strokes()[node as usize])?;
-            let (distance, depth) = lines.iter().map(|line| nearest(line, at)).min_by(|a, b| a.0.total_cmp(&b.0))?;
+            let (distance, depth) =
+                lines.iter().map(|line| nearest(line, at)).min_by(|a, b| a.0.total_cmp(&b.0))?;
             (distance <= self.near).then_some(Pin { node, depth: depth * plan.scale })
         };
         ends.iter().filter_map(pin).collect()
@@ -73,7 +82,10 @@ fn ends(plan: &Plan) -> Vec<u32> {
             None => break,
         }
     }
-    (1..plan.len()).filter(|&node| fan[node] != 1 && node != first).map(|node| node as u32).collect()
+    (1..plan.len())
+        .filter(|&node| fan[node] != 1 && node != first)
+        .map(|node| node as u32)
+        .collect()
 }
 
 /// Distance to a line, and the depth there.

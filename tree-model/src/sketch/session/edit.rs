@@ -26,9 +26,13 @@ impl Session {
         params.validate()?;
         let old = std::mem::replace(&mut self.params, params);
         let new = &self.params;
-        let anew = old.infer != new.infer || old.template != new.template || old.height != new.height;
+        let anew =
+            old.infer != new.infer || old.template != new.template || old.height != new.height;
         let changed = [
-            (Stage::Clean, old.clean != new.clean || old.crown != new.crown || old.height != new.height),
+            (
+                Stage::Clean,
+                old.clean != new.clean || old.crown != new.crown || old.height != new.height,
+            ),
             (Stage::Clean, old.select != new.select || old.template != new.template),
             (Stage::Infer, old.infer != new.infer),
             (Stage::Propagate, old.propagate != new.propagate),
@@ -78,7 +82,7 @@ impl Session {
     /// [`ModelError::Stroke`] for a stroke that is not there, or erased before; as [`cleaned`](Self::cleaned).
     pub fn erase_stroke(&mut self, stroke: usize, control: &Control) -> Result<Vec<usize>> {
         self.check_stroke(stroke)?;
-        let plan = &self.cleaned(control)?.plan;
+        let plan = self.cleaned(control)?.plan.clone();
         let mut gone = vec![false; self.drawing.strokes.len()];
         gone[stroke] = true;
         let strokes: Vec<usize> = plan.strokes().iter().map(|&stroke| stroke as usize).collect();
@@ -89,7 +93,10 @@ impl Session {
                 continue;
             }
             let (own, below) = (strokes[node], strokes[parent as usize]);
-            if own != below && gone.get(below) == Some(&true) && self.begins_at(&strokes, &parents, own, node) {
+            if own != below
+                && gone.get(below) == Some(&true)
+                && self.begins_at(&strokes, &parents, own, node)
+            {
                 if let Some(slot) = gone.get_mut(own) {
                     *slot = true;
                 }
@@ -118,7 +125,13 @@ impl Session {
     /// # Errors
     /// [`ModelError::Stroke`] for a stroke that is not there or has no tip or fork; [`ModelError::NotFinite`] for the place or
     /// depth; as [`inferred`](Self::inferred).
-    pub fn set_depth(&mut self, stroke: usize, at: Vec2, depth: f32, control: &Control) -> Result<()> {
+    pub fn set_depth(
+        &mut self,
+        stroke: usize,
+        at: Vec2,
+        depth: f32,
+        control: &Control,
+    ) -> Result<()> {
         self.check_stroke(stroke)?;
         if !at.is_finite() || !depth.is_finite() {
             return Err(ModelError::NotFinite { field: "set_depth".into() });
@@ -128,7 +141,8 @@ impl Session {
         let plan = self.cleaned(control)?.plan.clone();
         let place = plan.from_drawing(at);
         let inferred = self.inferred(control)?;
-        let ends = (1..inferred.branches.len()).filter_map(|i| Some((i, *inferred.nodes(i).last()?)));
+        let ends =
+            (1..inferred.branches.len()).filter_map(|i| Some((i, *inferred.nodes(i).last()?)));
         let own = ends.filter(|&(_, node)| plan.strokes()[node as usize] as usize == stroke);
         let distance = |node: u32| plan.positions()[node as usize].distance(place);
         let nearest = own.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));

@@ -49,7 +49,9 @@ impl SketchReport {
         match self.interpenetrations {
             0 => {}
             1 => out.push("at one crossing of the drawing branches run through each other".into()),
-            n => out.push(format!("at {n} crossings of the drawing branches run through each other")),
+            n => {
+                out.push(format!("at {n} crossings of the drawing branches run through each other"))
+            }
         }
         out
     }

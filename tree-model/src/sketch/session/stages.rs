@@ -6,10 +6,10 @@ use super::report::{SketchReport, SketchTree};
 use crate::error::{ModelError, Result};
 use crate::sketch::clean::{Cleaned, clean};
 use crate::sketch::crown::{Crown, CrownReport};
-use crate::sketch::finish::{SketchFinish, grow_crown, grow_wood};
+use crate::sketch::finish::{SketchFinish, grow_crown_in, grow_wood};
 use crate::sketch::infer::{InferParams, Inferred, Pin, infer_with};
 use crate::sketch::omega::Omega;
-use crate::sketch::propagate::{Propagated, propagate};
+use crate::sketch::propagate::{Propagated, Surface, propagate_in};
 use crate::sketch::template::{Choice, DrawnShape, Template, select};
 use crate::sketch::{Drawing, Plan};
 use tree_core::{Control, Seed, Skeleton, Volume};
@@ -33,7 +33,8 @@ pub enum Stage {
 
 impl Stage {
     /// All stages in order.
-    pub const ALL: [Self; 6] = [Self::Clean, Self::Select, Self::Infer, Self::Propagate, Self::Wood, Self::Tree];
+    pub const ALL: [Self; 6] =
+        [Self::Clean, Self::Select, Self::Infer, Self::Propagate, Self::Wood, Self::Tree];
 }
 
 /// A drawing on its way to a tree. See the [module](super).
@@ -82,8 +83,20 @@ impl Session {
         params.validate()?;
         let erased = vec![false; drawing.strokes.len()];
         Ok(Self {
-            drawing, params, templates: None, obstacles: None, seed, erased, kept: None, cleaned: None, choices: None, inferred: None,
-            propagated: None, wood: None, tree: None, runs: [0; Stage::ALL.len()],
+            drawing,
+            params,
+            templates: None,
+            obstacles: None,
+            seed,
+            erased,
+            kept: None,
+            cleaned: None,
+            choices: None,
+            inferred: None,
+            propagated: None,
+            wood: None,
+            tree: None,
+            runs: [0; Stage::ALL.len()],
         })
     }
 
@@ -184,7 +197,8 @@ impl Session {
         let plan = self.clean(control)?.cleaned.plan.clone();
         let index = self.template_index()?;
         let template = &self.templates()?[index];
-        let mut params = InferParams { slenderness: template.slenderness, ..self.params.infer.clone() };
+        let mut params =
+            InferParams { slenderness: template.slenderness, ..self.params.infer.clone() };
         params.keep_omega |= self.kept.is_some();
         let omega = self.kept.as_ref().map_or(&template.omega, |kept| &kept.omega);
         let control = control.part(0.1, 0.5);
@@ -209,10 +223,17 @@ impl Session {
         if self.propagated.is_none() {
             self.inferred(control)?;
             let inferred = missing(self.inferred.as_ref())?;
-            let crown = self.cleaned.as_ref().and_then(|clean| clean.crown.as_ref()).map(|(crown, _)| crown);
+            let crown = self
+                .cleaned
+                .as_ref()
+                .and_then(|clean| clean.crown.as_ref())
+                .map(|(crown, _)| crown);
             let (params, obstacles) = (&self.params.propagate, self.obstacles.as_ref());
             let control = control.part(0.5, 0.7);
-            let grown = propagate(inferred, crown, obstacles, params, self.seed, &control)?;
+            let crown = crown.map(|crown| crown as &dyn Surface);
+            let (branches, omega) = (&inferred.branches, &inferred.omega);
+            let grown =
+                propagate_in(branches, omega, crown, obstacles, params, self.seed, &control)?;
             self.propagated = Some(grown);
             self.runs[Stage::Propagate as usize] += 1;
         }
@@ -227,7 +248,8 @@ impl Session {
         if self.wood.is_none() {
             self.propagated(control)?;
             let params = self.finish_params()?;
-            let wood = grow_wood(missing(self.propagated.as_ref())?, &params, &control.part(0.7, 0.75))?;
+            let wood =
+                grow_wood(missing(self.propagated.as_ref())?, &params, &control.part(0.7, 0.75))?;
             self.wood = Some(wood);
             self.runs[Stage::Wood as usize] += 1;
         }
@@ -243,24 +265,32 @@ impl Session {
             self.wood(control)?;
             let params = self.finish_params()?;
             let clean = missing(self.cleaned.as_ref())?;
-            let crown = clean.crown.as_ref().map(|(crown, _)| crown);
+            let crown = clean.crown.as_ref().map(|(crown, _)| crown as &dyn Surface);
             let wood = missing(self.wood.as_ref())?;
-            let (mut tree, finish) = grow_crown(wood, crown, &params, self.seed, &control.part(0.75, 1.0))?;
+            let (mut tree, finish) =
+                grow_crown_in(wood, crown, &params, self.seed, &control.part(0.75, 1.0))?;
             let index = self.template_index()?;
             let template = &self.templates()?[index];
             if self.params.species.is_none() {
                 tree = named(tree, &template.name)?;
             }
             let inferred = missing(self.inferred.as_ref())?;
-            let score = self.choices.as_ref().and_then(|choices| choices.first()).map(|choice| choice.score);
+            let score = self
+                .choices
+                .as_ref()
+                .and_then(|choices| choices.first())
+                .map(|choice| choice.score);
             let mut repairs = clean.cleaned.report.clone();
-            repairs.repairs.retain(|repair| !self.erased.get(repair.stroke as usize).is_some_and(|&gone| gone));
+            repairs.repairs.retain(|repair| {
+                !self.erased.get(repair.stroke as usize).is_some_and(|&gone| gone)
+            });
             let report = SketchReport {
                 clean: repairs,
                 crown: clean.crown.as_ref().map(|(_, report)| report.clone()),
                 template: template.name.clone(),
                 score: score.filter(|_| self.params.template.is_none()),
-                segments: inferred.branches.len() as u32 - u32::from(inferred.branches.has_imagined_root()),
+                segments: inferred.branches.len() as u32
+                    - u32::from(inferred.branches.has_imagined_root()),
                 posterior: inferred.posterior.total(),
                 interpenetrations: inferred.interpenetrations,
                 propagate: missing(self.propagated.as_ref())?.report.clone(),
@@ -311,15 +341,17 @@ impl Session {
         let templates = self.templates()?;
         if let Some(name) = &self.params.template {
             return templates.iter().position(|template| template.name == *name).ok_or_else(|| {
-                let known: Vec<_> = templates.iter().map(|template| template.name.as_str()).collect();
+                let known: Vec<_> =
+                    templates.iter().map(|template| template.name.as_str()).collect();
                 ModelError::UnknownPreset { name: name.clone(), known: known.join(", ") }
             });
         }
-        let best = self.choices.as_ref().and_then(|choices| choices.first()).map(|choice| choice.template);
+        let best =
+            self.choices.as_ref().and_then(|choices| choices.first()).map(|choice| choice.template);
         let index = self.kept.as_ref().map(|kept| kept.template).or(best);
-        index.filter(|&index| index < templates.len()).ok_or_else(|| ModelError::Template {
-            problem: "there is none to choose from".into(),
-        })
+        index
+            .filter(|&index| index < templates.len())
+            .ok_or_else(|| ModelError::Template { problem: "there is none to choose from".into() })
     }
 
     /// The finish of the template, or of the species asked for.
@@ -360,5 +392,7 @@ fn named(tree: tree_core::Tree, name: &str) -> Result<tree_core::Tree> {
 
 /// A stage that has been done has a result.
 fn missing<T>(result: Option<T>) -> Result<T> {
-    result.ok_or_else(|| ModelError::Sketch { problem: "a stage of the session has no result".into() })
+    result.ok_or_else(|| ModelError::Sketch {
+        problem: "a stage of the session has no result".into(),
+    })
 }

@@ -244,7 +244,8 @@ impl Draft {
             .iter()
             .map(|&is_apical| if is_apical { Label::Apical } else { Label::Lateral(0) })
             .collect();
-        let mut branches = Branches { parents, labels, starts, points, imagined_root };
+        let mut branches =
+            Branches { parents, labels, starts, points, imagined_root, names: Vec::new() };
         number_laterals(&mut branches);
         Ok(branches)
     }
