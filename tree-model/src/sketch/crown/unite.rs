@@ -10,6 +10,9 @@ const CRUMB: f64 = 0.003;
 /// Loops with more corners than this together are simplified: far more than a hand draws on purpose.
 const MOST_CORNERS: usize = 1024;
 
+/// Loops that cross more often than this are taken thinned.
+const MOST_CROSSINGS: usize = 2000;
+
 /// How far they may then move at first, as a share of half the size; doubled until there are few enough.
 const TOLERANCE: f64 = 2e-4;
 
@@ -18,7 +21,18 @@ const LEAST_AREA: f64 = 1e-6;
 
 /// Simple polygons against the clock, the largest first.
 pub(super) fn unite(loops: Vec<Vec<Vec2>>, report: &mut CrownReport) -> Vec<Vec<Vec2>> {
-    let Some((frame, _)) = Frame::of(&loops) else { return Vec::new() };
+    let Some((frame, thinned)) = Frame::of(&loops) else { return Vec::new() };
+    // Thinned only where there was too much: a scribble.
+    let corners: usize = thinned.iter().map(Vec::len).sum();
+    let loops = if corners > MOST_CORNERS
+        || fill::crossings(&thinned, MOST_CROSSINGS) >= MOST_CROSSINGS
+        || loops.iter().map(Vec::len).sum::<usize>() > fill::MOST_CORNERS
+    {
+        let back = |contour: &Vec<DVec2>| contour.iter().map(|&p| frame.from_frame(p)).collect();
+        thinned.iter().map(back).collect()
+    } else {
+        loops
+    };
     let loops = simplify(loops, &frame);
     let parts = undo_crossings(loops, &frame, report);
     let mut polygons = merge(parts, &frame, report);
