@@ -3,6 +3,7 @@
 
 mod branches;
 pub mod clean;
+mod crown;
 mod footprint;
 mod midline;
 mod omega;
@@ -11,6 +12,7 @@ pub mod read;
 mod stroke;
 
 pub use branches::{Branches, Label};
+pub use crown::{Crown, CrownParams, CrownRepair, CrownReport, OutlineParams, outline_of};
 pub use footprint::{DIRECTIONS, Footprint, convex_hull};
 pub use midline::{FillRule, Midline, MidlineParams, midlines, midlines_of};
 pub use omega::{Habit, Normal, Omega};
