@@ -3,6 +3,7 @@
 
 mod branches;
 pub mod clean;
+pub mod crown;
 mod footprint;
 mod frame;
 pub mod infer;

@@ -14,6 +14,10 @@ pub(super) struct Axis {
     pub(super) joined: Vec<Vec<u32>>,
     /// Length of what was pruned beyond a node.
     pub(super) lost: Vec<f64>,
+    /// Length of everything that hangs on each node, seen from the first node of its tree, and that of the tree.
+    weights: Vec<(f64, f64)>,
+    /// The neighbour towards the first node of the tree; [`NONE`] for that one.
+    towards: Vec<u32>,
 }
 
 impl Axis {
@@ -25,6 +29,8 @@ impl Axis {
             radii: Vec::new(),
             joined: Vec::new(),
             lost: Vec::new(),
+            weights: Vec::new(),
+            towards: Vec::new(),
         };
         let corner = |t: usize, i: usize| fill.points[fill.triangles[t][i % 3] as usize];
         // The node of each triangle's sides.
@@ -107,5 +113,42 @@ impl Axis {
             out.push(at);
         }
         out
+    }
+
+    /// Prepares [`beyond`](Self::beyond), once the axis is a forest. O(n).
+    pub(super) fn weigh(&mut self) {
+        let n = self.at.len();
+        self.weights = vec![(-1.0, 0.0); n];
+        self.towards = vec![NONE; n];
+        for first in 0..n as u32 {
+            if self.weights[first as usize].0 >= 0.0 {
+                continue;
+            }
+            let mut order = vec![first];
+            let mut i = 0;
+            while let Some(&node) = order.get(i) {
+                i += 1;
+                self.weights[node as usize].0 = 0.0;
+                for &next in &self.joined[node as usize] {
+                    if next != self.towards[node as usize] {
+                        self.towards[next as usize] = node;
+                        order.push(next);
+                    }
+                }
+            }
+            for &node in order[1..].iter().rev() {
+                let below = self.towards[node as usize];
+                let length = self.length(node, below);
+                self.weights[below as usize].0 += self.weights[node as usize].0 + length;
+            }
+            let all = self.weights[first as usize].0;
+            order.iter().for_each(|&node| self.weights[node as usize].1 = all);
+        }
+    }
+
+    /// Length of all lines that are reached from `node` by way of its neighbour `next`.
+    pub(super) fn beyond(&self, node: u32, next: u32) -> f64 {
+        let (here, there) = (self.weights[node as usize], self.weights[next as usize]);
+        if self.towards[next as usize] == node { there.0 } else { here.1 - here.0 }
     }
 }

@@ -73,7 +73,7 @@ impl Frame {
         ((point.as_dvec2() - self.centre) / self.scale).round()
     }
 
-    pub(in crate::sketch) fn from_frame(&self, point: DVec2) -> Vec2 {
+    pub(in crate::sketch) fn to_drawing(&self, point: DVec2) -> Vec2 {
         (self.centre + point * self.scale).as_vec2()
     }
 
@@ -90,7 +90,11 @@ fn tidy(points: &mut Vec<DVec2>) {
     }
 }
 
-/// Drops points close to the last one kept, until there are few enough of them and of their crossings.
+/// Steps beyond this share of the frame are details no more: what then still is too much is a scribble.
+const COARSEST: f64 = HALF / 128.0;
+
+/// Drops points close to the last one kept, and of a scribble every other one, until there are few enough of them and
+/// of their crossings.
 fn thin(contours: &mut [Vec<DVec2>]) {
     let mut step = HALF / 4096.0;
     loop {
@@ -107,9 +111,16 @@ fn thin(contours: &mut [Vec<DVec2>]) {
                 }
                 keep
             });
+            if step > COARSEST {
+                let mut keep = false;
+                contour.retain(|_| {
+                    keep = !keep;
+                    keep
+                });
+            }
             tidy(contour);
         }
-        step *= 2.0;
+        step = (2.0 * step).min(2.0 * COARSEST);
     }
 }
 

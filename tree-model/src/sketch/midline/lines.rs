@@ -6,8 +6,8 @@ use super::fill::Frame;
 use glam::DVec2;
 use std::collections::VecDeque;
 
-/// Directions at a fork are taken over this multiple of its half-width: nearer by, the lines bend into the fork.
-const REACH: f64 = 2.0;
+/// Directions at a fork are taken between these multiples of its half-width: nearer by, lines bend into the fork.
+const REACH: [f64; 2] = [1.0, 3.0];
 
 /// How much a pair of very unequal width loses against a straight one, where a right angle loses 0.5.
 const UNEQUAL: f64 = 0.15;
@@ -20,6 +20,7 @@ const CLOSE: f64 = 0.3;
 
 /// All lines of a forest, main lines first. Consumes the axis: it is smoothed.
 pub(super) fn lines(mut axis: Axis, frame: &Frame) -> Vec<Midline> {
+    axis.weigh();
     let mut mains = main_lines(&axis);
     mains.sort_by(|a, b| strength(&axis, b).total_cmp(&strength(&axis, a)));
     let mut all = Vec::new();
@@ -27,8 +28,7 @@ pub(super) fn lines(mut axis: Axis, frame: &Frame) -> Vec<Midline> {
         branch_out(&axis, main, &mut all);
     }
     smooth(&mut axis, &all);
-    let mut used = vec![false; axis.at.len()];
-    all.iter().map(|line| finish(&axis, line, frame, &mut used)).collect()
+    all.iter().map(|line| finish(&axis, line, frame)).collect()
 }
 
 /// Length times half-width, summed along.
@@ -133,18 +133,26 @@ fn bend(axis: &Axis, node: u32, a: u32, b: u32) -> f64 {
     0.5 * (1.0 + to_a.dot(to_b)) + UNEQUAL * (1.0 - equal)
 }
 
-/// Direction and half-width of the way out of a node by way of `next`.
+/// Direction and half-width of the way out of a node by way of `next`, on through other forks where most hangs on.
 fn way(axis: &Axis, node: u32, next: u32) -> (DVec2, f64) {
-    let (from, reach) = (axis.at[node as usize], REACH * axis.radii[node as usize]);
-    let chain = axis.chain(node, next);
-    let is_away = |&&other: &&u32| axis.at[other as usize].distance(from) >= reach;
-    let end = chain.iter().find(is_away).or(chain.last()).copied().unwrap_or(next);
-    let direction = (axis.at[end as usize] - from).normalize_or_zero();
+    let (from, radius) = (axis.at[node as usize], axis.radii[node as usize]);
+    let (mut begin, mut before, mut at) = (None, node, next);
+    loop {
+        let away = axis.at[at as usize].distance(from);
+        if begin.is_none() && away >= REACH[0] * radius {
+            begin = Some(at);
+        }
+        let others = axis.joined[at as usize].iter().copied().filter(|&other| other != before);
+        let on = others.max_by(|&a, &b| axis.beyond(at, a).total_cmp(&axis.beyond(at, b)));
+        match on {
+            Some(on) if away < REACH[1] * radius => (before, at) = (at, on),
+            _ => break,
+        }
+    }
+    let begin = begin.filter(|&begin| begin != at).unwrap_or(node);
+    let direction = (axis.at[at as usize] - axis.at[begin as usize]).normalize_or_zero();
     // Beside the fork the chord is still as wide as what it leaves.
-    let middle = chain.get(chain.len() / 2).copied().unwrap_or(next);
-    let wide =
-        axis.radii[end as usize].min(axis.radii[next as usize]).max(axis.radii[middle as usize]);
-    (direction, wide)
+    (direction, axis.radii[begin as usize].min(axis.radii[next as usize]))
 }
 
 /// Adds a line and all that leave it: at each fork of a side line the straightest way goes on.
@@ -187,9 +195,9 @@ fn smooth(axis: &mut Axis, all: &[Vec<u32>]) {
     }
 }
 
-/// Points and half-widths of a line in the drawing's units. `used` are the forks that side lines will begin at: all
-/// forks are kept, and of the other points those that are not close together.
-fn finish(axis: &Axis, line: &[u32], frame: &Frame, used: &mut [bool]) -> Midline {
+/// Points and half-widths of a line in the drawing's units. All forks are kept, for side lines begin there, and of the
+/// other points those that are not close together.
+fn finish(axis: &Axis, line: &[u32], frame: &Frame) -> Midline {
     let at = |i: usize| axis.at[line[i] as usize];
     let last = line.len() - 1;
     let mut widths: Vec<f64> = (0..line.len())
@@ -207,8 +215,7 @@ fn finish(axis: &Axis, line: &[u32], frame: &Frame, used: &mut [bool]) -> Midlin
         let is_far = before.is_none_or(|b| b.distance(at(i)) >= CLOSE * widths[i]);
         if is_far || is_fork || i == 0 || i == last {
             before = Some(at(i));
-            used[line[i] as usize] = true;
-            out.points.push(frame.from_frame(at(i)));
+            out.points.push(frame.to_drawing(at(i)));
             out.half_widths.push(frame.length(widths[i]));
         }
     }

@@ -35,7 +35,7 @@ const SPACING: f64 = 0.4;
 /// Details of the border below this share of the mean width are left out: they would only make spurs.
 const DETAIL: f64 = 0.04;
 
-/// Most points on the border.
+/// Most points on the border. Holes smaller than the square of the mean width are filled: knots and bark.
 const MOST_POINTS: f64 = 4000.0;
 
 /// Areas below this share of their bounding square have no middle line.
@@ -98,7 +98,7 @@ pub fn midlines_of(outlines: &[Vec<Vec2>], params: &MidlineParams) -> Vec<Midlin
     let Some(area) = Fill::of(&contours, params.rule) else { return Vec::new() };
     let border = area.border();
     let size: f64 = border.iter().map(|contour| fill::area(contour)).sum();
-    if size < LEAST_AREA * (2.0 * fill::HALF).powi(2) {
+    if size < LEAST_AREA * (4.0 * fill::HALF * fill::HALF) {
         return Vec::new();
     }
     let Some(even) = even(&border, size) else { return Vec::new() };
@@ -117,6 +117,7 @@ fn even(border: &[Vec<DVec2>], area: f64) -> Option<Vec<Vec<DVec2>>> {
     let spacing = (SPACING * width).max(length / MOST_POINTS);
     let contours: Vec<Vec<DVec2>> = border
         .iter()
+        .filter(|contour| fill::area(contour) > 0.0 || fill::area(contour) < -width * width)
         .map(|contour| spaced(&fill::simplify(contour, DETAIL * width), spacing))
         .filter(|contour| contour.len() > 2)
         .collect();
@@ -132,7 +133,8 @@ fn spaced(contour: &[DVec2], spacing: f64) -> Vec<DVec2> {
     let mut out = Vec::new();
     for (a, b) in fill::sides(contour) {
         let parts = (a.distance(b) / spacing).ceil().clamp(1.0, MOST_POINTS) as usize;
-        out.extend((0..parts).map(|part| a.lerp(b, part as f64 / parts as f64)));
+        // Whole numbers again: what is nearly straight would give triangles too thin to tell in from out.
+        out.extend((0..parts).map(|part| a.lerp(b, part as f64 / parts as f64).round()));
     }
     out
 }

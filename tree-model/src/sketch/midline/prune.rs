@@ -7,6 +7,13 @@ use glam::DVec2;
 /// A shortened end is lengthened by at most this multiple of what was pruned off it.
 const LENGTHEN: f64 = 1.5;
 
+/// A side line that sticks out by this multiple of its own mean width is a branch however short it is against the width
+/// of what bears it: limbs on a very thick trunk. A right-angled corner sticks out by its mean width.
+const LONG: f64 = 1.6;
+
+/// But not where it sticks out by less than this share of the half-width it leaves: thorns and rough bark.
+const STICKS_OUT: f64 = 0.25;
+
 /// Makes the graph a forest: of each cycle (round a hole) the narrowest link goes. O(n log n).
 pub(super) fn cut_cycles(axis: &mut Axis) {
     let n = axis.at.len();
@@ -42,20 +49,21 @@ struct Spur {
     nodes: Vec<u32>,
     fork: u32,
     length: f64,
-    /// Length over the width at the fork.
+    /// Below 1 it is no branch.
     ratio: f64,
 }
 
-/// Takes off the spurs shorter than `least` widths, the shortest first. Of a fork whose ends are all spurs but one
+/// Takes off the spurs shorter than `least` widths of what bears them, unless they are long for their own width, the
+/// least first. Of a fork whose ends are all spurs but one
 /// (the corners of a blunt end) all go. O(spurs · n).
 pub(super) fn prune(axis: &mut Axis, least: f64) {
     loop {
-        let spurs = spurs(axis);
-        let short = spurs.iter().filter(|spur| spur.ratio < least);
+        let spurs = spurs(axis, least);
+        let short = spurs.iter().filter(|spur| spur.ratio < 1.0);
         let Some(worst) = short.min_by(|a, b| a.ratio.total_cmp(&b.ratio)) else { return };
         let fork = worst.fork;
         let here: Vec<&Spur> =
-            spurs.iter().filter(|spur| spur.fork == fork && spur.ratio < least).collect();
+            spurs.iter().filter(|spur| spur.fork == fork && spur.ratio < 1.0).collect();
         if here.len() + 1 == axis.degree(fork) {
             here.iter().for_each(|spur| remove(axis, spur));
         } else {
@@ -65,7 +73,7 @@ pub(super) fn prune(axis: &mut Axis, least: f64) {
 }
 
 /// All lines from a tip to a fork.
-fn spurs(axis: &Axis) -> Vec<Spur> {
+fn spurs(axis: &Axis, least: f64) -> Vec<Spur> {
     let tips = (0..axis.at.len() as u32).filter(|&node| axis.degree(node) == 1);
     tips.filter_map(|tip| {
         let nodes = axis.chain(tip, axis.joined[tip as usize][0]);
@@ -75,9 +83,32 @@ fn spurs(axis: &Axis) -> Vec<Spur> {
         }
         let length: f64 = nodes.windows(2).map(|pair| axis.length(pair[0], pair[1])).sum();
         let length = length + axis.lost[tip as usize];
-        Some(Spur { nodes, fork, length, ratio: length / (2.0 * axis.radii[fork as usize]) })
+        let ratio = ratio(axis, &nodes, fork, length, least);
+        Some(Spur { nodes, fork, length, ratio })
     })
     .collect()
+}
+
+/// How sure a line from a tip to a fork is a branch: 1 and more is one.
+fn ratio(axis: &Axis, nodes: &[u32], fork: u32, length: f64, least: f64) -> f64 {
+    let radius = axis.radii[fork as usize];
+    let short = length / (2.0 * radius * least).max(f64::MIN_POSITIVE);
+    // The branch's first chord is a side of the fork's triangle: up to there it is inside what bears it.
+    let outer = &nodes[..nodes.len() - 1];
+    let Some(&base) = outer.last() else { return short };
+    let across = axis.chords[base as usize].normalize_or_zero();
+    let (mut out, mut area) = (0.0_f64, 0.0);
+    for pair in outer.windows(2) {
+        let [from, to] = [pair[0], pair[1]].map(|node| node as usize);
+        let step = axis.at[to] - axis.at[from];
+        out = out.max((axis.at[from] - axis.at[base as usize]).perp_dot(across).abs());
+        area +=
+            0.5 * (step.perp_dot(axis.chords[from]).abs() + step.perp_dot(axis.chords[to]).abs());
+    }
+    if out < STICKS_OUT * radius {
+        return short;
+    }
+    short.max(out * out / (LONG * area).max(f64::MIN_POSITIVE))
 }
 
 fn remove(axis: &mut Axis, spur: &Spur) {
