@@ -74,7 +74,7 @@ impl Template {
         let branches = main_branches(tree.skeleton(), &params.main)?;
         let base = tree.skeleton().positions()[0].y;
         let height = tree.skeleton().bounds().max.y - base;
-        if !(height > 0.0) {
+        if height.is_nan() || height <= 0.0 {
             let problem = format!("'{name}' does not rise above its base: trees grow along +Y");
             return Err(ModelError::Template { problem });
         }
