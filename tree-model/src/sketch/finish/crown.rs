@@ -4,7 +4,7 @@ use super::params::SketchFinish;
 use super::spread::Cells;
 use crate::error::Result;
 use crate::foliage::{DENSITY_CAP, LeafParams, TwigParams, grow_leaves_in, grow_twigs_in, refine};
-use crate::sketch::Crown;
+use crate::sketch::crown::Crown;
 use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::{

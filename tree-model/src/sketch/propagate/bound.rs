@@ -1,37 +1,12 @@
 //! Where new segments may be: inside the crown, outside of obstacles.
 
 use crate::path::Obstacle;
-<<<<<<< HEAD
 use crate::sketch::crown::Crown;
-=======
-use crate::sketch::Crown;
->>>>>>> prop
 use glam::Vec3;
 
 /// A branch that reaches the surface ends this share of its last piece before it: rounding must not carry it out.
 const BACK: f32 = 1e-3;
 
-<<<<<<< HEAD
-/// The surface that growth stays in.
-pub trait Surface: Sync {
-    /// Whether a point lies inside.
-    fn contains(&self, point: Vec3) -> bool;
-    /// The first share of the way from `from` to `to` where it leaves; `None` where it does not.
-    fn exit(&self, from: Vec3, to: Vec3) -> Option<f32>;
-}
-
-impl Surface for Crown {
-    fn contains(&self, point: Vec3) -> bool {
-        self.contains_3d(point)
-    }
-
-    fn exit(&self, from: Vec3, to: Vec3) -> Option<f32> {
-        Self::exit(self, from, to)
-    }
-}
-
-=======
->>>>>>> prop
 /// All that growth heeds.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds<'a> {

@@ -1,6 +1,7 @@
 //! Sketches and crowns by hand, for tests.
 
-use crate::sketch::{Branches, Crown, Habit, Label, Normal, Omega};
+use crate::sketch::crown::Crown;
+use crate::sketch::{Branches, Habit, Label, Normal, Omega};
 use glam::{Vec2, Vec3};
 
 /// Segments by hand.

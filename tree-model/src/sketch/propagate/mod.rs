@@ -33,7 +33,8 @@ mod tests;
 pub(super) use frame::point_at;
 pub use params::PropagateParams;
 
-use super::{Branches, Crown, Omega};
+use super::crown::Crown;
+use super::{Branches, Omega};
 use crate::error::Result;
 use crate::path::Obstacle;
 use block::Pools;
