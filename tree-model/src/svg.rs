@@ -1,10 +1,17 @@
-//! Shapes from SVG drawings, as polylines: for profiles, and for strokes over photographs.
+//! Shapes from SVG drawings, as polylines: for profiles, for strokes over photographs and for sketches.
 //!
 //! Paths, lines, polylines, polygons, rectangles, circles and ellipses with all transforms. `defs`, clip
-//! paths and hidden elements are skipped; colours do not matter.
+//! paths and hidden elements are skipped. What a shape is painted with and the names of the groups it is in come
+//! with it; style sheets (`<style>`) are not read.
+
+mod paint;
+
+pub(crate) use paint::{Ink, Paint};
 
 use crate::error::{ModelError, Result};
-use kurbo::{Affine, BezPath, Circle, Ellipse, PathEl, Point, Rect, Shape as _};
+use crate::sketch::{Role, read::role_named};
+use kurbo::{Affine, BezPath, Circle, Ellipse, PathEl, Point, Rect, RoundedRect, Shape as _};
+use paint::{Inks, property};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::str::FromStr;
 
@@ -37,6 +44,18 @@ pub(crate) struct Shape {
     pub(crate) id: Option<String>,
     pub(crate) bounds: Rect,
     pub(crate) contours: Vec<Contour>,
+    pub(crate) paint: Paint,
+    /// What it shows in a sketch, by a name (id, class, label, name) of its own or of the innermost group that has
+    /// such a name.
+    pub(crate) role: Option<Role>,
+}
+
+/// What an element has from the groups it is in.
+#[derive(Clone, Copy)]
+struct Inherited {
+    affine: Affine,
+    paint: Paint,
+    role: Option<Role>,
 }
 
 /// A polyline of at least two points.
@@ -58,7 +77,8 @@ pub(crate) fn read(text: &str) -> Result<Drawing> {
         .map_err(|error| ModelError::Svg(error.to_string()))?;
     let root = document.root_element();
     let mut drawing = Drawing { shapes: Vec::new(), view: view(root) };
-    drawing.collect(root, Affine::IDENTITY, 0)?;
+    let outer = Inherited { affine: Affine::IDENTITY, paint: Paint::default(), role: None };
+    drawing.collect(root, &outer, &Inks::of(root), 0)?;
     Ok(drawing)
 }
 
@@ -79,7 +99,13 @@ fn usable(rect: Rect) -> Option<Rect> {
 }
 
 impl Drawing {
-    fn collect(&mut self, node: Node<'_, '_>, outer: Affine, depth: u32) -> Result<()> {
+    fn collect(
+        &mut self,
+        node: Node<'_, '_>,
+        outer: &Inherited,
+        inks: &Inks,
+        depth: u32,
+    ) -> Result<()> {
         const SKIPPED: [&str; 9] = [
             "defs", "clipPath", "mask", "marker", "metadata", "pattern", "symbol", "style", "title",
         ];
@@ -90,16 +116,22 @@ impl Drawing {
         if SKIPPED.contains(&name) || is_hidden(node) {
             return Ok(());
         }
-        let affine = outer * transform(node)?;
+        // The whole drawing's name says nothing about a part of it.
+        let own = if depth > 0 { role(node) } else { None };
+        let here = Inherited {
+            affine: outer.affine * transform(node)?,
+            paint: outer.paint.within(node, inks),
+            role: own.or(outer.role),
+        };
         if let Some(path) = outline(node)? {
-            self.add(node, &(affine * path));
+            self.add(node, &(here.affine * path), &here);
         }
         node.children()
             .filter(Node::is_element)
-            .try_for_each(|child| self.collect(child, affine, depth + 1))
+            .try_for_each(|child| self.collect(child, &here, inks, depth + 1))
     }
 
-    fn add(&mut self, node: Node<'_, '_>, path: &BezPath) {
+    fn add(&mut self, node: Node<'_, '_>, path: &BezPath, here: &Inherited) {
         let bounds = path.bounding_box();
         let size = bounds.width().max(bounds.height());
         let corner = bounds.x0.abs().max(bounds.y0.abs());
@@ -127,16 +159,23 @@ impl Drawing {
             }
         }
         let id = node.attribute("id").map(String::from);
-        self.shapes.push(Shape { id, bounds, contours: finished });
+        let Inherited { paint, role, .. } = *here;
+        self.shapes.push(Shape { id, bounds, contours: finished, paint, role });
     }
 }
 
+/// What the attributes that name an element say that it shows.
+fn role(node: Node<'_, '_>) -> Option<Role> {
+    const NAMING: [&str; 4] = ["id", "class", "label", "name"];
+    // Attributes are few: in the order of the list, not of the file.
+    NAMING.iter().find_map(|name| {
+        node.attributes().filter(|a| a.name() == *name).find_map(|a| role_named(a.value()))
+    })
+}
+
 fn is_hidden(node: Node<'_, '_>) -> bool {
-    node.attribute("display") == Some("none")
-        || node.attribute("visibility") == Some("hidden")
-        || node
-            .attribute("style")
-            .is_some_and(|style| style.replace(' ', "").contains("display:none"))
+    property(node, "display") == Some("none")
+        || matches!(property(node, "visibility"), Some("hidden" | "collapse"))
 }
 
 fn transform(node: Node<'_, '_>) -> Result<Affine> {
@@ -169,7 +208,11 @@ fn outline(node: Node<'_, '_>) -> Result<Option<BezPath>> {
         "rect" => {
             let (x, y) = (number("x")?, number("y")?);
             let rect = Rect::new(x, y, x + number("width")?, y + number("height")?);
-            Some(rect.to_path(1.0))
+            let radius = |name: &str, other: &str| {
+                number(if node.has_attribute(name) { name } else { other })
+            };
+            let (rx, ry) = (radius("rx", "ry")?.abs(), radius("ry", "rx")?.abs());
+            Some(rounded(rect, rx, ry))
         }
         "circle" => {
             let (centre, r) = (Point::new(number("cx")?, number("cy")?), number("r")?.abs());
@@ -182,6 +225,18 @@ fn outline(node: Node<'_, '_>) -> Result<Option<BezPath>> {
         }
         _ => None,
     })
+}
+
+/// A rectangle with elliptic corners.
+fn rounded(rect: Rect, rx: f64, ry: f64) -> BezPath {
+    let (rx, ry) = (rx.min(0.5 * rect.width().abs()), ry.min(0.5 * rect.height().abs()));
+    if !(rx > 0.0 && ry > 0.0) {
+        return rect.to_path(1.0);
+    }
+    // kurbo knows round corners only: round ones are stretched.
+    let stretch = Affine::scale_non_uniform(1.0, ry / rx);
+    let round = RoundedRect::from_rect(stretch.inverse().transform_rect_bbox(rect), rx);
+    stretch * round.to_path(FLATNESS * rx)
 }
 
 /// A length in user units; 0 where the attribute is missing, as SVG has it.

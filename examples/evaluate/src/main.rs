@@ -8,6 +8,7 @@ mod measure;
 mod mesh;
 mod particle;
 mod path;
+mod sketch;
 mod table;
 
 use std::process::ExitCode;
@@ -16,9 +17,10 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 4] = [
+const SYSTEMS: [(&str, Evaluation); 5] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
+    ("sketch", sketch::evaluate),
     ("mesh", mesh::evaluate),
     ("ffi", ffi::evaluate),
 ];

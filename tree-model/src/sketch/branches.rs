@@ -1,6 +1,8 @@
 //! Branch segments in space, from fork to fork (Neubert 2012, section 4.5).
 
+use crate::error::{ModelError, Result};
 use glam::Vec3;
+use tree_core::NO_PARENT;
 
 /// Which part a segment plays where its parent ends (section 4.5, l).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -11,7 +13,8 @@ pub enum Label {
     Lateral(u16),
 }
 
-/// Segments in columns, parents first. Segment 0 has no parent and every other one begins where its parent ends.
+/// Segments in columns, parents first. Segment 0 has no parent and every other one begins where its parent ends; those
+/// that propagation adds may begin on the way there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branches {
     pub(super) parents: Vec<u32>,
@@ -21,9 +24,63 @@ pub struct Branches {
     pub(super) points: Vec<Vec3>,
     /// Whether segment 0 is not drawn: it stands below a base from which several stems rise.
     pub(super) imagined_root: bool,
+    /// A name for each segment, or none.
+    pub(super) names: Vec<u64>,
 }
 
 impl Branches {
+    /// Checks and keeps columns: `starts` has where each segment's points begin in `points`, and at last where they all
+    /// end; every segment's first point is its parent's last.
+    ///
+    /// # Errors
+    /// [`ModelError::Sketch`] where columns do not fit each other, points are not finite, a segment has less than two,
+    /// does not begin where its parent ends, or comes before its parent.
+    pub fn from_columns(
+        parents: Vec<u32>,
+        labels: Vec<Label>,
+        starts: Vec<u32>,
+        points: Vec<Vec3>,
+        imagined_root: bool,
+    ) -> Result<Self> {
+        let fail = |problem: String| Err(ModelError::Sketch { problem });
+        let n = parents.len();
+        let fits = n > 0 && labels.len() == n && starts.len() == n + 1;
+        let ends = starts.first().zip(starts.last());
+        if !fits || ends.is_none_or(|(&from, &to)| from != 0 || to as usize != points.len()) {
+            let (l, s, p) = (labels.len(), starts.len(), points.len());
+            return fail(format!(
+                "{n} parents, {l} labels, {s} starts and {p} points: there must be a label for each of at least one \
+                 parent, one start more, the first 0 and the last the number of points"
+            ));
+        }
+        if let Some(point) = points.iter().position(|point| !point.is_finite()) {
+            return fail(format!("points[{point}] is not finite"));
+        }
+        let names = Vec::new();
+        let branches = Self { parents, labels, starts, points, imagined_root, names };
+        for (segment, &parent) in branches.parents.iter().enumerate() {
+            let own = branches.points(segment);
+            if own.len() < 2 {
+                return fail(format!(
+                    "segment {segment} has {} points: give at least 2",
+                    own.len()
+                ));
+            }
+            let sound = if segment == 0 {
+                parent == NO_PARENT
+            } else {
+                (parent as usize) < segment && own[0] == branches.end(parent as usize)
+            };
+            if !sound {
+                return fail(format!(
+                    "parents[{segment}] is {parent}: parents come first and end where the segment begins, segment 0 \
+                     has none"
+                ));
+            }
+        }
+        Ok(branches)
+    }
+
     /// Number of segments, at least 1.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "the root segment is always there")]
@@ -41,6 +98,13 @@ impl Branches {
     #[must_use]
     pub fn labels(&self) -> &[Label] {
         &self.labels
+    }
+
+    /// A name for each segment that stays when other branches are drawn or erased: streams of randomness go by it. Empty where
+    /// segments have none.
+    #[must_use]
+    pub fn names(&self) -> &[u64] {
+        &self.names
     }
 
     /// Whether segment 0 is not part of the tree: it stands below a base from which several stems rise, and only says
@@ -76,13 +140,15 @@ impl Branches {
         self.end(segment) - self.start(segment)
     }
 
-    /// Gravelius order of each segment's axis: one more than its parent's for a lateral.
+    /// Gravelius order of each segment's axis: one more than its parent's for a lateral; 0 for all stems.
     #[must_use]
     pub fn orders(&self) -> Vec<u32> {
         let mut orders = vec![0_u32; self.len()];
         for segment in 1..self.len() {
-            let parent = orders[self.parents[segment] as usize];
-            orders[segment] = parent + u32::from(self.labels[segment] != Label::Apical);
+            let parent = self.parents[segment] as usize;
+            let stem = self.imagined_root && parent == 0;
+            orders[segment] =
+                orders[parent] + u32::from(!stem && self.labels[segment] != Label::Apical);
         }
         orders
     }

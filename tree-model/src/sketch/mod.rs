@@ -2,17 +2,26 @@
 //! Chen, Neubert, Xu, Deussen & Kang 2008).
 
 mod branches;
-mod crown;
+pub mod clean;
+pub mod crown;
+pub mod finish;
 mod footprint;
+mod frame;
+pub mod infer;
 mod midline;
 mod omega;
 mod plan;
+pub mod propagate;
+pub mod read;
+mod relation;
+pub mod session;
 mod stroke;
+pub mod template;
 
 pub use branches::{Branches, Label};
-pub use crown::{Crown, CrownParams, CrownRepair, CrownReport, OutlineParams, outline_of};
 pub use footprint::{DIRECTIONS, Footprint, convex_hull};
 pub use midline::{FillRule, Midline, MidlineParams, midlines, midlines_of};
 pub use omega::{Habit, Normal, Omega};
 pub use plan::Plan;
+pub use relation::Relation;
 pub use stroke::{Drawing, Role, Stroke};

@@ -43,7 +43,7 @@ impl Plan {
         if let Some(node) = positions.iter().position(|p| !p.is_finite()) {
             return fail(format!("positions[{node}] is not finite"));
         }
-        if !base.is_finite() || !(scale > 0.0 && scale.is_finite()) {
+        if !(base.is_finite() && scale > 0.0 && scale.is_finite()) {
             return fail(format!(
                 "base {base} and scale {scale} must be finite, the scale above 0"
             ));
@@ -82,6 +82,15 @@ impl Plan {
     #[must_use]
     pub fn strokes(&self) -> &[u32] {
         &self.strokes
+    }
+
+    /// The same plan, `factor` times as large in metres.
+    ///
+    /// # Errors
+    /// [`ModelError::Sketch`] where that is not above 0, or a coordinate grows beyond what an f32 holds.
+    pub fn scaled(self, factor: f32) -> Result<Self> {
+        let positions = self.positions.iter().map(|&position| position * factor).collect();
+        Self::from_columns(positions, self.parents, self.strokes, self.base, self.scale * factor)
     }
 
     /// A point of the plan, in the drawing's units.

@@ -1,0 +1,206 @@
+//! Round trip: exemplars are drawn from views the database does not hold, and reconstructed from the drawing.
+//!
+//! How often an exemplar is the best choice for its own drawing, and whether inferred depths give the divergence angles and
+//! length ratios it has in space. Beside it what depths drawn at random, and none, would give.
+
+use super::statistics::{kolmogorov_smirnov, median};
+use crate::table::{Aim, Row, Table};
+use std::error::Error;
+use tree_model::sketch::clean::{CleanParams, clean};
+use tree_model::sketch::infer::{InferParams, infer};
+use tree_model::sketch::template::{
+    DrawnShape, EXEMPLARS, MainBranches, SEED, SelectParams, Template, main_branches, project,
+    seen_from, select,
+};
+use tree_model::sketch::{Branches, Label, Plan};
+use tree_model::tree_core::glam::{Vec2, Vec3};
+use tree_model::tree_core::{Control, NO_PARENT, Seed, seed};
+
+/// Views on each exemplar, and how far the first is from any of the database, in radians.
+const VIEWS: u32 = 8;
+const FIRST: f32 = 0.19;
+
+/// Values of one quantity in the exemplar and in three reconstructions.
+#[derive(Default)]
+struct Values {
+    exemplar: Vec<f64>,
+    ours: Vec<f64>,
+    random: Vec<f64>,
+    flat: Vec<f64>,
+}
+
+/// Divergence angles in degrees of apical segments and laterals, and length ratios.
+#[derive(Default)]
+struct Trip {
+    apical: Values,
+    lateral: Values,
+    ratio: Values,
+}
+
+pub(super) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
+    let control = Control::default();
+    let templates = Template::builtin()?;
+    let (mut first, mut third, mut bare_first, mut bare_third, mut n) = (0, 0, 0, 0, 0);
+    for exemplar in &EXEMPLARS {
+        let tree = exemplar.tree(SEED, &control)?;
+        let branches = main_branches(tree.skeleton(), &MainBranches::default())?;
+        let own = templates.iter().position(|template| template.name == exemplar.name());
+        let own = own.ok_or("an exemplar is not in the database")?;
+        let mut trip = Trip::default();
+        for view in 0..VIEWS {
+            let yaw = FIRST + view as f32 * std::f32::consts::TAU / VIEWS as f32;
+            let crown = super::crown_of(&tree, yaw);
+            let drawing = project(&branches, yaw, &crown);
+            let cleaned = clean(
+                &drawing,
+                &CleanParams { merge: 0.0, snap: 0.004, ..CleanParams::default() },
+                &control,
+            )?;
+            let rank = |crown: &[_]| -> Result<usize, Box<dyn Error>> {
+                let drawn = DrawnShape::measure(&cleaned.plan, crown);
+                let choices = select(&drawn, templates, &SelectParams::default())?;
+                Ok(choices.iter().position(|choice| choice.template == own).unwrap_or(usize::MAX))
+            };
+            let (with, without) = (rank(&cleaned.crown.concat())?, rank(&[])?);
+            n += 1;
+            first += u32::from(with == 0);
+            third += u32::from(with < 3);
+            bare_first += u32::from(without == 0);
+            bare_third += u32::from(without < 3);
+            let plan = plan_of(&branches, yaw)?;
+            trip.add(&branches, &plan, &templates[own], Seed(u64::from(view)))?;
+        }
+        trip.rows(exemplar.name(), table);
+    }
+    let share = |count: u32| 100.0 * f64::from(count) / f64::from(n);
+    for (case, one, three) in [
+        ("selection, with crown", first, third),
+        ("selection, branches alone", bare_first, bare_third),
+    ] {
+        row(table, case, "itself first", None, share(one), "%", Aim::AtLeast(90.0));
+        row(table, case, "itself among three", None, share(three), "%", Aim::AtLeast(100.0));
+    }
+    Ok(())
+}
+
+/// The branches as they are seen from `yaw`, without a hand that draws them.
+fn plan_of(branches: &Branches, yaw: f32) -> Result<Plan, Box<dyn Error>> {
+    let (mut positions, mut parents, mut strokes) = (Vec::new(), Vec::new(), Vec::new());
+    let base = if branches.has_imagined_root() { branches.end(0) } else { branches.start(0) };
+    let seen = |point: Vec3| seen_from(yaw, point) - seen_from(yaw, base);
+    positions.push(seen(base));
+    parents.push(NO_PARENT);
+    strokes.push(0);
+    let mut ends = vec![0_u32; branches.len()];
+    let mut axes = vec![0_u32; branches.len()];
+    for i in usize::from(branches.has_imagined_root())..branches.len() {
+        let below = branches.parents()[i];
+        let goes_on = branches.labels()[i] == Label::Apical;
+        axes[i] = if goes_on && below != NO_PARENT { axes[below as usize] } else { i as u32 };
+        let mut node = if below == NO_PARENT { 0 } else { ends[below as usize] };
+        for &point in &branches.points(i)[1..] {
+            positions.push(seen(point));
+            parents.push(node);
+            strokes.push(axes[i]);
+            node = positions.len() as u32 - 1;
+        }
+        ends[i] = node;
+    }
+    Ok(Plan::from_columns(positions, parents, strokes, Vec2::ZERO, 1.0)?)
+}
+
+impl Trip {
+    fn add(
+        &mut self,
+        exemplar: &Branches,
+        plan: &Plan,
+        template: &Template,
+        seed: Seed,
+    ) -> Result<(), Box<dyn Error>> {
+        let params = InferParams { slenderness: template.slenderness, ..InferParams::default() };
+        let inferred = infer(plan, &template.omega, &params, seed, &Control::default())?;
+        let ours = &inferred.branches;
+        let mut rng = seed.stream("random depth").rng();
+        let ends: Vec<Vec3> = (0..ours.len()).map(|i| ours.end(i)).collect();
+        let flat: Vec<Vec3> = ends.iter().map(|end| end.with_z(0.0)).collect();
+        let mut random = flat.clone();
+        for i in 1..ours.len() {
+            let below = ours.parents()[i] as usize;
+            let length = flat[i].distance(flat[below]);
+            random[i].z = random[below].z + seed::uniform(&mut rng, -1.0, 1.0) * length;
+        }
+        self.take(exemplar, |branches, i| branches.end(i), |values| &mut values.exemplar);
+        self.take(ours, |_, i| ends[i], |values| &mut values.ours);
+        self.take(ours, |_, i| random[i], |values| &mut values.random);
+        self.take(ours, |_, i| flat[i], |values| &mut values.flat);
+        Ok(())
+    }
+
+    /// Measures every segment and its parent, with `end` for where segments end.
+    fn take(
+        &mut self,
+        branches: &Branches,
+        end: impl Fn(&Branches, usize) -> Vec3,
+        list: impl Fn(&mut Values) -> &mut Vec<f64>,
+    ) {
+        let vector = |i: usize| {
+            let start = if i == 0 {
+                branches.start(0)
+            } else {
+                end(branches, branches.parents()[i] as usize)
+            };
+            end(branches, i) - start
+        };
+        for i in 1..branches.len() {
+            let parent = branches.parents()[i] as usize;
+            if branches.has_imagined_root() && parent == 0 {
+                continue;
+            }
+            let (v, below) = (vector(i), vector(parent));
+            if v.length() < 1e-6 || below.length() < 1e-6 {
+                continue;
+            }
+            let angle = f64::from(v.angle_between(below)).to_degrees();
+            let apical = branches.labels()[i] == Label::Apical;
+            list(if apical { &mut self.apical } else { &mut self.lateral }).push(angle);
+            list(&mut self.ratio).push(f64::from(v.length() / below.length()));
+        }
+    }
+
+    fn rows(&mut self, name: &str, table: &mut Table) {
+        for (what, values, unit) in [
+            ("apical angle", &mut self.apical, "°"),
+            ("lateral angle", &mut self.lateral, "°"),
+            ("length ratio", &mut self.ratio, "%"),
+        ] {
+            if values.exemplar.len() < 8 || values.ours.len() < 8 {
+                continue;
+            }
+            let right = median(&values.exemplar);
+            let off = |found: &[f64]| {
+                let off = (median(found) - right).abs();
+                if unit == "%" { 100.0 * off / right } else { off }
+            };
+            let (ours, flat, random) = (off(&values.ours), off(&values.flat), off(&values.random));
+            let aim = Aim::AtMost(if unit == "%" { 10.0 } else { 5.0 });
+            row(table, name, &format!("{what}: median off"), Some(flat), ours, unit, aim);
+            row(table, name, &format!("{what}: off at random"), None, random, unit, Aim::None);
+            let ks = |found: &[f64]| kolmogorov_smirnov(&values.exemplar, found);
+            let (ours, flat, random) = (ks(&values.ours), ks(&values.flat), ks(&values.random));
+            row(table, name, &format!("{what}: KS"), Some(flat), ours, "", Aim::AtMost(0.25));
+            row(table, name, &format!("{what}: KS at random"), None, random, "", Aim::None);
+        }
+    }
+}
+
+fn row(
+    table: &mut Table,
+    case: &str,
+    metric: &str,
+    peer: Option<f64>,
+    ours: f64,
+    unit: &str,
+    aim: Aim,
+) {
+    table.row(&Row { case, metric, paper: None, peer, ours, unit, aim });
+}

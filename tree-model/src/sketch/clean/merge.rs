@@ -1,0 +1,182 @@
+//! Overdrawn strokes: what runs along a longer stroke is part of it.
+//!
+//! The longest stroke stays as it is, then the next, and so on; a trunk goes before all others. Of each next one the
+//! points that lie within the merging distance of what stays, in the same direction or the opposite one, are dropped
+//! where they make a run; what goes on beyond stays and begins at the run's end. O(points · neighbours) by a uniform
+//! grid.
+
+use super::report::{CleanReport, RepairKind};
+use super::sample::closest;
+use super::tidy::{Ink, length};
+use crate::error::Result;
+use crate::sketch::Role;
+use glam::{IVec2, Vec2};
+use tree_core::Control;
+
+/// Strokes run along each other where the cosine of the angle between them is above this (26 degrees).
+const ALONG: f32 = 0.9;
+
+/// A run is longer than so many merging distances: two strokes that merely cross or fork are close for a shorter way.
+const RUN: f32 = 4.0;
+
+/// Segments by the cell that their middle is in.
+struct Grid {
+    cell: f32,
+    buckets: Vec<Vec<Segment>>,
+}
+
+struct Segment {
+    a: Vec2,
+    b: Vec2,
+    stroke: u32,
+}
+
+impl Grid {
+    fn new(cell: f32, n: usize) -> Self {
+        let mut buckets = Vec::new();
+        buckets.resize_with(n.next_power_of_two(), Vec::new);
+        Self { cell, buckets }
+    }
+
+    fn bucket(&self, cell: IVec2) -> usize {
+        let (x, y) = (cell.x as u32, cell.y as u32);
+        let hash = x.wrapping_mul(0x9E37_79B1) ^ y.wrapping_mul(0x85EB_CA77).rotate_left(15);
+        (hash ^ (hash >> 15)) as usize & (self.buckets.len() - 1)
+    }
+
+    fn add(&mut self, ink: &Ink) {
+        for pair in ink.points.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            let bucket = self.bucket((0.5 * (a + b) / self.cell).floor().as_ivec2());
+            self.buckets[bucket].push(Segment { a, b, stroke: ink.stroke });
+        }
+    }
+
+    /// The stroke nearest to a point among those that run this way there.
+    fn along(&self, point: Vec2, way: Vec2, within: f32) -> Option<u32> {
+        let centre = (point / self.cell).floor().as_ivec2();
+        let mut best = (within, None);
+        for i in 0..9 {
+            let bucket = self.bucket(centre + IVec2::new(i % 3 - 1, i / 3 - 1));
+            for segment in &self.buckets[bucket] {
+                let distance = closest(point, segment.a, segment.b).1;
+                let side = (segment.b - segment.a).normalize_or_zero();
+                if distance < best.0 && side.dot(way).abs() > ALONG {
+                    best = (distance, Some(segment.stroke));
+                }
+            }
+        }
+        best.1
+    }
+}
+
+/// Merges evenly sampled strokes. `within` and `spacing` in units of the drawing.
+pub(super) fn merge(
+    inks: Vec<Ink>,
+    within: f32,
+    spacing: f32,
+    report: &mut CleanReport,
+    control: &Control,
+) -> Result<Vec<Ink>> {
+    if within <= 0.0 {
+        return Ok(inks);
+    }
+    let mut order: Vec<(bool, f32, usize)> = inks
+        .iter()
+        .enumerate()
+        .map(|(i, ink)| (ink.role != Some(Role::Trunk), length(&ink.points), i))
+        .collect();
+    order.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)).then(a.2.cmp(&b.2)));
+    // A segment's middle lies within half a segment of its nearest point.
+    let n: usize = inks.iter().map(|ink| ink.points.len()).sum();
+    let mut grid = Grid::new(within + spacing, n);
+    let mut kept: Vec<(usize, Ink)> = Vec::with_capacity(inks.len());
+    for (_, _, index) in order {
+        control.check()?;
+        let ink = &inks[index];
+        for piece in remaining(ink, &grid, within, RepairKind::Merged, report) {
+            grid.add(&piece);
+            kept.push((index, piece));
+        }
+    }
+    kept.sort_by_key(|(index, _)| *index);
+    Ok(kept.into_iter().map(|(_, ink)| ink).collect())
+}
+
+/// Leaves out of middle lines what runs along a crown's line: who draws with a pen or fills an outline has the line's
+/// ink as an area of its own, often one with that of the branches.
+pub(super) fn leave_out_ink(
+    inks: Vec<Ink>,
+    crowns: &[Ink],
+    within: f32,
+    spacing: f32,
+    report: &mut CleanReport,
+) -> Vec<Ink> {
+    let n = crowns.iter().map(|ink| ink.points.len()).sum();
+    let mut grid = Grid::new(within + spacing, n);
+    crowns.iter().for_each(|ink| grid.add(ink));
+    let keep = |ink: Ink| {
+        if ink.middle && !ink.marked {
+            remaining(&ink, &grid, within, RepairKind::CrownInk, report)
+        } else {
+            vec![ink]
+        }
+    };
+    inks.into_iter().flat_map(keep).collect()
+}
+
+/// What is left of a stroke beside those in the grid.
+fn remaining(
+    ink: &Ink,
+    grid: &Grid,
+    within: f32,
+    whole: fn(u32) -> RepairKind,
+    report: &mut CleanReport,
+) -> Vec<Ink> {
+    let points = &ink.points;
+    let last = points.len() - 1;
+    let along: Vec<Option<u32>> = (0..points.len())
+        .map(|i| {
+            let way = points[(i + 1).min(last)] - points[i.saturating_sub(1)];
+            grid.along(points[i], way.normalize_or_zero(), within)
+        })
+        .collect();
+    let mut runs: Vec<(bool, usize, usize)> = Vec::new();
+    for (i, over) in along.iter().enumerate() {
+        match runs.last_mut() {
+            Some((before, _, to)) if *before == over.is_some() => *to = i,
+            _ => runs.push((over.is_some(), i, i)),
+        }
+    }
+    let long = |from: usize, to: usize| length(&points[from..=to]) >= RUN * within;
+    let is_run = |&&(over, from, to): &&(bool, usize, usize)| {
+        over && (long(from, to) || (from == 0 && to == last))
+    };
+    let covered: Vec<(usize, usize)> = runs.iter().filter(is_run).map(|r| (r.1, r.2)).collect();
+    if covered.is_empty() {
+        return vec![ink.clone()];
+    }
+    // Between runs, from the last point of one to the first of the next: so that it joins there.
+    let mut pieces = Vec::new();
+    let mut from = 0;
+    for &(start, end) in &covered {
+        if start > from && long(from, start) {
+            pieces.push((from, start));
+        }
+        from = end;
+    }
+    if last > from && long(from, last) {
+        pieces.push((from, last));
+    }
+    let into = covered.iter().find_map(|&(start, _)| along[start]).unwrap_or(ink.stroke);
+    report.add(
+        ink.stroke,
+        match (whole(into), pieces.is_empty()) {
+            (RepairKind::Merged(_), false) => RepairKind::MergedPartly(into),
+            (kind, _) => kind,
+        },
+    );
+    let piece =
+        |(from, to): (usize, usize)| Ink { points: points[from..=to].to_vec(), ..ink.clone() };
+    pieces.into_iter().map(piece).collect()
+}
