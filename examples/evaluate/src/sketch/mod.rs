@@ -1,6 +1,10 @@
 //! Trees from sketches (Neubert 2012, chapter 4).
 
+mod exhaustive;
+mod fidelity;
 mod round_trip;
+mod shared;
+mod speed;
 mod statistics;
 
 use crate::table::Table;
@@ -11,7 +15,12 @@ use tree_model::tree_core::Tree;
 use tree_model::tree_core::glam::Vec2;
 
 pub(crate) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
-    round_trip::evaluate(table)
+    // First, before the machine is warm.
+    speed::rows(table)?;
+    fidelity::rows(table)?;
+    exhaustive::rows(table)?;
+    round_trip::rows(table)?;
+    shared::rows(table)
 }
 
 /// The crown that a person would draw round a leafy tree seen from `yaw`.

@@ -39,7 +39,7 @@ struct Trip {
     lateral_ratio: Values,
 }
 
-pub(super) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
+pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let control = Control::default();
     let templates = Template::builtin()?;
     let (mut first, mut third, mut bare_first, mut bare_third, mut n) = (0, 0, 0, 0, 0);
@@ -72,7 +72,7 @@ pub(super) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
             let plan = plan_of(&branches, yaw)?;
             trip.add(&branches, &plan, &templates[own], Seed(u64::from(view)))?;
         }
-        trip.rows(exemplar.name(), table);
+        trip.print(exemplar.name(), table);
     }
     let share = |count: u32| 100.0 * f64::from(count) / f64::from(n);
     for (case, one, three) in [
@@ -86,7 +86,7 @@ pub(super) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
 }
 
 /// The branches as they are seen from `yaw`, without a hand that draws them.
-fn plan_of(branches: &Branches, yaw: f32) -> Result<Plan, Box<dyn Error>> {
+pub(super) fn plan_of(branches: &Branches, yaw: f32) -> Result<Plan, Box<dyn Error>> {
     let (mut positions, mut parents, mut strokes) = (Vec::new(), Vec::new(), Vec::new());
     let base = if branches.has_imagined_root() { branches.end(0) } else { branches.start(0) };
     let seen = |point: Vec3| seen_from(yaw, point) - seen_from(yaw, base);
@@ -120,23 +120,6 @@ impl Trip {
         seed: Seed,
     ) -> Result<(), Box<dyn Error>> {
         let params = InferParams { slenderness: template.slenderness, ..InferParams::default() };
-        let mut params = params;
-        for pair in std::env::var("PROBE").unwrap_or_default().split(',') {
-            if let Some((k, v)) = pair.split_once('=') {
-                let v: f32 = v.parse()?;
-                match k {
-                    "comp" => params.competition = v,
-                    "spread" => params.spread = v,
-                    "keep" => params.keep_omega = v > 0.0,
-                    "rounds" => params.rounds = v as u32,
-                    "follow" => params.follow = v,
-                    "bend" => params.bending = v,
-                    "weight" => params.template_weight = v,
-                    "clear" => params.clearance = v,
-                    _ => return Err("probe".into()),
-                }
-            }
-        }
         let inferred = infer(plan, &template.omega, &params, seed, &Control::default())?;
         let ours = &inferred.branches;
         let mut rng = seed.stream("random depth").rng();
@@ -188,7 +171,7 @@ impl Trip {
         }
     }
 
-    fn rows(&mut self, name: &str, table: &mut Table) {
+    fn print(&mut self, name: &str, table: &mut Table) {
         for (what, values, unit) in [
             ("apical angle", &mut self.apical, "°"),
             ("lateral angle", &mut self.lateral, "°"),
@@ -198,21 +181,6 @@ impl Trip {
         ] {
             if values.exemplar.len() < 8 || values.ours.len() < 8 {
                 continue;
-            }
-            if std::env::var("DUMP").is_ok_and(|d| d == name) {
-                let q = |v: &[f64]| {
-                    let mut v = v.to_vec();
-                    v.sort_by(f64::total_cmp);
-                    [0.05, 0.25, 0.5, 0.75, 0.95]
-                        .map(|s| (v[(s * (v.len() - 1) as f64) as usize] * 100.0).round() / 100.0)
-                };
-                eprintln!(
-                    "{name} {what} n {} exemplar {:?} ours {:?} flat {:?}",
-                    values.exemplar.len(),
-                    q(&values.exemplar),
-                    q(&values.ours),
-                    q(&values.flat)
-                );
             }
             let right = median(&values.exemplar);
             let off = |found: &[f64]| {
