@@ -53,7 +53,7 @@ fn an_arm_begins_on_the_trunk_and_ends_at_its_tip() {
 #[test]
 fn between_opposite_limbs_the_trunk_goes_on() {
     // Limbs nearly as wide as the trunk, longer than it and a little rising; above, a thinner top.
-    let right = [(0.5, 0.0), (0.5, 4.0), (8.0, 5.0), (8.0, 5.8), (0.4, 4.9), (0.3, 9.0)];
+    let right = [(0.5, 0.0), (0.5, 4.0), (8.0, 6.5), (8.0, 7.3), (0.4, 4.9), (0.3, 9.0)];
     let mut outline = points(&right);
     outline.extend(right.iter().rev().map(|&(x, y)| Vec2::new(-x, y)));
     let lines = of(&outline);
