@@ -11,7 +11,8 @@
 //!    chord is a tip, with two a sleeve, with three a fork.
 //! 3. [`prune`](self::prune): at holes the line is cut where it is narrowest; spurs shorter than a share of the local
 //!    width go. Where both corners of a blunt end go, the line is lengthened to the outline.
-//! 4. [`lines`](self::lines): at each fork the straightest pair goes on, the others begin there. Points are smoothed.
+//! 4. [`lines`](self::lines): at each fork the straightest pair goes on ([`forks`](self::forks)), the others begin
+//!    there. Points are smoothed.
 //!
 //! We depart from both papers in the pruning (Igarashi grows half discs; a share of the width is as good for branches
 //! and simpler) and in the cut of cycles (a tree has none).
@@ -22,6 +23,7 @@
 pub(in crate::sketch) mod arrange;
 mod axis;
 pub(in crate::sketch) mod fill;
+mod forks;
 mod lines;
 mod prune;
 
