@@ -78,7 +78,11 @@ impl Worst {
         };
         self.off_strokes = self.off_strokes.max(off(&ours.concat(), &lines));
         self.off_branches = self.off_branches.max(off(&lines.concat(), &ours));
-        self.through += through_each_other(&inferred.branches, &wood);
+        let t = through_each_other(&inferred.branches, &wood);
+        if std::env::var("DUMP").is_ok() {
+            eprintln!("through {t} interpenetrations {}", inferred.interpenetrations);
+        }
+        self.through += t;
         if let Some(crown) = session.crown(control)? {
             let (mut inside, mut all) = (0.0, 0.0);
             for i in grown.n_sketched..grown.branches.len() {
@@ -157,7 +161,17 @@ fn through_each_other(branches: &Branches, wood: &Skeleton) -> u32 {
     let mut n = 0;
     for a in first..branches.len() {
         for b in a + 1..branches.len() {
-            n += u32::from(touch(branches, &thick, a, b));
+            let t = touch(branches, &thick, a, b);
+            if t && std::env::var("DUMP").is_ok() {
+                eprintln!(
+                    "{a} {b} parents {} {} radii {:.3} {:.3}",
+                    branches.parents()[a],
+                    branches.parents()[b],
+                    thick[a][0].1,
+                    thick[b][0].1
+                );
+            }
+            n += u32::from(t);
         }
     }
     n

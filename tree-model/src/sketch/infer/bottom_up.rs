@@ -217,23 +217,19 @@ fn refined(
 
 /// Depths for all children: the best of each, then with other modes for some, at most `width`.
 fn combinations(choices: &[&[Mode]], width: usize) -> Vec<Vec<f64>> {
-    let mut out: Vec<Vec<f64>> =
-        vec![choices.iter().map(|modes| modes.first().map_or(0.0, |mode| mode.0)).collect()];
+    let best = |modes: &&[Mode]| modes.first().map_or(0.0, |mode| mode.0);
+    let mut out: Vec<Vec<f64>> = vec![choices.iter().map(best).collect()];
     for (child, modes) in choices.iter().enumerate() {
+        let known = out.clone();
         for mode in modes.iter().skip(1) {
-            if out.len() * 2 > width.max(1) {
+            if out.len() + known.len() > width.max(1) {
                 return out;
             }
-            // Few children: each with each. Many: the width ends this soon.
-            let more: Vec<Vec<f64>> = out
-                .iter()
-                .map(|depths| {
-                    let mut other = depths.clone();
-                    other[child] = mode.0;
-                    other
-                })
-                .collect();
-            out.extend(more);
+            out.extend(known.iter().map(|depths| {
+                let mut other = depths.clone();
+                other[child] = mode.0;
+                other
+            }));
         }
     }
     out

@@ -12,12 +12,15 @@ use crate::error::Result;
 use crate::sketch::branches::{Branches, Label};
 use crate::sketch::omega::Omega;
 use crate::sketch::plan::Plan;
+use rayon::prelude::*;
 use tree_core::{Control, Seed};
 
 /// The beam is so wide that it times the segments stays below this.
 const BEAM_BUDGET: usize = 1200;
 /// As many of the beam's trees are refined that they times the segments stay below this.
-const REFINE_BUDGET: usize = 160;
+const REFINE_BUDGET: usize = 48;
+/// In a sketch of so few segments all of them are.
+const FEW_SEGMENTS: usize = 8;
 /// Swinging branches is left out where segments squared are above this.
 const SWING_BUDGET: usize = 90_000;
 /// Rounds of separating branches that still cross.
@@ -170,7 +173,9 @@ impl Run<'_> {
             .min(self.params.beam as usize);
         self.control.report("branches", 0.0)?;
         let mut found = bottom_up(self.graph, &self.omega, &self.state, width, self.control)?;
-        found.truncate((REFINE_BUDGET / n).max(1));
+        if n > FEW_SEGMENTS {
+            found.truncate((REFINE_BUDGET / n).max(1));
+        }
         self.begin(found)?;
         for round in 0..self.params.rounds {
             self.control.report("branches", round as f32 / self.params.rounds as f32)?;
@@ -192,21 +197,19 @@ impl Run<'_> {
     /// Takes the best of what bottom-up inference found, each refined first where there are few segments.
     fn begin(&mut self, found: Vec<State>) -> Result<()> {
         let alone = found.len() == 1;
-        let mut best: Option<(f64, f64, State)> = None;
-        for state in found {
-            let begun = self.graph.total(&self.omega, &state);
-            let mut refined = state;
-            let mut total = begun;
-            if !alone {
-                self.icm(&mut refined, 1.0)?;
-                total = self.graph.total(&self.omega, &refined);
+        let refined: Result<Vec<(f64, State)>> = found
+            .into_par_iter()
+            .map(|mut state| {
+                if !alone {
+                    self.icm(&mut state, 1.0)?;
+                }
+                Ok((self.graph.total(&self.omega, &state), state))
+            })
+            .collect();
+        for (total, state) in refined? {
+            if total > self.total {
+                (self.state, self.total) = (state, total);
             }
-            if best.as_ref().is_none_or(|best| total > best.1) {
-                best = Some((begun, total, refined));
-            }
-        }
-        if let Some((_, total, state)) = best {
-            (self.state, self.total) = (state, total);
         }
         self.note(Step::BottomUp);
         self.separate()
