@@ -299,7 +299,10 @@ proptest! {
         }
         if let Some(exit) = exit && exit < 0.999 {
             let beyond = (1..20).any(|i| !crown.contains_3d(from.lerp(to, exit + 1e-5 * i as f32)));
-            prop_assert!(beyond, "{}", exit);
+            // Past a corner the way may be outside for less than these steps: then it leaves at the surface.
+            let level = |t: f32| crown.level(from.lerp(to, t));
+            let surface = level(exit).max(level((exit - 1e-5).max(0.0)));
+            prop_assert!(beyond || surface > 0.99, "{} at level {}", exit, surface);
         }
     }
 

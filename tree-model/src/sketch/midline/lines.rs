@@ -3,14 +3,9 @@
 use super::Midline;
 use super::axis::Axis;
 use super::fill::Frame;
+use super::forks;
 use glam::DVec2;
 use std::collections::VecDeque;
-
-/// Directions at a fork are taken between these multiples of its half-width: nearer by, lines bend into the fork.
-const REACH: [f64; 2] = [1.0, 3.0];
-
-/// How much a pair of very unequal width loses against a straight one, where a right angle loses 0.5.
-const UNEQUAL: f64 = 0.15;
 
 /// Passes of smoothing; the middles of chords zigzag a little.
 const PASSES: usize = 3;
@@ -21,11 +16,12 @@ const CLOSE: f64 = 0.3;
 /// All lines of a forest, main lines first. Consumes the axis: it is smoothed.
 pub(super) fn lines(mut axis: Axis, frame: &Frame) -> Vec<Midline> {
     axis.weigh();
-    let mut mains = main_lines(&axis);
+    let through = forks::through(&axis);
+    let mut mains = main_lines(&axis, &through);
     mains.sort_by(|a, b| strength(&axis, b).total_cmp(&strength(&axis, a)));
     let mut all = Vec::new();
     for main in mains {
-        branch_out(&axis, main, &mut all);
+        branch_out(&axis, &through, main, &mut all);
     }
     smooth(&mut axis, &all);
     all.iter().map(|line| finish(&axis, line, frame)).collect()
@@ -39,7 +35,7 @@ fn strength(axis: &Axis, line: &[u32]) -> f64 {
 }
 
 /// The strongest line of each tree when every fork lets its straightest pair go on, from its thicker end.
-fn main_lines(axis: &Axis) -> Vec<Vec<u32>> {
+fn main_lines(axis: &Axis, through: &[Option<(u32, u32)>]) -> Vec<Vec<u32>> {
     let n = axis.at.len();
     let mut trees: Vec<Option<Vec<u32>>> = Vec::new();
     let mut tree_of = vec![u32::MAX; n];
@@ -49,25 +45,29 @@ fn main_lines(axis: &Axis) -> Vec<Vec<u32>> {
             trees.push(None);
         }
     }
-    let through: Vec<Option<(u32, u32)>> = (0..n as u32).map(|node| pair(axis, node)).collect();
     for node in 0..n as u32 {
         for &next in &axis.joined[node as usize] {
             // A line begins at a tip, and at a fork where it is not one of the pair.
-            let goes_on = through[node as usize].is_some_and(|(a, b)| a == next || b == next);
-            if goes_on {
+            if forks::other(through[node as usize], next).is_some() {
                 continue;
             }
-            let line = follow(axis, node, next, |at, before| {
-                let (a, b) = through[at as usize]?;
-                if a == before { Some(b) } else { (b == before).then_some(a) }
-            });
+            let line =
+                follow(axis, node, next, |at, before| forks::other(through[at as usize], before));
             let best = &mut trees[tree_of[node as usize] as usize];
             if best.as_ref().is_none_or(|best| strength(axis, &line) > strength(axis, best)) {
                 *best = Some(line);
             }
         }
     }
-    trees.into_iter().flatten().map(|line| thick_end_first(axis, line)).collect()
+    let on = |mut line: Vec<u32>| {
+        // From both ends: where it met a fork whose pair are others, it goes on too.
+        for _ in 0..2 {
+            go_on(axis, through, &mut line);
+            line.reverse();
+        }
+        thick_end_first(axis, line)
+    };
+    trees.into_iter().flatten().map(on).collect()
 }
 
 /// Writes `tree` to all nodes that hang together with `node`.
@@ -111,63 +111,35 @@ fn follow(axis: &Axis, from: u32, next: u32, onward: impl Fn(u32, u32) -> Option
     }
 }
 
-/// The two neighbours of a node between which the line goes on; `None` at a tip.
-fn pair(axis: &Axis, node: u32) -> Option<(u32, u32)> {
-    let all = &axis.joined[node as usize];
-    let mut best: Option<(f64, (u32, u32))> = None;
-    for (i, &a) in all.iter().enumerate() {
-        for &b in &all[i + 1..] {
-            let bend = bend(axis, node, a, b);
-            if best.is_none_or(|(least, _)| bend < least) {
-                best = Some((bend, (a, b)));
-            }
-        }
-    }
-    best.map(|(_, pair)| pair)
+/// Lengthens a line to the next tip.
+fn go_on(axis: &Axis, through: &[Option<(u32, u32)>], line: &mut Vec<u32>) {
+    let &[.., before, end] = line.as_slice() else { return };
+    line.pop();
+    line.extend(
+        follow(axis, before, end, |at, before| onward(axis, through, at, before)).drain(1..),
+    );
 }
 
-/// How little two ways out of a node are one line: 0 for straight and equally wide, 1 and more for back again.
-fn bend(axis: &Axis, node: u32, a: u32, b: u32) -> f64 {
-    let ((to_a, wide_a), (to_b, wide_b)) = (way(axis, node, a), way(axis, node, b));
-    let equal = wide_a.min(wide_b) / wide_a.max(wide_b).max(f64::MIN_POSITIVE);
-    0.5 * (1.0 + to_a.dot(to_b)) + UNEQUAL * (1.0 - equal)
-}
-
-/// Direction and half-width of the way out of a node by way of `next`, on through other forks where most hangs on.
-fn way(axis: &Axis, node: u32, next: u32) -> (DVec2, f64) {
-    let (from, radius) = (axis.at[node as usize], axis.radii[node as usize]);
-    let (mut begin, mut before, mut at) = (None, node, next);
-    loop {
-        let away = axis.at[at as usize].distance(from);
-        if begin.is_none() && away >= REACH[0] * radius {
-            begin = Some(at);
-        }
-        let others = axis.joined[at as usize].iter().copied().filter(|&other| other != before);
-        let on = others.max_by(|&a, &b| axis.beyond(at, a).total_cmp(&axis.beyond(at, b)));
-        match on {
-            Some(on) if away < REACH[1] * radius => (before, at) = (at, on),
-            _ => break,
-        }
-    }
-    let begin = begin.filter(|&begin| begin != at).unwrap_or(node);
-    let direction = (axis.at[at as usize] - axis.at[begin as usize]).normalize_or_zero();
-    // Beside the fork the chord is still as wide as what it leaves.
-    (direction, axis.radii[begin as usize].min(axis.radii[next as usize]))
+/// Where a line goes on at a fork: to its pair, or else straightest.
+fn onward(axis: &Axis, through: &[Option<(u32, u32)>], at: u32, before: u32) -> Option<u32> {
+    forks::other(through[at as usize], before).or_else(|| forks::straightest(axis, at, before))
 }
 
 /// Adds a line and all that leave it: at each fork of a side line the straightest way goes on.
-fn branch_out(axis: &Axis, main: Vec<u32>, all: &mut Vec<Vec<u32>>) {
+fn branch_out(
+    axis: &Axis,
+    through: &[Option<(u32, u32)>],
+    main: Vec<u32>,
+    all: &mut Vec<Vec<u32>>,
+) {
     let mut waiting = VecDeque::from([main]);
     while let Some(line) = waiting.pop_front() {
         let mut leaving: Vec<Vec<u32>> = Vec::new();
         for triple in line.windows(3) {
             for &next in &axis.joined[triple[1] as usize] {
                 if next != triple[0] && next != triple[2] {
-                    leaving.push(follow(axis, triple[1], next, |at, before| {
-                        let others = axis.joined[at as usize].iter().filter(|&&n| n != before);
-                        let bent = |n: &u32| bend(axis, at, before, *n);
-                        others.copied().min_by(|a, b| bent(a).total_cmp(&bent(b)))
-                    }));
+                    let on = |at, before| onward(axis, through, at, before);
+                    leaving.push(follow(axis, triple[1], next, on));
                 }
             }
         }

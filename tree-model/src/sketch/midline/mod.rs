@@ -3,14 +3,16 @@
 //! Many drawings show the trunk and its branches as one outline. The strokes meant are the area's middle lines: here
 //! the chordal axis (Prasad 1997; Igarashi, Matsuoka & Tanaka 1999 use it for freehand outlines).
 //!
-//! 1. [`fill`](self::fill): the outline is made simple: a constrained Delaunay triangulation, split where lines cross,
-//!    whose triangles are in or out by winding; their border is the outline that counts.
+//! 1. [`fill`](self::fill): the outline is made simple: sides are cut where they cross ([`arrange`](self::arrange)), and
+//!    of a constrained Delaunay triangulation the triangles are in or out by winding; their border is the outline that
+//!    counts.
 //! 2. [`axis`](self::axis): the border is drawn anew with even spacing and triangulated. An edge between two inner
 //!    triangles is a chord across the area; the chords' middles are joined through every triangle. A triangle with one
 //!    chord is a tip, with two a sleeve, with three a fork.
 //! 3. [`prune`](self::prune): at holes the line is cut where it is narrowest; spurs shorter than a share of the local
 //!    width go. Where both corners of a blunt end go, the line is lengthened to the outline.
-//! 4. [`lines`](self::lines): at each fork the straightest pair goes on, the others begin there. Points are smoothed.
+//! 4. [`lines`](self::lines): at each fork the straightest pair goes on ([`forks`](self::forks)), the others begin
+//!    there. Points are smoothed.
 //!
 //! We depart from both papers in the pruning (Igarashi grows half discs; a share of the width is as good for branches
 //! and simpler) and in the cut of cycles (a tree has none).
@@ -18,8 +20,10 @@
 //! O(n log n) for n points on the border, about 4,000 at most, and O(spurs · n) for the pruning: 1 ms for a
 //! trunk with twenty branches.
 
+pub(in crate::sketch) mod arrange;
 mod axis;
 pub(in crate::sketch) mod fill;
+mod forks;
 mod lines;
 mod prune;
 

@@ -51,6 +51,32 @@ fn an_arm_begins_on_the_trunk_and_ends_at_its_tip() {
 }
 
 #[test]
+fn between_opposite_limbs_the_trunk_goes_on() {
+    // Limbs nearly as wide as the trunk, longer than it and a little rising; above, a thinner top.
+    let right = [(0.5, 0.0), (0.5, 4.0), (8.0, 6.5), (8.0, 7.3), (0.4, 4.9), (0.3, 9.0)];
+    let mut outline = points(&right);
+    outline.extend(right.iter().rev().map(|&(x, y)| Vec2::new(-x, y)));
+    let lines = of(&outline);
+    let main = &lines[0].points;
+    assert!(main.iter().all(|p| p.x.abs() < 0.6), "{main:?}");
+    assert!(main.iter().any(|p| p.y < 0.5) && main.iter().any(|p| p.y > 8.5), "{main:?}");
+}
+
+#[test]
+fn no_arm_is_lost_where_a_thick_trunk_ends_at_a_fork() {
+    // A T: the arms are the straightest pair, the trunk is the strongest line.
+    let right = [(1.5, 0.0), (1.2, 8.0), (6.0, 8.0), (6.0, 9.0)];
+    let mut outline = points(&right);
+    outline.extend(right.iter().rev().map(|&(x, y)| Vec2::new(-x, y)));
+    let lines = of(&outline);
+    assert_eq!(lines.len(), 2, "{lines:?}");
+    for x in [-6.0_f32, 6.0] {
+        let near = |p: &Vec2| p.distance(Vec2::new(x, 8.5)) < 0.6;
+        assert!(lines.iter().any(|line| line.points.iter().any(near)), "{x}");
+    }
+}
+
+#[test]
 fn the_ends_of_a_pointed_shape_are_its_points() {
     let lines = of(&points(&[(-1.0, 0.0), (1.0, 0.0), (0.0, 12.0)]));
     assert_eq!(lines.len(), 1, "{lines:?}");
