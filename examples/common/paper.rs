@@ -101,12 +101,7 @@ impl Frame {
         };
         let lens = Lens::Orthographic { height: size.y };
         let pose = Pose { eye: target + far * away, target, up: Vec3::Y, lens };
-        View {
-            width: self.width,
-            height: self.height,
-            samples: 3,
-            camera: Camera::Placed(pose),
-        }
+        View { width: self.width, height: self.height, samples: 3, camera: Camera::Placed(pose) }
     }
 }
 
@@ -143,7 +138,8 @@ impl Paper {
             for x in low.x..=high.x {
                 let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
                 let along = b - a;
-                let share = ((p - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+                let share =
+                    ((p - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
                 let cover = (0.5 * width + 0.5 - p.distance(a + share * along)).clamp(0.0, 1.0);
                 let pixel = self.image.get_pixel_mut(x, y);
                 for (old, new) in pixel.0.iter_mut().zip(ink) {
@@ -154,7 +150,13 @@ impl Paper {
     }
 
     /// The drawing as it came, in one colour.
-    pub(crate) fn drawing(&mut self, drawing: &Drawing, cleaned: &Cleaned, width: f32, ink: [u8; 3]) {
+    pub(crate) fn drawing(
+        &mut self,
+        drawing: &Drawing,
+        cleaned: &Cleaned,
+        width: f32,
+        ink: [u8; 3],
+    ) {
         for stroke in &drawing.strokes {
             let good = stroke.points.iter().filter(|point| point.is_finite());
             let mut line: Vec<Vec2> = good.map(|&p| cleaned.plan.from_drawing(p)).collect();
@@ -207,7 +209,11 @@ impl Paper {
     }
 
     pub(crate) fn picture(self) -> Picture {
-        Picture { width: self.frame.width, height: self.frame.height, pixels: self.image.into_raw() }
+        Picture {
+            width: self.frame.width,
+            height: self.frame.height,
+            pixels: self.image.into_raw(),
+        }
     }
 }
 
