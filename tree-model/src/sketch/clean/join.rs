@@ -278,13 +278,21 @@ impl Join<'_> {
 pub(super) type Nodes = (Vec<Vec2>, Vec<u32>, Vec<u32>);
 
 /// Makes nodes of joined strokes: their points, and one more where a stroke joins another between two points that are
-/// not within `same`.
-pub(super) fn nodes(inks: &[Ink], lines: &[Line], joints: &[Joint], same: f32) -> Nodes {
+/// not within `same`. What joins one stroke within `together` joins at one place.
+pub(super) fn nodes(
+    inks: &[Ink],
+    lines: &[Line],
+    joints: &[Joint],
+    [same, together]: [f32; 2],
+) -> Nodes {
     let mut guests: Vec<Vec<(Place, usize)>> = vec![Vec::new(); lines.len()];
     for joint in joints {
         if let Some((host, place)) = joint.host {
             guests[host].push((place, joint.stroke));
         }
+    }
+    for joint in joints {
+        gather(&lines[joint.stroke], joint, &mut guests[joint.stroke], together);
     }
     let (mut positions, mut parents, mut strokes) = (Vec::new(), Vec::new(), Vec::new());
     // The node that each stroke joins.
@@ -324,6 +332,36 @@ pub(super) fn nodes(inks: &[Ink], lines: &[Line], joints: &[Joint], same: f32) -
         }
     }
     (positions, parents, strokes)
+}
+
+/// Brings what joins a stroke within a distance to one place: that of the first of them, or the place by which the stroke
+/// joins itself, or its end.
+fn gather(line: &Line, joint: &Joint, guests: &mut [(Place, usize)], within: f32) {
+    if within <= 0.0 {
+        return;
+    }
+    let mut walked = vec![0.0_f32];
+    for pair in line.points.windows(2) {
+        walked.push(walked[walked.len() - 1] + pair[0].distance(pair[1]));
+    }
+    let way = |place: &Place| {
+        let i = (place.segment as usize).min(line.points.len().saturating_sub(2));
+        walked[i] + place.share * (walked[(i + 1).min(walked.len() - 1)] - walked[i])
+    };
+    // A point of the line as a place.
+    let at = |i: usize| match i {
+        0 => Place { segment: 0, share: 0.0, distance: 0.0 },
+        _ => Place { segment: i as u32 - 1, share: 1.0, distance: 0.0 },
+    };
+    guests.sort_by(|(a, i), (b, k)| way(a).total_cmp(&way(b)).then(i.cmp(k)));
+    let fixed = [joint.point, joint.range.0, joint.range.1].map(at);
+    let mut last: Option<Place> = None;
+    for (place, _) in guests.iter_mut() {
+        let near = |other: &&Place| (way(other) - way(place)).abs() < within;
+        let there = fixed.iter().find(near).or(last.as_ref().filter(near));
+        let to = there.map_or(*place, |there| Place { distance: place.distance, ..*there });
+        (*place, last) = (to, Some(to));
+    }
 }
 
 /// Whether a joint is the first one: the tree's own beginning.

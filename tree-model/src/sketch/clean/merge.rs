@@ -1,13 +1,14 @@
 //! Overdrawn strokes: what runs along a longer stroke is part of it.
 //!
 //! The longest stroke stays as it is, then the next, and so on; a trunk goes before all others. Of each next one the
-//! points that lie within the merging distance of what stays, in the same direction or the opposite one, are dropped
-//! where they make a run; what goes on beyond stays and begins at the run's end. O(points · neighbours) by a uniform
-//! grid.
+//! points that lie within the merging distance of what stays, in the same direction or the opposite one, make runs. A
+//! run is dropped where it is nearly parallel to what stays, and covers the stroke, or begins or ends it, or is long. So what
+//! merely crosses another stroke, or leaves it at an acute angle, stays whole. What goes on beyond a run begins at the
+//! run's end. O(points · neighbours) by a uniform grid.
 
 use super::report::{CleanReport, RepairKind};
 use super::sample::closest;
-use super::tidy::{Ink, length};
+use super::tidy::{Extent, Ink, length};
 use crate::error::Result;
 use crate::sketch::Role;
 use glam::{IVec2, Vec2};
@@ -19,8 +20,21 @@ const ALONG: f32 = 0.9;
 /// A run is longer than so many merging distances: two strokes that merely cross or fork are close for a shorter way.
 const RUN: f32 = 4.0;
 
+/// A run in the middle of a stroke is longer than this share of the height.
+const LONG: f32 = 0.06;
+
+/// Along a run the distance to the other stroke, left of it or right, changes by at most this share of the run: what does more
+/// crosses the other stroke or leaves it.
+const DRIFT: f32 = 0.12;
+
 /// What is left between runs or beyond them stays if it is longer than so many merging distances.
 const REST: f32 = 2.5;
+
+/// What is left of the ink of a crown's line stays if it is so much longer, where it reaches the foot: it is the trunk.
+const FOOT_REST: f32 = 1.0;
+
+/// What is low enough: this share of the height above the lowest point.
+const FOOT: f32 = 0.03;
 
 /// Segments by the cell that their middle is in.
 struct Grid {
@@ -55,8 +69,8 @@ impl Grid {
         }
     }
 
-    /// The stroke nearest to a point among those that run this way there.
-    fn along(&self, point: Vec2, way: Vec2, within: f32) -> Option<u32> {
+    /// The stroke nearest to a point among those that run this way there, and how far to its right the point is.
+    fn along(&self, point: Vec2, way: Vec2, within: f32) -> Option<(u32, f32)> {
         let centre = (point / self.cell).floor().as_ivec2();
         let mut best = (within, None);
         for i in 0..9 {
@@ -65,7 +79,8 @@ impl Grid {
                 let distance = closest(point, segment.a, segment.b).1;
                 let side = (segment.b - segment.a).normalize_or_zero();
                 if distance < best.0 && side.dot(way).abs() > ALONG {
-                    best = (distance, Some(segment.stroke));
+                    let right = side.perp_dot(point - segment.a);
+                    best = (distance, Some((segment.stroke, distance.copysign(right))));
                 }
             }
         }
@@ -73,11 +88,10 @@ impl Grid {
     }
 }
 
-/// Merges evenly sampled strokes. `within` and `spacing` in units of the drawing.
+/// Merges evenly sampled strokes. `within`, `spacing` and `unit`, the height, in units of the drawing.
 pub(super) fn merge(
     inks: Vec<Ink>,
-    within: f32,
-    spacing: f32,
+    [within, spacing, unit]: [f32; 3],
     report: &mut CleanReport,
     control: &Control,
 ) -> Result<Vec<Ink>> {
@@ -94,10 +108,11 @@ pub(super) fn merge(
     let n: usize = inks.iter().map(|ink| ink.points.len()).sum();
     let mut grid = Grid::new(within + spacing, n);
     let mut kept: Vec<(usize, Ink)> = Vec::with_capacity(inks.len());
+    let rule = Rule { within, drift: DRIFT, inside: LONG * unit, foot: f32::INFINITY };
     for (_, _, index) in order {
         control.check()?;
         let ink = &inks[index];
-        for piece in remaining(ink, &grid, within, RepairKind::Merged, report) {
+        for piece in remaining(ink, &grid, &rule, RepairKind::Merged, report) {
             grid.add(&piece);
             kept.push((index, piece));
         }
@@ -111,16 +126,18 @@ pub(super) fn merge(
 pub(super) fn leave_out_ink(
     inks: Vec<Ink>,
     crowns: &[Ink],
-    within: f32,
-    spacing: f32,
+    [within, spacing, unit]: [f32; 3],
     report: &mut CleanReport,
 ) -> Vec<Ink> {
+    let foot = Extent::all(&inks).high.y - FOOT * unit;
+    // Ink goes all round: it may wander from side to side of the line and be cut anywhere.
+    let rule = Rule { within, drift: f32::INFINITY, inside: 0.0, foot };
     let n = crowns.iter().map(|ink| ink.points.len()).sum();
     let mut grid = Grid::new(within + spacing, n);
     crowns.iter().for_each(|ink| grid.add(ink));
     let keep = |ink: Ink| {
         if ink.middle && !ink.marked {
-            remaining(&ink, &grid, within, RepairKind::CrownInk, report)
+            remaining(&ink, &grid, &rule, RepairKind::CrownInk, report)
         } else {
             vec![ink]
         }
@@ -128,17 +145,29 @@ pub(super) fn leave_out_ink(
     inks.into_iter().flat_map(keep).collect()
 }
 
+/// Which runs are dropped, and what is left.
+struct Rule {
+    within: f32,
+    /// See [`DRIFT`].
+    drift: f32,
+    /// Least length of a run between the ends of a stroke.
+    inside: f32,
+    /// What is left and reaches down to here stays even if it is short.
+    foot: f32,
+}
+
 /// What is left of a stroke beside those in the grid.
 fn remaining(
     ink: &Ink,
     grid: &Grid,
-    within: f32,
+    rule: &Rule,
     whole: fn(u32) -> RepairKind,
     report: &mut CleanReport,
 ) -> Vec<Ink> {
     let points = &ink.points;
     let last = points.len() - 1;
-    let along: Vec<Option<u32>> = (0..points.len())
+    let within = rule.within;
+    let along: Vec<Option<(u32, f32)>> = (0..points.len())
         .map(|i| {
             let way = points[(i + 1).min(last)] - points[i.saturating_sub(1)];
             grid.along(points[i], way.normalize_or_zero(), within)
@@ -151,11 +180,19 @@ fn remaining(
             _ => runs.push((over.is_some(), i, i)),
         }
     }
-    let long = |from: usize, to: usize| length(&points[from..=to]) >= RUN * within;
     let is_run = |&&(over, from, to): &&(bool, usize, usize)| {
-        over && (long(from, to) || (from == 0 && to == last))
+        let run = length(&points[from..=to]);
+        let [one, other] = [from, to].map(|i| along[i].map_or(0.0, |(_, right)| right));
+        let parallel = (other - one).abs() <= rule.drift * run;
+        let at_end = from == 0 || to == last;
+        let whole = from == 0 && to == last;
+        over && (whole || (run >= RUN * within && parallel && (at_end || run > rule.inside)))
     };
-    let stays = |from: usize, to: usize| length(&points[from..=to]) >= REST * within;
+    let stays = |from: usize, to: usize| {
+        let piece = &points[from..=to];
+        let least = if piece.iter().any(|p| p.y > rule.foot) { FOOT_REST } else { REST };
+        length(piece) >= least * within
+    };
     let covered: Vec<(usize, usize)> = runs.iter().filter(is_run).map(|r| (r.1, r.2)).collect();
     if covered.is_empty() {
         return vec![ink.clone()];
@@ -172,7 +209,10 @@ fn remaining(
     if last > from && stays(from, last) {
         pieces.push((from, last));
     }
-    let into = covered.iter().find_map(|&(start, _)| along[start]).unwrap_or(ink.stroke);
+    let into = covered
+        .iter()
+        .find_map(|&(start, _)| along[start])
+        .map_or(ink.stroke, |(stroke, _)| stroke);
     report.add(
         ink.stroke,
         match (whole(into), pieces.is_empty()) {

@@ -8,16 +8,20 @@
 //! 3. of wood that is drawn by its outline the middle line is taken (`outlines`);
 //! 4. lines are sampled evenly, corners kept (`sample`): no drawn point is farther than 0.2 % of the height from them;
 //! 5. of strokes drawn over one another one stays (`merge`);
-//! 6. the root is found (`root`) and the strokes are joined, the nearest first (`join`).
+//! 6. the root is found (`root`) and the strokes are joined, the nearest first (`join`);
+//! 7. flares of roots at the foot become a trunk (`flares`), and wood that ends below a crown is drawn on into it
+//!    (`reach`).
 //!
 //! Whatever is done to a stroke is in the report. A drawing with a crown and nothing else gets an imagined
 //! trunk. O(points · log points + strokes²): 100,000 points in 2,000 strokes take a fraction of a second.
 
+mod flares;
 mod join;
 mod line;
 mod merge;
 mod outlines;
 mod params;
+mod reach;
 mod report;
 mod roles;
 mod root;
@@ -127,8 +131,8 @@ fn steps(
         inks.into_iter().partition(|ink| ink.role == Some(Role::Crown));
     control.report("merging", 0.4)?;
     let wood = above(wood, ground.map(|y| y + BELOW * unit), report);
-    let wood = merge::leave_out_ink(wood, &crowns, INK * unit, 1.5 * spacing, report);
-    let wood = merge::merge(wood, params.merge * unit, 1.5 * spacing, report, control)?;
+    let wood = merge::leave_out_ink(wood, &crowns, [INK * unit, 1.5 * spacing, unit], report);
+    let wood = merge::merge(wood, [params.merge * unit, 1.5 * spacing, unit], report, control)?;
     let wood = if wood.is_empty() { vec![imagined(&crowns, spacing, report)?] } else { wood };
     control.report("joining", 0.5)?;
     let lines: Vec<Line> = wood.iter().map(|ink| Line::new(ink.points.clone())).collect();
@@ -138,7 +142,15 @@ fn steps(
     }
     let work = join::Join { inks: &wood, lines: &lines, params, unit };
     let joints = work.run(&root, report, control)?;
-    let nodes = join::nodes(&wood, &lines, &joints, SAME * spacing);
+    let distances = [SAME * spacing, params.gather * unit];
+    let mut nodes = join::nodes(&wood, &lines, &joints, distances);
+    if params.guess {
+        let marked = |stroke: u32| wood.iter().any(|ink| ink.stroke == stroke && ink.marked);
+        if params.root.is_none() {
+            flares::leave_out(&mut nodes, &marked, [unit, spacing], report);
+        }
+        reach::draw_on(&mut nodes, &crowns, [unit, spacing], report);
+    }
     let plan = plan(nodes, &crowns, params.height)?;
     control.report("joined", 1.0)?;
     Ok((plan, crowns))

@@ -44,6 +44,9 @@ pub struct CleanParams {
     /// Whether strokes without a role may be taken for a crown, the ground, sides of a trunk or marks on its bark.
     /// Default true; false: what is not marked is a branch.
     pub guess: bool,
+    /// Forks of one stroke that are closer together than this share, or this close to its beginning or its end, are one: whorls and
+    /// opposite branches, 0 to 0.1. Default 0.01. 0: forks stay where they are.
+    pub gather: f32,
 }
 
 impl Default for CleanParams {
@@ -57,6 +60,7 @@ impl Default for CleanParams {
             isolated: Isolated::Bridge,
             root: None,
             guess: true,
+            gather: 0.01,
         }
     }
 }
@@ -72,6 +76,7 @@ impl CleanParams {
         check("clean.snap", self.snap, 0.0_f32, 0.2_f32)?;
         check("clean.merge", self.merge, 0.0_f32, 0.1_f32)?;
         check("clean.reach", self.reach, 0.0_f32, 10.0_f32)?;
+        check("clean.gather", self.gather, 0.0_f32, 0.1_f32)?;
         match self.root {
             Some(root) if !root.is_finite() => {
                 Err(ModelError::NotFinite { field: "clean.root".into() })

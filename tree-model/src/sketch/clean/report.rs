@@ -67,6 +67,10 @@ pub enum RepairKind {
     Isolated(f32),
     /// There are no branches: a straight trunk was imagined below this crown.
     ImaginedTrunk,
+    /// It shows the flare of a root at the trunk's foot, which was left out.
+    RootFlare,
+    /// No branch reaches into the crown, this stroke: it was drawn on.
+    DrawnOn(u32),
 }
 
 impl CleanReport {
@@ -129,6 +133,12 @@ impl fmt::Display for Repair {
                 "is {:.1} % of the height away from the rest and was left out",
                 percent(share)
             ),
+            K::RootFlare => {
+                write!(f, "shows flares of roots at the trunk's foot: they were left out")
+            }
+            K::DrawnOn(crown) => {
+                write!(f, "hardly reaches into the crown strokes[{crown}] and was drawn on")
+            }
             K::ImaginedTrunk => write!(f, "has no trunk below it: a straight one was imagined"),
         }
     }

@@ -158,9 +158,11 @@ impl Solid {
                 return None;
             }
             t = end.max(t);
-            band = if way.y > 0.0 { band + 1 } else { band.wrapping_sub(1) };
-            if band + 1 >= self.heights.len() {
-                return Some(t as f32);
+            let next = if way.y > 0.0 { band.checked_add(1) } else { band.checked_sub(1) };
+            match next.filter(|next| next + 1 < self.heights.len()) {
+                Some(next) => band = next,
+                // Below the lowest level and above the highest there is nothing.
+                None => return Some(t as f32),
             }
         }
     }

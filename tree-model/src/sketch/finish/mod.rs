@@ -12,7 +12,6 @@
 //! Cost: O(nodes + leaves).
 
 mod crown;
-mod depth;
 mod params;
 mod spread;
 #[cfg(test)]
@@ -20,6 +19,5 @@ mod tests;
 mod wood;
 
 pub use crown::{FinishReport, grow_crown};
-pub use depth::smooth_depth;
 pub use params::SketchFinish;
 pub use wood::grow_wood;

@@ -76,19 +76,6 @@ fn an_imagined_root_is_left_out() {
 }
 
 #[test]
-fn smoothing_depth_keeps_what_is_drawn() {
-    let sketch = sketch();
-    let smooth = smooth_depth(&sketch, 4);
-    assert_ne!(smooth, sketch);
-    for (a, b) in smooth.points.iter().zip(&sketch.points) {
-        assert_eq!(a.truncate(), b.truncate());
-    }
-    for segment in 1..smooth.len() {
-        assert_eq!(smooth.start(segment), smooth.end(smooth.parents()[segment] as usize));
-    }
-}
-
-#[test]
 fn a_tree_in_leaf_has_a_sensible_number_of_leaves() {
     for crown in [false, true] {
         for species in ["oak", "birch", "willow", "spruce"] {

@@ -52,6 +52,9 @@ pub fn grow_wood(grown: &Propagated, params: &SketchFinish, control: &Control) -
     nodes.finish(params)
 }
 
+/// What creeps along the ground is as thick as if it were this share of its width high.
+const LOWEST: f32 = 0.25;
+
 /// Stands for a node where there is none.
 const NONE: u32 = u32::MAX;
 
@@ -111,8 +114,9 @@ impl Nodes {
         let Self { positions, parents } = self;
         let radii = vec![0.0; positions.len()];
         let mut skeleton = Skeleton::try_from(SkeletonColumns { positions, radii, parents })?;
-        let trunk =
-            (params.slenderness * skeleton.bounds().size().max_element()).clamp(1e-6, 100.0);
+        let size = skeleton.bounds().size();
+        let height = size.y.max(LOWEST * size.max_element());
+        let trunk = (params.slenderness * height).clamp(1e-6, 100.0);
         let radii = PipeModel {
             exponent: params.exponent,
             trunk_radius: Some(trunk),

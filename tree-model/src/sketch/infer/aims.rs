@@ -11,7 +11,7 @@
 //! angles and lengths come out as they are in Ω, where the product of Eq. 4.16 alone would favour depth.
 
 use super::densities::{Densities, Density};
-use super::segments::Segments;
+use super::segments::{STEEPEST, Segments};
 use crate::sketch::branches::Label;
 use crate::sketch::frame::{across, angle, carried, roll, wrapped};
 use crate::sketch::omega::{Habit, Normal, Omega};
@@ -65,8 +65,6 @@ impl Quantity {
 const FARTHEST: f64 = 3.0;
 /// Depths are drawn from so many slopes on each side of the plane.
 const SLOPES: i32 = 40;
-/// Tangent of the steepest.
-const STEEPEST: f64 = 8.0;
 /// Angles are taken for at least this, in radians: at none the density in space has no bound.
 const LEAST_ANGLE: f64 = 0.02;
 

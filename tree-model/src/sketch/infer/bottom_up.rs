@@ -9,12 +9,11 @@ use super::densities::Densities;
 use super::factors::Fork;
 use super::labels::best_assignment;
 use super::posterior::{Graph, State};
+use super::segments::STEEPEST;
 use crate::error::Result;
 use crate::sketch::branches::Label;
 use tree_core::Control;
 
-/// Depths are sought at slopes of up to this tangent.
-const STEEPEST: f64 = 6.0;
 /// Places on each side of the plane at which a search begins.
 const PLACES: usize = 9;
 /// Refinements of each place found.

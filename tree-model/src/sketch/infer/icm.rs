@@ -6,6 +6,7 @@
 
 use super::densities::Densities;
 use super::posterior::{Graph, State, Wiring};
+use super::segments::STEEPEST;
 
 /// First step of a search, as a share of the segment's length in the plane.
 const FIRST_STEP: f64 = 0.2;
@@ -46,11 +47,16 @@ fn search(
         FIRST_STEP * graph.segments().chord(segment).length().max(0.01 * graph.segments().extent);
     let mut best = graph.around(omega, state, wiring, segment);
     let mut step = first * share;
+    // A known depth may have made it steeper.
+    let limit = steepness(graph, state, segment).max(STEEPEST);
     for _ in 0..MOST_STEPS {
         let here = state.depths[segment];
         let mut found = None;
         for depth in [here + step, here - step] {
             state.depths[segment] = depth;
+            if steepness(graph, state, segment) > limit {
+                continue;
+            }
             let value = graph.around(omega, state, wiring, segment);
             if value > best {
                 (best, found) = (value, Some(depth));
@@ -72,6 +78,18 @@ fn search(
             break;
         }
     }
+}
+
+/// The tangent against the plane of a segment or the steepest that it bears.
+fn steepness(graph: &Graph, state: &State, segment: usize) -> f64 {
+    let segments = graph.segments();
+    let least = 0.01 * segments.extent;
+    let tangent = |i: usize| {
+        let below = segments.parent(i).map_or(0.0, |parent| state.depths[parent]);
+        (state.depths[i] - below).abs() / segments.chord(i).length().max(least)
+    };
+    let children = segments.children(segment).iter().map(|&child| tangent(child as usize));
+    children.fold(tangent(segment), f64::max)
 }
 
 /// Swings each branch to the other side of the plane through its base, where that raises the posterior; returns whether any did.

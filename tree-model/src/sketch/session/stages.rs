@@ -10,7 +10,7 @@ use crate::sketch::finish::{SketchFinish, grow_crown, grow_wood};
 use crate::sketch::infer::{InferParams, Inferred, Pin, infer_with};
 use crate::sketch::omega::Omega;
 use crate::sketch::propagate::{Propagated, propagate};
-use crate::sketch::template::{Choice, DrawnShape, Template, select};
+use crate::sketch::template::{Choice, DrawnShape, SelectParams, Template, select};
 use crate::sketch::{Drawing, Plan};
 use tree_core::{Control, Seed, Skeleton, Volume};
 
@@ -310,7 +310,18 @@ impl Session {
             if self.params.template.is_none() && self.kept.is_none() {
                 let points: Vec<_> = cleaned.crown.concat();
                 let drawn = DrawnShape::measure(&cleaned.plan, &points);
-                self.choices = Some(select(&drawn, self.templates()?, &self.params.select)?);
+                let params = if points.is_empty() || is_forked(&cleaned.plan) {
+                    self.params.select.clone()
+                } else {
+                    // One stem under a cloud says nothing of branches: not that there are none.
+                    SelectParams {
+                        branches: 0.0,
+                        shape: 0.0,
+                        directions: 0.0,
+                        ..self.params.select.clone()
+                    }
+                };
+                self.choices = Some(select(&drawn, self.templates()?, &params)?);
                 self.runs[Stage::Select as usize] += 1;
             }
             let height = match self.params.height {
@@ -362,6 +373,13 @@ impl Session {
             ..self.params.finish.clone()
         })
     }
+}
+
+/// Whether a plan has a fork.
+fn is_forked(plan: &Plan) -> bool {
+    let mut parents = plan.parents()[1..].to_vec();
+    parents.sort_unstable();
+    parents.windows(2).any(|pair| pair[0] == pair[1])
 }
 
 /// The plan's nodes above its first fork; all of them where there is none.
