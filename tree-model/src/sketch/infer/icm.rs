@@ -121,7 +121,7 @@ pub(super) fn swing(graph: &Graph, omega: &Densities, state: &mut State, total: 
 }
 
 /// A segment and all it bears.
-fn branch(segments: &super::segments::Segments, segment: usize) -> Vec<usize> {
+pub(super) fn branch(segments: &super::segments::Segments, segment: usize) -> Vec<usize> {
     let mut branch = vec![segment];
     let mut done = 0;
     while done < branch.len() {

@@ -18,7 +18,7 @@ const HALF: f64 = 0.5;
 /// Exponent of the pipe model by which the thickness of branches is estimated (Murray).
 const PIPE: f64 = 2.49;
 /// Branches nearer along the tree than this many clearances join there, and may touch.
-const JOINING: f64 = 5.0;
+const JOINING: f64 = 3.0;
 /// How steeply an overlap is punished: at none of the clearance left, 18 nats.
 const STEEPNESS: f64 = 6.0;
 

@@ -196,13 +196,62 @@ impl Run<'_> {
 
     /// Takes the best of what bottom-up inference found, each refined first where there are few segments.
     fn begin(&mut self, found: Vec<State>) -> Result<()> {
-        let alone = found.len() == 1;
-        let refined: Result<Vec<(f64, State)>> = found
+        match <[State; 1]>::try_from(found) {
+            Ok([state]) => {
+                self.total = self.graph.total(&self.omega, &state);
+                self.state = state;
+            }
+            Err(found) => self.take_best(found)?,
+        }
+        if self.graph.segments().len() <= FEW_SEGMENTS {
+            self.hop()?;
+        }
+        self.note(Step::BottomUp);
+        self.separate()
+    }
+
+    /// In small sketches: from the best, each branch is swung to other slopes and each two siblings change labels, with ICM after;
+    /// until nothing is better.
+    fn hop(&mut self) -> Result<()> {
+        /// Tangents of the slopes tried.
+        const SLOPES: [f64; 8] = [-3.0, -1.5, -0.7, -0.2, 0.2, 0.7, 1.5, 3.0];
+        /// Times all are tried, at most.
+        const HOPS: u32 = 4;
+        let segments = self.graph.segments();
+        for _ in 0..HOPS {
+            let before = self.total;
+            let mut starts: Vec<State> = Vec::new();
+            for i in 1..segments.len() {
+                let below = segments.parent(i).map_or(0.0, |parent| self.state.depths[parent]);
+                for slope in SLOPES.into_iter().filter(|_| !self.graph.pinned[i]) {
+                    let mut state = self.state.clone();
+                    let shift = below + slope * segments.chord(i).length() - state.depths[i];
+                    for above in branch(segments, i).into_iter().filter(|&j| !self.graph.pinned[j])
+                    {
+                        state.depths[above] += shift;
+                    }
+                    starts.push(state);
+                }
+                for &other in segments.parent(i).map_or(&[][..], |p| segments.children(p)) {
+                    let mut state = self.state.clone();
+                    state.labels.swap(i, other as usize);
+                    starts.push(state);
+                }
+            }
+            self.take_best(starts)?;
+            if self.total <= before {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Refines every state and keeps the best, if it is better than what there is.
+    fn take_best(&mut self, states: Vec<State>) -> Result<()> {
+        let refined: Result<Vec<(f64, State)>> = states
             .into_par_iter()
             .map(|mut state| {
-                if !alone {
-                    self.icm(&mut state, 1.0)?;
-                }
+                self.icm(&mut state, 1.0)?;
                 Ok((self.graph.total(&self.omega, &state), state))
             })
             .collect();
@@ -211,8 +260,7 @@ impl Run<'_> {
                 (self.state, self.total) = (state, total);
             }
         }
-        self.note(Step::BottomUp);
-        self.separate()
+        Ok(())
     }
 
     /// ICM, and swings of whole branches.
@@ -238,10 +286,15 @@ impl Run<'_> {
     fn icm(&self, state: &mut State, first: f64) -> Result<()> {
         let wiring = self.graph.wiring(&state.labels);
         let mut share = first;
-        for _ in 0..self.params.sweeps {
+        // Small sketches settle closely: that costs little.
+        let (sweeps, settled) = match self.graph.segments().len() {
+            0..=FEW_SEGMENTS => (6 * self.params.sweeps, 0.02),
+            _ => (self.params.sweeps, 1.0),
+        };
+        for _ in 0..sweeps {
             self.control.check()?;
             let change = sweep(self.graph, &self.omega, state, &wiring, share);
-            if change <= f64::from(self.params.settled) * self.graph.segments().extent {
+            if change <= settled * f64::from(self.params.settled) * self.graph.segments().extent {
                 break;
             }
             share = (share * 0.6).max(0.02);

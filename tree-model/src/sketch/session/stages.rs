@@ -270,7 +270,7 @@ impl Session {
             let index = self.template_index()?;
             let template = &self.templates()?[index];
             if self.params.species.is_none() {
-                tree = named(tree, &template.name)?;
+                tree = named(&tree, &template.name)?;
             }
             let inferred = missing(self.inferred.as_ref())?;
             let score = self
@@ -291,7 +291,7 @@ impl Session {
                     - u32::from(inferred.branches.has_imagined_root()),
                 posterior: inferred.posterior.total(),
                 interpenetrations: inferred.interpenetrations,
-                propagate: missing(self.propagated.as_ref())?.report.clone(),
+                propagate: missing(self.propagated.as_ref())?.report,
                 finish,
             };
             self.tree = Some(SketchTree { tree, report });
@@ -401,7 +401,7 @@ fn above_root_branch(plan: &Plan) -> Vec<glam::Vec2> {
 }
 
 /// The tree under the name of its template.
-fn named(tree: tree_core::Tree, name: &str) -> Result<tree_core::Tree> {
+fn named(tree: &tree_core::Tree, name: &str) -> Result<tree_core::Tree> {
     let species = tree_core::Species { name: name.into(), ..tree.species().clone() };
     Ok(tree_core::Tree::new(tree.skeleton().clone(), tree.foliage().clone(), species)?)
 }
