@@ -4,7 +4,7 @@ use super::bottom_up::bottom_up;
 use super::densities::Densities;
 use super::depth::in_space;
 use super::graph::build;
-use super::icm::{sweep, swing};
+use super::icm::{branch, sweep, swing};
 use super::near::Crossing;
 use super::params::InferParams;
 use super::posterior::{Graph, Posterior, State};
