@@ -321,7 +321,7 @@ pub unsafe extern "C" fn tree_sketch_infer(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(inferred, "inferred") }?;
-        let plan = unsafe { get(plan, "plan") }?.plan();
+        let plan = unsafe { get(plan, "plan") }?.rust();
         let omega = unsafe { self::omega(omega) }?;
         let limits = unsafe { limits(control) }?;
         let pins = unsafe { slice(pins, n_pins, &limits, Resource::Nodes, "pins") }?;

@@ -34,7 +34,7 @@ pub unsafe extern "C" fn tree_factor_graph_new(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(graph, "graph") }?;
-        let plan = unsafe { get(plan, "plan") }?.plan();
+        let plan = unsafe { get(plan, "plan") }?.rust();
         let omega = unsafe { self::omega(omega) }?;
         let params = unsafe { read_or_default(params, "params") }?.rust();
         let body =

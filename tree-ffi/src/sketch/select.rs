@@ -1,0 +1,1 @@
+//! Which template suits a drawing.
