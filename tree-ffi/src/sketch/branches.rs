@@ -1,8 +1,8 @@
 //! Branch segments in space: of a sketch, and with what grew on them.
 
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_ENUM, TREE_ERROR_INVALID, TREE_ERROR_PARAMETER, Versioned, call, fill, free,
-    get, out, read, slice, tree_status, vec3s, write,
+    Failure, Handle, Result, TREE_ERROR_ENUM, TREE_ERROR_INVALID, TREE_ERROR_PARAMETER, Versioned,
+    call, fill, free, get, out, read, slice, tree_status, vec3s, write,
 };
 use crate::control::{limits, tree_control};
 use crate::mesh::column;

@@ -26,7 +26,6 @@ pub use plan::*;
 pub use propagate::*;
 pub use select::*;
 pub use session::*;
-pub use template::*;
 
 use crate::border::{Failure, Result, TREE_ERROR_FORMAT, TREE_ERROR_TEXT, bytes};
 use crate::memory;
