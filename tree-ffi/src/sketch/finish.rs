@@ -10,8 +10,7 @@ use crate::control::{run, tree_control};
 use crate::particle::Kept;
 use crate::skeleton::tree_skeleton;
 use crate::tree::tree_tree;
-use tree_model::sketch::finish::{FinishReport, SketchFinish, grow_crown_in, grow_wood};
-use tree_model::sketch::propagate::Surface;
+use tree_model::sketch::finish::{FinishReport, SketchFinish, grow_crown, grow_wood};
 use tree_model::tree_core::{Control, Seed};
 
 /// How branches become a tree. Begin with `tree_sketch_finish_params_init`.
@@ -173,12 +172,10 @@ pub unsafe extern "C" fn tree_sketch_grow_crown(
         let place = unsafe { out(tree, "tree") }?;
         unsafe { foresee(report, "report") }?;
         let wood = unsafe { get(wood, "wood") }?.rust();
-        let crown = unsafe { get_opt(crown, "crown") }?.map(|crown| crown.rust());
+        let crown = unsafe { get_opt(crown, "crown") }?.map(tree_crown::rust);
         let params = unsafe { read_or_default(params, "params")?.rust("params") }?;
-        let body = |control: &Control| {
-            let crown = crown.map(|crown| crown as &dyn Surface);
-            Ok(grow_crown_in(wood, crown, &params, Seed(seed), control)?)
-        };
+        let body =
+            |control: &Control| Ok(grow_crown(wood, crown, &params, Seed(seed), control)?);
         let (made, told) = unsafe { run(control, body) }?;
         unsafe { view(report, "report", &tree_sketch_finish_report::of(&told)) }?;
         place.put(tree_tree::new(made));

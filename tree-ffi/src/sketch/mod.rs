@@ -4,9 +4,12 @@ mod branches;
 mod clean;
 mod crown;
 mod drawing;
+mod exemplar;
 mod finish;
+mod footprint;
 mod infer;
 mod infer_graph;
+mod midline;
 mod omega;
 mod plan;
 mod propagate;
@@ -22,16 +25,23 @@ pub use finish::*;
 pub use infer::*;
 pub use infer_graph::*;
 pub use omega::*;
+pub use exemplar::*;
+pub use footprint::*;
+pub use midline::*;
 pub use plan::*;
 pub use propagate::*;
 pub use select::*;
 pub use session::*;
+pub use template::*;
 
-use crate::border::{Failure, Result, TREE_ERROR_FORMAT, TREE_ERROR_TEXT, bytes};
+use crate::border::{Failure, Result, TREE_ERROR_FORMAT, TREE_ERROR_TEXT, bytes, fill, vec2s};
+use crate::control::{limits, run, tree_control};
 use crate::memory;
+use glam::Vec2;
+use rayon::prelude::*;
 use std::ffi::c_char;
 use tree_model::ModelError;
-use tree_model::tree_core::Limits;
+use tree_model::tree_core::{Control, Limits, Resource};
 
 /// A caller's document.
 ///
@@ -66,4 +76,54 @@ fn in_document(error: ModelError) -> Failure {
         }
         other => other.into(),
     }
+}
+
+/// As [`fill`]; for no values there need be no buffer.
+///
+/// # Safety
+/// As [`fill`].
+unsafe fn fill_some<T: Copy>(
+    first: *mut T,
+    capacity: usize,
+    values: &[T],
+    argument: &str,
+) -> Result<()> {
+    if values.is_empty() { Ok(()) } else { unsafe { fill(first, capacity, values, argument) } }
+}
+
+/// A caller's points of the plane, as many as the limits of `control` allow nodes.
+///
+/// # Safety
+/// As [`vec2s`].
+unsafe fn spots<'a>(
+    first: *const f32,
+    n: usize,
+    control: *const tree_control,
+) -> Result<&'a [Vec2]> {
+    unsafe { vec2s(first, n, &limits(control)?, Resource::Nodes, "spots") }
+}
+
+/// Points between two looks whether to go on.
+const CHUNK: usize = 1 << 14;
+
+/// One answer for each row.
+///
+/// # Safety
+/// As [`run`].
+unsafe fn answers<P: Sync, T: Send>(
+    rows: &[P],
+    control: *const tree_control,
+    ask: impl Fn(&P) -> T + Sync + Send,
+) -> Result<Vec<T>> {
+    let body = |control: &Control| {
+        let chunks: Vec<Vec<T>> = rows
+            .par_chunks(CHUNK)
+            .map(|rows| {
+                control.check()?;
+                Ok(rows.iter().map(&ask).collect())
+            })
+            .collect::<Result<_>>()?;
+        Ok(chunks.into_iter().flatten().collect())
+    };
+    unsafe { run(control, body) }
 }

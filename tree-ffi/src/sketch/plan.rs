@@ -1,9 +1,9 @@
 //! Plans: the branches of a cleaned drawing.
 
 use super::clean::tree_clean_repair;
+use super::{answers, fill_some, spots};
 use crate::border::{
-    Handle, Result, TREE_ERROR_INVALID, Versioned, call, fill, free, get, out, out_value, read,
-    slice, tree_status, vec2s, write,
+    Handle, Versioned, call, free, get, out, out_value, read, slice, tree_status, vec2s, write,
 };
 use crate::control::{limits, tree_control};
 use crate::mesh::column;
@@ -132,6 +132,118 @@ pub unsafe extern "C" fn tree_plan_view(
             ..tree_plan_columns::default_value()
         };
         unsafe { write(columns, "columns", &found) }
+    })
+}
+
+/// Views the lines of the drawn crown in metres of the plan, as drawn and not yet closed; a closed one ends where it
+/// begins. There may be none. Set `columns->struct_size` first. `tree_crown_close` takes them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_plan_crown(
+    plan: *const tree_plan,
+    columns: *mut tree_strokes_columns,
+) -> tree_status {
+    call(|| {
+        let crown = &unsafe { get(plan, "plan") }?.crown;
+        unsafe { write(columns, "columns", &crown.columns()) }
+    })
+}
+
+/// Views the drawing's stroke of each line of the crown: where the numbers begin and how many there are.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_plan_crown_strokes(
+    plan: *const tree_plan,
+    strokes: *mut *const u32,
+    n_strokes: *mut usize,
+) -> tree_status {
+    call(|| {
+        let found = &unsafe { get(plan, "plan") }?.cleaned.crown_strokes;
+        unsafe { out_value(strokes, column(found), "strokes") }?;
+        unsafe { out_value(n_strokes, found.len(), "n_strokes") }
+    })
+}
+
+/// Views what cleaning did to the drawing, in that order: where the repairs begin and how many there are.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_plan_repairs(
+    plan: *const tree_plan,
+    repairs: *mut *const tree_clean_repair,
+    n_repairs: *mut usize,
+) -> tree_status {
+    call(|| {
+        let found = &unsafe { get(plan, "plan") }?.repairs;
+        unsafe { out_value(repairs, column(found), "repairs") }?;
+        unsafe { out_value(n_repairs, found.len(), "n_repairs") }
+    })
+}
+
+/// A sentence for each repair, which names the stroke. Free the lines with `tree_lines_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_plan_repairs_text(
+    plan: *const tree_plan,
+    lines: *mut *mut tree_lines,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(lines, "lines") }?;
+        let repairs = &unsafe { get(plan, "plan") }?.cleaned.report.repairs;
+        place.put(tree_lines::new(repairs.iter().map(ToString::to_string).collect()));
+        Ok(())
+    })
+}
+
+/// The same plan, its crown with it, `factor` times as large in metres. Free it with `tree_plan_free`.
+/// `TREE_ERROR_INVALID` where the factor is not above 0 or coordinates become infinite.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_plan_scaled(
+    plan: *const tree_plan,
+    factor: f32,
+    scaled: *mut *mut tree_plan,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(scaled, "scaled") }?;
+        let mut cleaned = unsafe { get(plan, "plan") }?.cleaned.clone();
+        cleaned.plan = cleaned.plan.scaled(factor)?;
+        cleaned.crown.iter_mut().flatten().for_each(|point| *point *= factor);
+        place.put(tree_plan::new(cleaned));
+        Ok(())
+    })
+}
+
+/// Where points of the plan lie in the drawing: `spots` are `n_spots` times two floats in metres, `drawn` gets as many
+/// in units of the drawing; `capacity` is its room in floats. `control` may be NULL; `nodes` of its limits caps the
+/// points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_plan_points_to_drawing(
+    plan: *const tree_plan,
+    spots: *const f32,
+    n_spots: usize,
+    control: *const tree_control,
+    drawn: *mut f32,
+    capacity: usize,
+) -> tree_status {
+    call(|| {
+        let plan = unsafe { get(plan, "plan") }?.rust();
+        let spots = unsafe { self::spots(spots, n_spots, control) }?;
+        let found = unsafe { answers(spots, control, |&spot| plan.to_drawing(spot).to_array()) }?;
+        unsafe { fill_some(drawn, capacity, found.as_flattened(), "drawn") }
+    })
+}
+
+/// Where points of the drawing lie in the plan: as `tree_plan_points_to_drawing`, the other way. `planned` gets
+/// the points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_plan_points_from_drawing(
+    plan: *const tree_plan,
+    spots: *const f32,
+    n_spots: usize,
+    control: *const tree_control,
+    planned: *mut f32,
+    capacity: usize,
+) -> tree_status {
+    call(|| {
+        let plan = unsafe { get(plan, "plan") }?.rust();
+        let spots = unsafe { self::spots(spots, n_spots, control) }?;
+        let found = unsafe { answers(spots, control, |&spot| plan.from_drawing(spot).to_array()) }?;
+        unsafe { fill_some(planned, capacity, found.as_flattened(), "planned") }
     })
 }
 

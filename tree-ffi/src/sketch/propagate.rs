@@ -8,7 +8,7 @@ use crate::border::{
 };
 use crate::control::{run, tree_control};
 use crate::volume::tree_volume;
-use tree_model::sketch::propagate::{PropagateParams, PropagateReport, Surface, propagate_in};
+use tree_model::sketch::propagate::{PropagateParams, PropagateReport, propagate};
 use tree_model::tree_core::{Control, Seed};
 
 /// How a sketch is filled up with branches. Begin with `tree_sketch_propagate_params_init`.
@@ -198,13 +198,11 @@ pub unsafe extern "C" fn tree_sketch_branches_propagate(
         unsafe { foresee(report, "report") }?;
         let branches = unsafe { get(branches, "branches") }?.sketched()?;
         let omega = unsafe { self::omega(omega) }?;
-        let crown = unsafe { get_opt(crown, "crown") }?.map(|crown| crown.rust());
+        let crown = unsafe { get_opt(crown, "crown") }?.map(tree_crown::rust);
         let obstacles = unsafe { get_opt(obstacles, "obstacles") }?.map(tree_volume::rust);
         let params = unsafe { read_or_default(params, "params") }?.rust();
         let body = |control: &Control| {
-            let crown = crown.map(|crown| crown as &dyn Surface);
-            let seed = Seed(seed);
-            Ok(propagate_in(branches, &omega, crown, obstacles, &params, seed, control)?)
+            Ok(propagate(branches, &omega, crown, obstacles, &params, Seed(seed), control)?)
         };
         let made = unsafe { run(control, body) }?;
         let told = tree_sketch_propagate_report::of(&made.report);

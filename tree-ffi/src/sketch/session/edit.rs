@@ -3,7 +3,7 @@
 use super::params::{sketch_params, tree_sketch_params};
 use super::{ask, keep, lock, stage, tree_sketch_session, tree_sketch_stage};
 use crate::border::{
-    Failure, TREE_ERROR_BUFFER, call, floats, get_opt, out_value, read, tree_status,
+    Failure, TREE_ERROR_BUFFER, call, fill, floats, get_opt, out_value, read, tree_status,
 };
 use crate::control::{limits, tree_control};
 use crate::sketch::{tree_sketch_stroke, tree_templates};
@@ -145,7 +145,7 @@ pub unsafe extern "C" fn tree_sketch_session_erase_stroke(
             |session: &mut Session, control: &Control| Ok(session.erase_stroke(stroke, control)?);
         let found = unsafe { ask(session, control, body) }?;
         if !gone.is_null() {
-            unsafe { crate::border::fill(gone, capacity, &found, "gone") }?;
+            unsafe { fill(gone, capacity, &found, "gone") }?;
         }
         if n_gone.is_null() { Ok(()) } else { unsafe { out_value(n_gone, found.len(), "n_gone") } }
     })

@@ -4,12 +4,12 @@ use super::params::tree_sketch_params;
 use super::report::tree_sketch_report;
 use super::{ask, lock, stage, tree_sketch_session, tree_sketch_stage};
 use crate::border::{
-    Failure, TREE_ERROR_NO_RESULT, call, foresee, out, out_value, tree_status, view, write,
+    Failure, TREE_ERROR_NO_RESULT, call, fill, foresee, out, out_value, tree_status, view, write,
 };
 use crate::control::tree_control;
 use crate::photo::tree_lines;
 use crate::skeleton::tree_skeleton;
-use crate::sketch::{
+use crate::sketch::{ tree_choice,
     tree_crown, tree_drawing, tree_inferred, tree_plan, tree_sketch_branches,
     tree_sketch_propagate_report, tree_templates,
 };
@@ -101,6 +101,30 @@ pub unsafe extern "C" fn tree_sketch_session_crown(
         };
         place.put(tree_crown::new(found, CrownReport::default()));
         Ok(())
+    })
+}
+
+/// The templates compared with the drawing, best first: indices count in the session's templates, or in those built
+/// in. Their number goes into `n_choices`, they themselves into `choices`, which has room for `capacity` rows; with
+/// NULL they are only counted. There are none where the template was taken by name, or kept through an edit.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_sketch_session_choices(
+    session: *mut tree_sketch_session,
+    control: *const tree_control,
+    choices: *mut tree_choice,
+    capacity: usize,
+    n_choices: *mut usize,
+) -> tree_status {
+    call(|| {
+        let body =
+            |session: &mut Session, control: &Control| Ok(session.choices(control)?.to_vec());
+        let found = unsafe { ask(session, control, body) }?;
+        unsafe { out_value(n_choices, found.len(), "n_choices") }?;
+        if choices.is_null() {
+            return Ok(());
+        }
+        let rows: Vec<_> = found.iter().map(tree_choice::of).collect();
+        unsafe { fill(choices, capacity, &rows, "choices") }
     })
 }
 
