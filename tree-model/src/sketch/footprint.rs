@@ -2,16 +2,16 @@
 //! 1988).
 //!
 //! The convex hull is scaled so that the longer side of its bounding box is 1. From its centre C the distance to the
-//! hull is taken in K_f directions. The thesis does not say which centre; here C is the centroid of the hull's area,
+//! hull is taken in Kᶠ directions. The thesis does not say which centre; here C is the centroid of the hull's area,
 //! which lies inside and hardly moves when one twig sticks out. Direction 0 is +x, then they turn against the clock
 //! in a plan (y up), so a footprint is not the same for a drawing whose y goes down.
 //!
-//! The hull takes O(n log n), the distances O(K_f · corners of the hull): some microseconds.
+//! The hull takes O(n log n), the distances O(Kᶠ · corners of the hull): some microseconds.
 
 use crate::error::ModelError;
 use glam::{DVec2, Vec2};
 
-/// K_f: the number of directions.
+/// Kᶠ: the number of directions.
 pub const DIRECTIONS: usize = 64;
 
 /// Distances from the centre of a convex hull to the hull, in [`DIRECTIONS`] directions.
@@ -46,7 +46,7 @@ impl Footprint {
         &self.0
     }
 
-    /// ‖f − g‖ of equation 4.26, as the root of the mean square, so that it does not depend on K_f. 0 for equal
+    /// ‖f − g‖ of equation 4.26, as the root of the mean square, so that it does not depend on Kᶠ. 0 for equal
     /// shapes; about 0.05 for a circle and an octagon's likes, 0.2 for a circle and a poplar.
     #[must_use]
     pub fn distance(&self, other: &Self) -> f32 {

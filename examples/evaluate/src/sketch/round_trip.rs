@@ -118,6 +118,23 @@ impl Trip {
         seed: Seed,
     ) -> Result<(), Box<dyn Error>> {
         let params = InferParams { slenderness: template.slenderness, ..InferParams::default() };
+        let mut params = params;
+        for pair in std::env::var("PROBE").unwrap_or_default().split(',') {
+            if let Some((k, v)) = pair.split_once('=') {
+                let v: f32 = v.parse()?;
+                match k {
+                    "comp" => params.competition = v,
+                    "spread" => params.spread = v,
+                    "keep" => params.keep_omega = v > 0.0,
+                    "rounds" => params.rounds = v as u32,
+                    "follow" => params.follow = v,
+                    "bend" => params.bending = v,
+                    "weight" => params.template_weight = v,
+                    "clear" => params.clearance = v,
+                    _ => return Err("probe".into()),
+                }
+            }
+        }
         let inferred = infer(plan, &template.omega, &params, seed, &Control::default())?;
         let ours = &inferred.branches;
         let mut rng = seed.stream("random depth").rng();

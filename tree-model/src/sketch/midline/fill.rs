@@ -73,7 +73,7 @@ impl Frame {
         ((point.as_dvec2() - self.centre) / self.scale).round()
     }
 
-    pub(in crate::sketch) fn from_frame(&self, point: DVec2) -> Vec2 {
+    pub(in crate::sketch) fn to_drawing(&self, point: DVec2) -> Vec2 {
         (self.centre + point * self.scale).as_vec2()
     }
 

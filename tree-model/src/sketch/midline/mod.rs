@@ -98,7 +98,7 @@ pub fn midlines_of(outlines: &[Vec<Vec2>], params: &MidlineParams) -> Vec<Midlin
     let Some(area) = Fill::of(&contours, params.rule) else { return Vec::new() };
     let border = area.border();
     let size: f64 = border.iter().map(|contour| fill::area(contour)).sum();
-    if size < LEAST_AREA * (2.0 * fill::HALF).powi(2) {
+    if size < LEAST_AREA * (4.0 * fill::HALF * fill::HALF) {
         return Vec::new();
     }
     let Some(even) = even(&border, size) else { return Vec::new() };
