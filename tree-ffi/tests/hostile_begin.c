@@ -247,6 +247,20 @@ static const tree_photo_params *few_particles(void) {
     return &params;
 }
 
+static const tree_sketch_params *few_branches(void) {
+    static tree_sketch_params params;
+    static tree_sketch_propagate_params propagate;
+    static tree_sketch_finish_params finish;
+    must(tree_sketch_params_init(&params, sizeof params));
+    must(tree_sketch_propagate_params_init(&propagate, sizeof propagate));
+    must(tree_sketch_finish_params_init(&finish, sizeof finish));
+    propagate.generations = 1;
+    finish.fullness = 0.05f;
+    params.propagate = &propagate;
+    params.finish = &finish;
+    return &params;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

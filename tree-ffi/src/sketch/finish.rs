@@ -174,8 +174,7 @@ pub unsafe extern "C" fn tree_sketch_grow_crown(
         let wood = unsafe { get(wood, "wood") }?.rust();
         let crown = unsafe { get_opt(crown, "crown") }?.map(tree_crown::rust);
         let params = unsafe { read_or_default(params, "params")?.rust("params") }?;
-        let body =
-            |control: &Control| Ok(grow_crown(wood, crown, &params, Seed(seed), control)?);
+        let body = |control: &Control| Ok(grow_crown(wood, crown, &params, Seed(seed), control)?);
         let (made, told) = unsafe { run(control, body) }?;
         unsafe { view(report, "report", &tree_sketch_finish_report::of(&told)) }?;
         place.put(tree_tree::new(made));

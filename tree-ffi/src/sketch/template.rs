@@ -27,6 +27,10 @@ impl Handle for tree_templates {
 }
 
 impl tree_templates {
+    pub(crate) fn new(templates: Vec<Template>) -> Self {
+        Self(Cow::Owned(templates))
+    }
+
     pub(crate) fn rust(&self) -> &[Template] {
         &self.0
     }

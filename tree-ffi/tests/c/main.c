@@ -42,6 +42,7 @@ int main(void) {
     test_instance();
     test_engine();
     test_io();
+    test_sketch();
     test_preview();
     test_photo();
     test_threads();

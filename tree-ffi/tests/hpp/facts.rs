@@ -10,6 +10,7 @@ pub(crate) const SINGLES: &[&str] = &[
     "metres",
     "n_runs",
     "phase",
+    "posterior",
     "radius",
     "reach",
     "row",
@@ -30,6 +31,12 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
             (function, argument),
             ("tree_packed_unpack", "mesh")
                 | ("tree_grid_new", "values")
+                | ("tree_sketch_branches_propagate", "crown" | "obstacles")
+                | ("tree_sketch_grow_crown", "crown")
+                | ("tree_sketch_infer", "pins")
+                | ("tree_sketch_session_set_templates", "templates")
+                | ("tree_sketch_session_set_obstacles", "obstacles")
+                | ("tree_from_sketch", "templates" | "obstacles")
                 | ("tree_attractor_livewire" | "tree_matte_turned", "photo")
         )
 }
@@ -41,7 +48,7 @@ pub(crate) fn is_required(argument: &str) -> bool {
 
 /// Arrays that have one count with those after them.
 pub(crate) fn shares_count(argument: &str) -> bool {
-    argument == "edges"
+    matches!(argument, "depths" | "edges")
 }
 
 /// Numbers in one item of an array that is taken.
@@ -60,7 +67,7 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
 pub(crate) fn fixed(argument: &str) -> usize {
     match argument {
         "columns" => 12,
-        "at_pixel" | "base_pixel" | "by_pixels" => 2,
+        "at" | "at_pixel" | "base_pixel" | "by_pixels" => 2,
         _ => 3,
     }
 }
@@ -78,6 +85,7 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("grid_sample" | "grid_nearest", _) => "points.size() / 3",
         ("grid_draw_points", _) => "3 * static_cast<size_t>(n_points)",
         ("grid_from_views" | "carved_solve", _) => "views.size()",
+        ("sketch_branches_orders" | "sketch_branches_relations", _) => "view().n_segments",
         ("direction_field_sample", _) => "spots.size()",
         ("way_sample" | "way_directions", _) => "points.size()",
         ("matte_sample", _) => "spots.size() / 2",
@@ -99,6 +107,7 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
 pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
     match (function, argument) {
         ("tree_silhouette_seeds", "seeds") => Some("2 * n_seeds"),
+        ("tree_sketch_branches_relations", "relations") => Some("n_relations"),
         ("tree_mesh_points", "first") => Some("n_points"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
         _ => None,

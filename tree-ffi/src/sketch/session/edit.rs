@@ -130,7 +130,7 @@ pub unsafe extern "C" fn tree_sketch_session_erase_stroke(
     session: *mut tree_sketch_session,
     stroke: usize,
     control: *const tree_control,
-    gone: *mut usize,
+    gone: *mut u32,
     capacity: usize,
     n_gone: *mut usize,
 ) -> tree_status {
@@ -145,6 +145,7 @@ pub unsafe extern "C" fn tree_sketch_session_erase_stroke(
             |session: &mut Session, control: &Control| Ok(session.erase_stroke(stroke, control)?);
         let found = unsafe { ask(session, control, body) }?;
         if !gone.is_null() {
+            let found: Vec<_> = found.iter().map(|&stroke| stroke as u32).collect();
             unsafe { fill(gone, capacity, &found, "gone") }?;
         }
         if n_gone.is_null() { Ok(()) } else { unsafe { out_value(n_gone, found.len(), "n_gone") } }

@@ -9,8 +9,8 @@ use crate::border::{
 use crate::control::tree_control;
 use crate::photo::tree_lines;
 use crate::skeleton::tree_skeleton;
-use crate::sketch::{ tree_choice,
-    tree_crown, tree_drawing, tree_inferred, tree_plan, tree_sketch_branches,
+use crate::sketch::{
+    tree_choice, tree_crown, tree_drawing, tree_inferred, tree_plan, tree_sketch_branches,
     tree_sketch_propagate_report, tree_templates,
 };
 use crate::tree::tree_tree;
