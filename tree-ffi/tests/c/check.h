@@ -62,6 +62,7 @@ void test_engine(void);
 void test_io(void);
 void test_preview(void);
 void test_photo(void);
+void test_sketch_in(void);
 void test_threads(void);
 
 #endif

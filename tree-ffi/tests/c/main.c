@@ -44,6 +44,7 @@ int main(void) {
     test_io();
     test_preview();
     test_photo();
+    test_sketch_in();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);
