@@ -598,6 +598,147 @@
 // Not looked at.
 #define TREE_CLASS_IGNORED 3
 
+// A straight line joins them, however far they are.
+#define TREE_ISOLATED_BRIDGE 0
+
+// Those beyond the reach are left out.
+#define TREE_ISOLATED_DROP 1
+
+// Those beyond the reach are an error.
+#define TREE_ISOLATED_REFUSE 2
+
+// `count` points that are not finite, or absurdly far away, were left out.
+#define TREE_REPAIR_BAD_POINTS 0
+
+// It has no length worth speaking of, and was left out.
+#define TREE_REPAIR_EMPTY 1
+
+// It was taken for the ground, and left out.
+#define TREE_REPAIR_GROUND 2
+
+// It was taken for a mark on the trunk's bark, and left out.
+#define TREE_REPAIR_BARK_MARK 3
+
+// It is a small mark that touches nothing, and was left out.
+#define TREE_REPAIR_SPECK 4
+
+// It shows roots below the ground: what is below was left out.
+#define TREE_REPAIR_BELOW_GROUND 5
+
+// It runs along the crown's outline, stroke `other`: that part is its ink, and was left out.
+#define TREE_REPAIR_CROWN_INK 6
+
+// It was not marked, and was taken to show `role`.
+#define TREE_REPAIR_TAKEN_AS 7
+
+// It shows the trunk and the crown in one go, and was cut at the corner between them.
+#define TREE_REPAIR_CUT_AT_CORNER 8
+
+// It is one side of the trunk and stroke `other` the other side: the line between them was taken.
+#define TREE_REPAIR_MIDDLE_OF_SIDES 9
+
+// It is an outline: its middle line was taken.
+#define TREE_REPAIR_MIDDLE_OF_OUTLINE 10
+
+// All of it runs along stroke `other`, and was merged into that.
+#define TREE_REPAIR_MERGED 11
+
+// A part of it runs along stroke `other`, and was merged into that.
+#define TREE_REPAIR_MERGED_PARTLY 12
+
+// It was drawn towards the base, and was turned round.
+#define TREE_REPAIR_TURNED_ROUND 13
+
+// It passes through where it joins, and was split there in two.
+#define TREE_REPAIR_SPLIT 14
+
+// It crosses stroke `other` a little: the end beyond it, `share` long, was cut off.
+#define TREE_REPAIR_TRIMMED 15
+
+// Its end was joined over a small gap of `share`.
+#define TREE_REPAIR_SNAPPED 16
+
+// It was joined by a straight line over a gap of `share`.
+#define TREE_REPAIR_BRIDGED 17
+
+// It begins on the ground beside the base, `share` away, and was joined to the base.
+#define TREE_REPAIR_SECOND_ROOT 18
+
+// It is `share` away from the rest, and was left out.
+#define TREE_REPAIR_ISOLATED 19
+
+// There are no branches: a straight trunk was imagined below this crown.
+#define TREE_REPAIR_IMAGINED_TRUNK 20
+
+// Something else: `tree_plan_repairs_text` says what.
+#define TREE_REPAIR_OTHER 21
+
+// Of stroke `stroke`, `count` points were not finite or absurdly far away, and were left out.
+#define TREE_CROWN_POINTS_DROPPED 0
+
+// Stroke `stroke` has no length, and was left out.
+#define TREE_CROWN_STROKE_DROPPED 1
+
+// Stroke `stroke` is open and lies inside a closed one: it is a detail, and was left out.
+#define TREE_CROWN_DETAIL_DROPPED 2
+
+// Stroke `stroke`, or several joined ones of which it is the first, was closed straight over `gap` metres.
+#define TREE_CROWN_CLOSED 3
+
+// Strokes were joined at `count` places where their ends were close.
+#define TREE_CROWN_JOINED 4
+
+// A wide gap of `gap` metres between ends was closed; `round_branches` says whether round branches in it.
+#define TREE_CROWN_GAP_CLOSED 5
+
+// Loop `stroke`, in the order they were closed, crossed itself; what it winds round was kept.
+#define TREE_CROWN_CROSSING_UNDONE 6
+
+// `count` loops that overlap were united, and `after` polygons are left of them.
+#define TREE_CROWN_UNITED 7
+
+// `count` loops inside others are details, and were left out.
+#define TREE_CROWN_NESTED_DROPPED 8
+
+// `count` tiny parts were left out.
+#define TREE_CROWN_CRUMBS_DROPPED 9
+
+// A `share` of the branches' points lies outside.
+#define TREE_CROWN_BRANCHES_OUTSIDE 10
+
+// No branch touches the crown.
+#define TREE_CROWN_NO_BRANCH_INSIDE 11
+
+// Something else: `tree_crown_repairs_text` says what.
+#define TREE_CROWN_OTHER 12
+
+// Not said: cleaning is to find out.
+#define TREE_ROLE_UNKNOWN 0
+
+// The trunk. It begins the tree.
+#define TREE_ROLE_TRUNK 1
+
+// A branch.
+#define TREE_ROLE_BRANCH 2
+
+// The crown's outline, or a piece of it.
+#define TREE_ROLE_CROWN 3
+
+// The seed of the trees that the built-in templates were measured by.
+#define TREE_EXEMPLAR_SEED 1
+
+// Number of distances in a footprint. Direction 0 is +x, then they turn against the clock where y goes up.
+#define TREE_FOOTPRINT_DIRECTIONS 64
+
+// What is wound round. The default, as in SVG.
+#define TREE_FILL_NON_ZERO 0
+
+// What is wound round an odd number of times.
+#define TREE_FILL_EVEN_ODD 1
+
+// Number of shares in `directions` of a `tree_template_side`.
+#define TREE_DIRECTION_BINS 12
+
 // Version of the ABI that this header describes. A library with the same number has every function and
 // struct of this header; additions do not change it.
 #define TREE_ABI_VERSION 1
@@ -671,8 +812,18 @@ typedef struct tree_carved tree_carved;
 // Triangles of a surface that cross each other.
 typedef struct tree_crossings tree_crossings;
 
+// A crown: polygons in the plan, and the solid they stand for. At every height each stretch of the inside is swept to
+// a circle (or an ellipse, by the depth) about its own middle.
+typedef struct tree_crown tree_crown;
+
 // Directions on a grid of cells over a picture.
 typedef struct tree_direction_field tree_direction_field;
+
+// A drawing: strokes in the order they were drawn, in any units, y downwards as on screens and in SVG.
+typedef struct tree_drawing tree_drawing;
+
+// Drawings of one file.
+typedef struct tree_drawings tree_drawings;
 
 // The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
 // them in metres, add up to -ln of the transparency seen. Wanted is the x >= 0 with the least
@@ -717,6 +868,9 @@ typedef struct tree_matte tree_matte;
 // Surfaces with their materials, and the branches that move in the wind.
 typedef struct tree_mesh tree_mesh;
 
+// The middle lines of a filled area.
+typedef struct tree_midlines tree_midlines;
+
 // A surface in the axes and the layout of an engine.
 typedef struct tree_packed tree_packed;
 
@@ -740,6 +894,10 @@ typedef struct tree_picture tree_picture;
 // Connected pieces of wood, each followed from its base.
 typedef struct tree_pieces tree_pieces;
 
+// A cleaned drawing: its branches as one tree in the plane, the lines of its crown, and what was done to its
+// strokes.
+typedef struct tree_plan tree_plan;
+
 // Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
 // depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
 // threads of calls without a pool never end.
@@ -759,11 +917,14 @@ typedef struct tree_separation tree_separation;
 // Branches as a rooted tree of nodes with radii.
 typedef struct tree_skeleton tree_skeleton;
 
-// Strokes read from a drawing, or a session's branches as strokes.
+// Strokes read from a drawing, a session's branches as strokes, or outlines.
 typedef struct tree_strokes tree_strokes;
 
 // What an SWC file held: a skeleton, and what a skeleton has no column for.
 typedef struct tree_swc tree_swc;
+
+// Kinds of tree to guide a reconstruction by.
+typedef struct tree_templates tree_templates;
 
 // A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
 typedef struct tree_texture tree_texture;
@@ -2697,8 +2858,8 @@ typedef struct tree_photo_placing {
     uint32_t reserved;
 } tree_photo_placing;
 
-// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
-// `starts[i + 1]`. Set `struct_size` first.
+// Strokes over a picture, or other lines of the plane. The points of stroke `i` are rows `starts[i]` up to,
+// but not including, `starts[i + 1]`. Set `struct_size` first.
 typedef struct tree_strokes_columns {
     // `sizeof(tree_strokes_columns)`.
     size_t struct_size;
@@ -2708,7 +2869,7 @@ typedef struct tree_strokes_columns {
     const uint64_t *starts;
     // Number of points of all strokes.
     size_t n_points;
-    // Two floats for each point, in pixels from the top left of the picture.
+    // Two floats for each point, in pixels from the top left of the picture where nothing else is said.
     const float *points;
 } tree_strokes_columns;
 
@@ -3957,6 +4118,292 @@ typedef struct tree_skeletonize_report {
     // 0.
     uint32_t reserved;
 } tree_skeletonize_report;
+
+// What becomes of strokes that lie far from the rest: a `TREE_ISOLATED_` constant.
+typedef uint32_t tree_isolated;
+
+// How a drawing is cleaned and joined. Shares are of the drawing's height (or of a tenth of its width, where
+// that is more). Begin with `tree_clean_params_init`.
+typedef struct tree_clean_params {
+    // `sizeof(tree_clean_params)`.
+    size_t struct_size;
+    // Height of branches and crown together in metres, 0.01 to 1000. Default 10.
+    float height;
+    // Distance between nodes, a share, 0.001 to 0.2. Default 0.01. Corners get nodes of their own. Very long
+    // drawings are sampled more coarsely.
+    float spacing;
+    // Gaps up to this share count as drawn to touch, 0 to 0.2. Default 0.03. Ends that stick out beyond the
+    // stroke they join by up to this share are cut off.
+    float snap;
+    // A stroke that runs along another within this share is the same, 0 to 0.1. Default 0.012. 0: nothing is
+    // merged.
+    float merge;
+    // How far a stroke may be from the rest, a share, 0 to 10. Default 0.25.
+    float reach;
+    // What becomes of strokes beyond the reach. Default `TREE_ISOLATED_BRIDGE`.
+    tree_isolated isolated;
+    // Whether `root` says where the tree's base is. Default no: it is found.
+    uint32_t has_root;
+    // Where the tree's base is, in units of the drawing.
+    float root[2];
+    // Whether strokes without a role may be taken for a crown, the ground, sides of a trunk or marks on its
+    // bark. Default yes; no: what is not marked is a branch.
+    uint32_t guess;
+} tree_clean_params;
+
+// How a drawn crown is understood. Begin with `tree_crown_params_init`.
+typedef struct tree_crown_params {
+    // `sizeof(tree_crown_params)`.
+    size_t struct_size;
+    // A stroke whose ends are closer than this share of its length is a loop of its own, 0 to 1. Default 0.15.
+    float gap;
+    // Ends of strokes closer than this share of the crown's size are joined, 0 to 1. Default 0.05.
+    float join;
+    // Depth of the crown, along the view, over its width, 0.05 to 20. Default 1: circles.
+    float depth;
+    // Whether a crown that no branch touches is an error. Default no: it is kept and reported.
+    uint32_t refuse;
+} tree_crown_params;
+
+// How large a crown is.
+typedef struct tree_crown_measures {
+    // `sizeof(tree_crown_measures)`.
+    size_t struct_size;
+    // Lowest coordinates of the polygons in metres.
+    float low[2];
+    // Highest coordinates of the polygons in metres.
+    float high[2];
+    // Area of the polygons in square metres.
+    float area;
+    // Volume of the solid in cubic metres.
+    float volume;
+    // Share of the branches' points that lay outside when it was closed, 0 to 1.
+    float outside;
+    // 0.
+    uint32_t reserved;
+} tree_crown_measures;
+
+// What was repaired or noticed of a drawn crown: a `TREE_CROWN_` constant. New ones may be added.
+typedef uint32_t tree_crown_repair_kind;
+
+// One thing that was repaired or noticed of a drawn crown. Fields that its kind does not name are 0.
+typedef struct tree_crown_repair {
+    // What it was.
+    tree_crown_repair_kind kind;
+    // Number of a stroke of the crown, or of a loop.
+    uint32_t stroke;
+    // How many there were.
+    uint32_t count;
+    // How many there are now.
+    uint32_t after;
+    // A length in metres.
+    float gap;
+    // A share, 0 to 1.
+    float share;
+    // 1 or 0.
+    uint32_t round_branches;
+} tree_crown_repair;
+
+// How outlines are drawn. Begin with `tree_outline_params_init`.
+typedef struct tree_outline_params {
+    // `sizeof(tree_outline_params)`.
+    size_t struct_size;
+    // Bays narrower than twice this share of the size are drawn across, 0.01 to 0.5. Default 0.06.
+    float closing;
+    // Most corners of all outlines together, 12 to 10,000. Default 120.
+    uint32_t corners;
+} tree_outline_params;
+
+// What a stroke shows: a `TREE_ROLE_` constant.
+typedef uint32_t tree_role;
+
+// One line of a drawing: as input, or as a view of a `tree_drawing`. Zeros are its defaults. Set `struct_size`
+// first.
+typedef struct tree_sketch_stroke {
+    // `sizeof(tree_sketch_stroke)`.
+    size_t struct_size;
+    // Number of points.
+    size_t n_points;
+    // Two floats for each point, in the drawing's own units, y downwards as on screens. Points that are not
+    // finite are taken: cleaning leaves them out and says so.
+    const float *points;
+    // What messages call it besides its number. Default empty.
+    struct tree_str name;
+    // What it shows. Default `TREE_ROLE_UNKNOWN`.
+    tree_role role;
+    // Whether its end is joined to its beginning.
+    uint32_t closed;
+    // Whether it is the outline of a filled area rather than a line: of a branch so drawn the middle line is
+    // meant.
+    uint32_t filled;
+    // 0.
+    uint32_t reserved;
+} tree_sketch_stroke;
+
+// Which branches of a tree a person would draw. Begin with `tree_main_branches_init`.
+typedef struct tree_main_branches {
+    // `sizeof(tree_main_branches)`.
+    size_t struct_size;
+    // Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
+    float least;
+    // Least length of axes of order 2 as a share of their parent's, 0 to 1. Default 0.35.
+    float least_second;
+    // Most axes, 1 to 1000. Default 36.
+    uint32_t most;
+    // Forks closer than this on an axis, as a share of the tree's extent, are taken for one, 0 to 0.5. Default
+    // 0.025.
+    float gather;
+    // What continues an axis at a fork. Default `TREE_CONTINUATION_THICKEST`.
+    tree_continuation continuation;
+    // 0.
+    uint32_t reserved;
+} tree_main_branches;
+
+// What lies inside where contours cross or nest: a `TREE_FILL_` constant.
+typedef uint32_t tree_fill_rule;
+
+// How middle lines are found. Begin with `tree_midline_params_init`.
+typedef struct tree_midline_params {
+    // `sizeof(tree_midline_params)`.
+    size_t struct_size;
+    // Side lines shorter than this share of the area's width where they leave are no branches, 0 to 10. Default 1.
+    float spur;
+    // What lies inside. Default `TREE_FILL_NON_ZERO`.
+    tree_fill_rule rule;
+} tree_midline_params;
+
+// The columns of a plan: as input, or as a view of a `tree_plan`. Set `struct_size` first.
+typedef struct tree_plan_columns {
+    // `sizeof(tree_plan_columns)`.
+    size_t struct_size;
+    // Number of nodes, at least 1. Node 0 is the base.
+    size_t n_nodes;
+    // Two floats for each node, in metres: x to the right, y up, the base at the origin.
+    const float *positions;
+    // Parent of each node, which comes before it; `TREE_NO_PARENT` for node 0.
+    const uint32_t *parents;
+    // The drawing's stroke that each node lies on. Where two meet, the node belongs to the one that bears the
+    // other.
+    const uint32_t *strokes;
+    // Where the base is in the drawing.
+    float base[2];
+    // Metres for one unit of the drawing, above 0.
+    float scale;
+    // 0.
+    uint32_t reserved;
+} tree_plan_columns;
+
+// What was done to a stroke: a `TREE_REPAIR_` constant. New ones may be added.
+typedef uint32_t tree_repair_kind;
+
+// One thing that was done to one stroke of a drawing. Fields that its kind does not name are 0.
+typedef struct tree_clean_repair {
+    // Index of the stroke in the drawing.
+    uint32_t stroke;
+    // What was done. New ones may be added.
+    tree_repair_kind kind;
+    // Index of another stroke.
+    uint32_t other;
+    // A number of points.
+    uint32_t count;
+    // What it was taken to show.
+    tree_role role;
+    // A length, as a share of the drawing's height.
+    float share;
+} tree_clean_repair;
+
+// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
+typedef struct tree_select_params {
+    // `sizeof(tree_select_params)`.
+    size_t struct_size;
+    // Weight of the crown's footprint, 0 to 1000. Default 40.
+    float crown;
+    // Weight of the branches' footprint, 0 to 1000. Default 40.
+    float branches;
+    // Weight of the branching shape, 0 to 1000. Default 1.
+    float shape;
+    // Weight of the directions of branches, 0 to 1000. Default 15.
+    float directions;
+    // Added to every deviation of the branching shape, 0.001 to 10: what the hand adds. Default 0.3.
+    float hand;
+    // What one of the branching shape's three parts can take away at most, 0 to 1000. Default 2.
+    float most;
+} tree_select_params;
+
+// A template, and how well it suits a drawing.
+typedef struct tree_choice {
+    // Index of the template.
+    uint32_t index;
+    // Where the eye stands round the template in the view that suits best, in radians, 0 to 2π.
+    float yaw;
+    // 0 for a perfect match, else below: the sum of the four parts.
+    float score;
+    // The crown's part, weighted; 0 where no crown is drawn.
+    float crown;
+    // The part of the branches' footprint, weighted.
+    float branches;
+    // The branching shape's part, weighted.
+    float shape;
+    // The directions' part, weighted.
+    float directions;
+} tree_choice;
+
+// How a template is measured. Begin with `tree_template_params_init`.
+typedef struct tree_template_params {
+    // `sizeof(tree_template_params)`.
+    size_t struct_size;
+    // Which branches are main ones; NULL for the default.
+    const struct tree_main_branches *main;
+    // Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
+    uint32_t views;
+    // 0.
+    uint32_t reserved;
+} tree_template_params;
+
+// A template.
+typedef struct tree_template_view {
+    // `sizeof(tree_template_view)`.
+    size_t struct_size;
+    // What it is called.
+    struct tree_str name;
+    // The species whose leaves it bears, as `tree_finish_params_find` takes it where it is built in.
+    struct tree_str species;
+    // Height of the exemplar in metres: what a drawing is scaled to unless its height is given.
+    float height;
+    // Radius of the trunk's base over the height, 0 to 1.
+    float slenderness;
+    // Number of orders of axes that have parameters of their own.
+    size_t n_orders;
+    // Number of views; see `tree_templates_side`.
+    size_t n_views;
+} tree_template_view;
+
+// What a template looks like from one side.
+typedef struct tree_template_side {
+    // `sizeof(tree_template_side)`.
+    size_t struct_size;
+    // Where the eye stands round the trunk, in radians, 0 to 2π: 0 on +Z, a quarter turn on +X.
+    float yaw;
+    // Mean and standard deviation of the natural logarithm of a segment's length over that of the one below. NaN where
+    // there are no forks.
+    float scale[2];
+    // The same of the angle in radians at which the branch that bends least leaves the segment below.
+    float alpha[2];
+    // The same of all other branches.
+    float beta[2];
+    // 0.
+    uint32_t reserved;
+    // `TREE_DIRECTION_BINS` shares of the branches' length: what goes straight up comes first, straight down last.
+    const float *directions;
+    // Footprint of crown and branches without the root branch: `TREE_FOOTPRINT_DIRECTIONS` distances.
+    const float *crown;
+    // Footprint of the branches alone, as many.
+    const float *branches;
+    // Number of points of the silhouette.
+    size_t n_silhouette;
+    // Outline of the crown, two floats for each point, in metres, y up, the tree's base at the origin of y.
+    const float *silhouette;
+} tree_template_side;
 
 // What kind of solid a volume is: one of the `TREE_SOLID_` constants.
 typedef uint32_t tree_solid_kind;
@@ -6537,6 +6984,421 @@ tree_status tree_skeletonize_mesh(const struct tree_mesh *mesh,
                                   const struct tree_control *control,
                                   struct tree_skeletonize_report *report,
                                   struct tree_tree **tree);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_clean_params_init(struct tree_clean_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_clean_params_check(const struct tree_clean_params *params);
+
+// Cleans a drawing and joins its strokes to one tree in the plane: points that are none go, what nobody marked
+// is told apart (ground, crown, wood), of wood drawn by its outline the middle line is taken, strokes drawn over
+// one another become one, gaps are closed. What was done is told by `tree_plan_repairs`. `params` and `control` may
+// be NULL; `nodes` of the limits caps the points. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where no
+// stroke has a length, or one is too far from the rest and `TREE_ISOLATED_REFUSE` was asked for: the text names the
+// stroke.
+tree_status tree_drawing_clean(const struct tree_drawing *drawing,
+                               const struct tree_clean_params *params,
+                               const struct tree_control *control,
+                               struct tree_plan **plan);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_crown_params_init(struct tree_crown_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_crown_params_check(const struct tree_crown_params *params);
+
+// Makes a crown of what was drawn: `columns` are lines in metres of the plan (x to the right, y up) such as those of
+// `tree_plan_crown`. Ends that lie close are joined, wide gaps closed round the branches in them, and loops that cross
+// are united. `spots` are `n_spots` points of the branches, two floats each, best without those below the first fork;
+// there may be none. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the crown with
+// `tree_crown_free`. `TREE_ERROR_INVALID` where nothing drawn encloses an area, or no branch touches the crown and
+// `refuse` says so.
+tree_status tree_crown_close(const struct tree_strokes_columns *columns,
+                             const float *spots,
+                             size_t n_spots,
+                             const struct tree_crown_params *params,
+                             const struct tree_control *control,
+                             struct tree_crown **crown);
+
+// Makes a crown of closed polygons, in metres of the plan. They are made simple and united as drawn ones are; points
+// that are not finite are left out. `depth` is the crown's depth over its width, 0.05 to 20, 1 for circles. `control` may
+// be NULL; `nodes` of the limits caps the points. Free the crown with `tree_crown_free`. `TREE_ERROR_INVALID` where they
+// enclose no area.
+tree_status tree_crown_from_polygons(const struct tree_strokes_columns *columns,
+                                     float depth,
+                                     const struct tree_control *control,
+                                     struct tree_crown **crown);
+
+// Views the polygons in metres of the plan: simple, apart from each other, against the clock, the largest first.
+// Set `columns->struct_size` first.
+tree_status tree_crown_polygons(const struct tree_crown *crown,
+                                struct tree_strokes_columns *columns);
+
+// Tells how large a crown is. Set `measures->struct_size` first.
+tree_status tree_crown_measure(const struct tree_crown *crown,
+                               struct tree_crown_measures *measures);
+
+// Views what was repaired or noticed when the crown was closed, in that order: where the repairs begin and how many
+// there are.
+tree_status tree_crown_repairs(const struct tree_crown *crown,
+                               const struct tree_crown_repair **repairs,
+                               size_t *n_repairs);
+
+// A sentence for each repair. Free the lines with `tree_lines_free`.
+tree_status tree_crown_repairs_text(const struct tree_crown *crown, struct tree_lines **lines);
+
+// Says of `n_spots` points of the plan, two floats each, whether they lie in the crown: 1 or 0 into `inside`, which
+// has room for `capacity`. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_crown_contains(const struct tree_crown *crown,
+                                const float *spots,
+                                size_t n_spots,
+                                const struct tree_control *control,
+                                uint8_t *inside,
+                                size_t capacity);
+
+// Says of `n_points` points, three floats each, how near the solid's surface they are, into `levels`, which has room
+// for `capacity`: 0 on the axis of the stretch they lie in, up to 1 inside, above 1 outside; infinite where the crown
+// has nothing at that height. The plan lies at z = 0. `control` as for `tree_crown_contains`.
+tree_status tree_crown_levels(const struct tree_crown *crown,
+                              const float *points,
+                              size_t n_points,
+                              const struct tree_control *control,
+                              float *levels,
+                              size_t capacity);
+
+// Where `n_ways` straight ways first leave the solid: each is six floats in `ways`, its beginning and its end. `exits`,
+// which has room for `capacity`, gets a share of each way: 0 where it begins outside, infinite where it stays inside.
+// `control` as for `tree_crown_contains`.
+tree_status tree_crown_exits(const struct tree_crown *crown,
+                             const float *ways,
+                             size_t n_ways,
+                             const struct tree_control *control,
+                             float *exits,
+                             size_t capacity);
+
+// Frees a crown. What was made of it lives on.
+tree_status tree_crown_free(struct tree_crown *crown);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_outline_params_init(struct tree_outline_params *params, size_t size);
+
+// The outlines of a cloud of `n_spots` points, two floats each, such as a tree's leaves as seen from one side, drawn
+// as a person would: gaps between leaves closed, corners rounded. They are against the clock, the largest first; none
+// for fewer than three points. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the outlines
+// with `tree_strokes_free`.
+tree_status tree_strokes_outline(const float *spots,
+                                 size_t n_spots,
+                                 const struct tree_outline_params *params,
+                                 const struct tree_control *control,
+                                 struct tree_strokes **strokes);
+
+// Makes a drawing of strokes, which are copied; there may be none. `control` may be NULL; `nodes` of its
+// limits caps the points of all strokes. Free the drawing with `tree_drawing_free`.
+tree_status tree_drawing_new(const struct tree_sketch_stroke *strokes,
+                             size_t n_strokes,
+                             const struct tree_control *control,
+                             struct tree_drawing **drawing);
+
+// Makes a drawing with the strokes of another and these after them. The other stays as it is. `control` may
+// be NULL; only its limits matter. Free the new drawing with `tree_drawing_free`.
+tree_status tree_drawing_with_strokes(const struct tree_drawing *drawing,
+                                      const struct tree_sketch_stroke *strokes,
+                                      size_t n_strokes,
+                                      const struct tree_control *control,
+                                      struct tree_drawing **more);
+
+// Reads the strokes of an SVG drawing: `svg` of `len` bytes or `TREE_NUL_TERMINATED`. Every path, line, polyline,
+// polygon, rectangle, circle and ellipse that is seen is one, with all transforms, in the drawing's units. A
+// whole word in its id, class, layer label or name, or in those of the groups around it, says what it shows:
+// `trunk`, `stem`; `branch`, `limb`, `twig`; `crown`, `outline`, `foliage`, `leaves`, `canopy`; and what is green
+// is the crown. Its id becomes its name. Style sheets, `<use>` and texts are not read. `control` may be NULL;
+// only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` when the text is no SVG or
+// draws nothing.
+tree_status tree_drawing_from_svg(const char *svg,
+                                  size_t len,
+                                  const struct tree_control *control,
+                                  struct tree_drawing **drawing);
+
+// Reads a drawing from JSON, `json` of `len` bytes or `TREE_NUL_TERMINATED`, at most 32 MiB, in any of these forms,
+// y downwards:
+//
+// * `{"strokes": [{"points": [[x, y], …], "role": "branch", "closed": false, "filled": false, "name": ""}, …]}`,
+//   where all but the points may be missing; the role is `trunk`, `branch`, `crown` or `null`;
+// * `[[[x, y], …], …]`, bare lines;
+// * `{"drawing": [[[x…], [y…]], …]}`, a drawing of Quick, Draw!.
+//
+// `control` may be NULL; only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` names
+// the stroke and the point at fault.
+tree_status tree_drawing_from_json(const char *json,
+                                   size_t len,
+                                   const struct tree_control *control,
+                                   struct tree_drawing **drawing);
+
+// Writes a drawing as JSON, in the first form of `tree_drawing_from_json`. Free the bytes, which are UTF-8, with
+// `tree_bytes_free`. `TREE_ERROR_INVALID` names a point that is not finite: JSON has no such numbers.
+tree_status tree_drawing_to_json(const struct tree_drawing *drawing,
+                                 struct tree_bytes **bytes);
+
+// Number of strokes.
+tree_status tree_drawing_count(const struct tree_drawing *drawing, size_t *n_strokes);
+
+// Views a stroke. `index` is below `tree_drawing_count`. Set `stroke->struct_size` first.
+tree_status tree_drawing_stroke(const struct tree_drawing *drawing,
+                                size_t index,
+                                struct tree_sketch_stroke *stroke);
+
+// Frees a drawing. What was made of it lives on.
+tree_status tree_drawing_free(struct tree_drawing *drawing);
+
+// Reads a drawing from each line that is not blank, in any form of `tree_drawing_from_json`: the files of Quick,
+// Draw!. `ndjson` has `len` bytes or is `TREE_NUL_TERMINATED`. `control` may be NULL; only its limits matter. Free the
+// drawings with `tree_drawings_free`. `TREE_ERROR_FORMAT` names the line, from 1, the stroke and the point.
+tree_status tree_drawings_from_ndjson(const char *ndjson,
+                                      size_t len,
+                                      const struct tree_control *control,
+                                      struct tree_drawings **drawings);
+
+// Number of drawings.
+tree_status tree_drawings_count(const struct tree_drawings *drawings, size_t *n_drawings);
+
+// One of the drawings, not copied; it may outlive the others. `index` is below `tree_drawings_count`. Free it with
+// `tree_drawing_free`.
+tree_status tree_drawings_at(const struct tree_drawings *drawings,
+                             size_t index,
+                             struct tree_drawing **drawing);
+
+// Frees drawings. Those taken out live on.
+tree_status tree_drawings_free(struct tree_drawings *drawings);
+
+// Number of exemplars: trees of clearly different habit, one for each built-in template.
+size_t tree_exemplar_count(void);
+
+// Name of an exemplar, such as `oak`, what the tree looks like, in a few words, and the name of the species whose
+// leaves suit it. `index` is below `tree_exemplar_count`; `title` and `species` may be NULL. The texts are valid for ever.
+tree_status tree_exemplar_name(size_t index,
+                               struct tree_str *name,
+                               struct tree_str *title,
+                               struct tree_str *species);
+
+// Grows one tree of the exemplar called `name` (`len` bytes, or `TREE_NUL_TERMINATED`), with leaves on cards. The same
+// seed gives the same bits. `control` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_UNKNOWN_NAME` lists
+// the names there are.
+tree_status tree_exemplar_grow(const char *name,
+                               size_t len,
+                               uint64_t seed,
+                               const struct tree_control *control,
+                               struct tree_tree **tree);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_main_branches_init(struct tree_main_branches *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_main_branches_check(const struct tree_main_branches *params);
+
+// The drawing that a person would make of a tree, in metres, y down: a stroke for each main branch, the trunk first, as
+// an eye sees them that looks level from afar and stands at `yaw` radians round the trunk (0 on +Z, a quarter turn on
+// +X), and `with_crown` the outline of its leaves. `main`, `outline` and `control` may be NULL. Free the drawing with
+// `tree_drawing_free`.
+tree_status tree_drawing_of_tree(const struct tree_tree *tree,
+                                 float yaw,
+                                 uint32_t with_crown,
+                                 const struct tree_main_branches *main,
+                                 const struct tree_outline_params *outline,
+                                 const struct tree_control *control,
+                                 struct tree_drawing **drawing);
+
+// The footprint of `n_spots` points, two floats each: the distances from the centre of their convex hull to the hull in
+// `TREE_FOOTPRINT_DIRECTIONS` directions, as shares of the longer side of its bounding box, into `distances`, which has
+// room for `capacity`. Points that are not finite do not count. `control` may be NULL; `nodes` of the limits caps the
+// points. `TREE_ERROR_NO_RESULT` where the hull has no area.
+tree_status tree_footprint_of(const float *spots,
+                              size_t n_spots,
+                              const struct tree_control *control,
+                              float *distances,
+                              size_t capacity);
+
+// How unlike two footprints are, each `TREE_FOOTPRINT_DIRECTIONS` distances: the root of the mean square of their
+// differences. 0 for equal shapes, about 0.2 for a circle and a poplar. `TREE_ERROR_INVALID` for other numbers of
+// distances, or where one is not above 0 and at most 2.
+tree_status tree_footprint_difference(const float *first,
+                                      size_t n_first,
+                                      const float *second,
+                                      size_t n_second,
+                                      float *difference);
+
+// The convex hull of `n_spots` points, two floats each, against the clock where y goes up, without corners on straight
+// sides, into `corners`, which has room for `capacity` floats: twice `n_spots` always do. `n_corners` gets their number,
+// which is below 3 where the points lie on a line. Points that are not finite do not count. `control` may be NULL; `nodes`
+// of the limits caps the points.
+tree_status tree_convex_hull(const float *spots,
+                             size_t n_spots,
+                             const struct tree_control *control,
+                             float *corners,
+                             size_t capacity,
+                             size_t *n_corners);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_midline_params_init(struct tree_midline_params *params, size_t size);
+
+// Finds the middle lines of a filled area with these closed contours, which may cross: the main line first, then those
+// that leave it, the strongest first. A side line begins at a point of the line that bears it. Points that are not finite
+// are left out; what has no area has no lines. `params` and `control` may be NULL; `nodes` of the limits caps the
+// points. Free the lines with `tree_midlines_free`. `tree_drawing_clean` does this for strokes that are `filled`.
+tree_status tree_midlines_of(const struct tree_strokes_columns *columns,
+                             const struct tree_midline_params *params,
+                             const struct tree_control *control,
+                             struct tree_midlines **midlines);
+
+// Views middle lines, in the units of the contours. Set `columns->struct_size` first.
+tree_status tree_midlines_view(const struct tree_midlines *midlines,
+                               struct tree_strokes_columns *columns);
+
+// Views half the area's width at every point of `tree_midlines_view`: where the numbers begin and how many there are.
+tree_status tree_midlines_half_widths(const struct tree_midlines *midlines,
+                                      const float **half_widths,
+                                      size_t *n_points);
+
+// Frees middle lines.
+tree_status tree_midlines_free(struct tree_midlines *midlines);
+
+// Makes a plan of columns, which are copied: without crown and without repairs. `control` may be NULL; `nodes`
+// of its limits counts. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where a number is not finite,
+// or a parent does not come before its node.
+tree_status tree_plan_from_columns(const struct tree_plan_columns *columns,
+                                   const struct tree_control *control,
+                                   struct tree_plan **plan);
+
+// Views the columns of a plan. Set `columns->struct_size` first.
+tree_status tree_plan_view(const struct tree_plan *plan, struct tree_plan_columns *columns);
+
+// Views the lines of the drawn crown in metres of the plan, as drawn and not yet closed; a closed one ends where it
+// begins. There may be none. Set `columns->struct_size` first. `tree_crown_close` takes them.
+tree_status tree_plan_crown(const struct tree_plan *plan,
+                            struct tree_strokes_columns *columns);
+
+// Views the drawing's stroke of each line of the crown: where the numbers begin and how many there are.
+tree_status tree_plan_crown_strokes(const struct tree_plan *plan,
+                                    const uint32_t **strokes,
+                                    size_t *n_strokes);
+
+// Views what cleaning did to the drawing, in that order: where the repairs begin and how many there are.
+tree_status tree_plan_repairs(const struct tree_plan *plan,
+                              const struct tree_clean_repair **repairs,
+                              size_t *n_repairs);
+
+// A sentence for each repair, which names the stroke. Free the lines with `tree_lines_free`.
+tree_status tree_plan_repairs_text(const struct tree_plan *plan, struct tree_lines **lines);
+
+// The same plan, its crown with it, `factor` times as large in metres. Free it with `tree_plan_free`.
+// `TREE_ERROR_INVALID` where the factor is not above 0 or coordinates become infinite.
+tree_status tree_plan_scaled(const struct tree_plan *plan,
+                             float factor,
+                             struct tree_plan **scaled);
+
+// Where points of the plan lie in the drawing: `spots` are `n_spots` times two floats in metres, `drawn` gets as many
+// in units of the drawing; `capacity` is its room in floats. `control` may be NULL; `nodes` of its limits caps the
+// points.
+tree_status tree_plan_points_to_drawing(const struct tree_plan *plan,
+                                        const float *spots,
+                                        size_t n_spots,
+                                        const struct tree_control *control,
+                                        float *drawn,
+                                        size_t capacity);
+
+// Where points of the drawing lie in the plan: as `tree_plan_points_to_drawing`, the other way. `planned` gets
+// the points.
+tree_status tree_plan_points_from_drawing(const struct tree_plan *plan,
+                                          const float *spots,
+                                          size_t n_spots,
+                                          const struct tree_control *control,
+                                          float *planned,
+                                          size_t capacity);
+
+// Frees a plan. What was made of it lives on.
+tree_status tree_plan_free(struct tree_plan *plan);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_select_params_init(struct tree_select_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_select_params_check(const struct tree_select_params *params);
+
+// Compares a plan with templates: one row for each into `choices`, best first; `capacity` is the number of templates or
+// more. `crown` may be NULL for that which was drawn with the plan, as it was drawn. `params` and `control` may be NULL.
+// `TREE_ERROR_INVALID` where there are no templates.
+tree_status tree_templates_select(const struct tree_templates *templates,
+                                  const struct tree_plan *plan,
+                                  const struct tree_crown *crown,
+                                  const struct tree_select_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_choice *choices,
+                                  size_t capacity);
+
+// The templates shipped: twenty trees of different habit. Free them with `tree_templates_free`.
+tree_status tree_templates_builtin(struct tree_templates **templates);
+
+// Reads templates from text, `text` of `len` bytes or `TREE_NUL_TERMINATED`, as `tree_templates_to_text` writes it.
+// `control` may be NULL; only its limits matter. Free the templates with `tree_templates_free`. `TREE_ERROR_FORMAT`
+// names the line and says what is wrong with it.
+tree_status tree_templates_from_text(const char *text,
+                                     size_t len,
+                                     const struct tree_control *control,
+                                     struct tree_templates **templates);
+
+// Writes templates as text, some kilobytes for each. Free the bytes, which are UTF-8, with `tree_bytes_free`.
+tree_status tree_templates_to_text(const struct tree_templates *templates,
+                                   struct tree_bytes **bytes);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_template_params_init(struct tree_template_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_template_params_check(const struct tree_template_params *params);
+
+// Measures one template of any tree, which grows along +Y: an exemplar of your own. `name` and `species` are one line of
+// text each, of `name_len` and `species_len` bytes or `TREE_NUL_TERMINATED`; the species names its leaves. `params` and
+// `control` may be NULL. Free the template with `tree_templates_free`; `tree_templates_join` puts it to others.
+// `TREE_ERROR_INVALID` for trees without extent, height or branches.
+tree_status tree_templates_of_tree(const char *name,
+                                   size_t name_len,
+                                   const char *species,
+                                   size_t species_len,
+                                   const struct tree_tree *tree,
+                                   const struct tree_template_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_templates **templates);
+
+// Templates and others after them, copied. Free them with `tree_templates_free`. `TREE_ERROR_INVALID` where two have one
+// name.
+tree_status tree_templates_join(const struct tree_templates *templates,
+                                const struct tree_templates *others,
+                                struct tree_templates **joined);
+
+// Number of templates.
+tree_status tree_templates_count(const struct tree_templates *templates, size_t *n_templates);
+
+// Index of the template called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). `TREE_ERROR_UNKNOWN_NAME` lists the names
+// there are.
+tree_status tree_templates_find(const struct tree_templates *templates,
+                                const char *name,
+                                size_t len,
+                                size_t *index);
+
+// Views a template. `index` is below `tree_templates_count`. Set `view->struct_size` first.
+tree_status tree_templates_view(const struct tree_templates *templates,
+                                size_t index,
+                                struct tree_template_view *view);
+
+// Views what a template looks like from one side. `index` is below `tree_templates_count`, `number` below `n_views` of
+// the template. Set `side->struct_size` first.
+tree_status tree_templates_side(const struct tree_templates *templates,
+                                size_t index,
+                                size_t number,
+                                struct tree_template_side *side);
+
+// Frees templates. What was made of them lives on.
+tree_status tree_templates_free(struct tree_templates *templates);
 
 // Makes a tree of a skeleton, which is copied, and columns of leaves (NULL for none), which are copied.
 // `species` may be NULL for an oak. `control` may be NULL; only its limits matter. Free the tree with

@@ -398,7 +398,10 @@ class Cancel;
 class Capsules;
 class Carved;
 class Crossings;
+class Crown;
 class DirectionField;
+class Drawing;
+class Drawings;
 class Equations;
 class FoundLeaves;
 class GltfAttributes;
@@ -412,11 +415,13 @@ class Look;
 class Mask;
 class Matte;
 class Mesh;
+class Midlines;
 class Packed;
 class Photo;
 class PhotoSession;
 class Picture;
 class Pieces;
+class Plan;
 class Pool;
 class Profile;
 class Rows;
@@ -424,6 +429,7 @@ class Separation;
 class Skeleton;
 class Strokes;
 class Swc;
+class Templates;
 class Texture;
 class Traces;
 class Tree;
@@ -450,9 +456,15 @@ using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
 struct CarvedColumns;
+using Choice = tree_choice;
+struct CleanParams;
+using CleanRepair = tree_clean_repair;
 struct ColorSamples;
 struct ConventionTraits;
 struct CrossingPairs;
+struct CrownMeasures;
+struct CrownParams;
+using CrownRepair = tree_crown_repair;
 struct CrownReport;
 struct DensityBrush;
 struct DensityParams;
@@ -494,6 +506,7 @@ struct Limits;
 struct LinkParams;
 struct LivewireParams;
 struct LivewireReport;
+struct MainBranches;
 using Mark = tree_mark;
 struct MaskColumns;
 struct Material;
@@ -502,9 +515,11 @@ struct MeshParams;
 struct MeshPart;
 struct MeshReport;
 struct MeshTotals;
+struct MidlineParams;
 struct NaturalParams;
 struct NaturalReport;
 struct OcclusionParams;
+struct OutlineParams;
 struct PackedColumns;
 using PackedVertex = tree_packed_vertex;
 struct PackedVertices;
@@ -526,6 +541,7 @@ using Piece = tree_piece;
 struct PivotElement;
 struct Pivots;
 struct Pixels;
+struct PlanColumns;
 struct PlyOptions;
 struct PoolOptions;
 struct ProfileColumns;
@@ -533,10 +549,12 @@ struct ProfileOptions;
 struct RadiusRule;
 struct ScreenParams;
 struct SeedParams;
+struct SelectParams;
 struct SeparationColumns;
 struct SkeletonColumns;
 struct SkeletonizeParams;
 struct SkeletonizeReport;
+struct SketchStroke;
 struct Solid;
 struct Species;
 using Stream = tree_stream;
@@ -549,6 +567,9 @@ struct SubdivideParams;
 struct Surface;
 struct SwcContents;
 struct SwcOptions;
+struct TemplateParams;
+struct TemplateSide;
+struct TemplateView;
 struct TexturePixels;
 struct Topology;
 struct TracesColumns;
@@ -619,6 +640,11 @@ struct CarvedColumns : tree_carved_columns {
     CarvedColumns() : tree_carved_columns{} { struct_size = sizeof *this; }
 };
 
+struct CleanParams : tree_clean_params {
+    CleanParams() : tree_clean_params{} { tree_clean_params_init(this, sizeof(tree_clean_params)); }
+    bool check() const;
+};
+
 struct ColorSamples : tree_color_samples {
     ColorSamples() : tree_color_samples{} { tree_color_samples_init(this, sizeof(tree_color_samples)); }
 };
@@ -629,6 +655,15 @@ struct ConventionTraits : tree_convention_traits {
 
 struct CrossingPairs : tree_crossing_pairs {
     CrossingPairs() : tree_crossing_pairs{} { struct_size = sizeof *this; }
+};
+
+struct CrownMeasures : tree_crown_measures {
+    CrownMeasures() : tree_crown_measures{} { struct_size = sizeof *this; }
+};
+
+struct CrownParams : tree_crown_params {
+    CrownParams() : tree_crown_params{} { tree_crown_params_init(this, sizeof(tree_crown_params)); }
+    bool check() const;
 };
 
 struct CrownReport : tree_crown_report {
@@ -804,6 +839,11 @@ struct LivewireReport : tree_livewire_report {
     LivewireReport() : tree_livewire_report{} { struct_size = sizeof *this; }
 };
 
+struct MainBranches : tree_main_branches {
+    MainBranches() : tree_main_branches{} { tree_main_branches_init(this, sizeof(tree_main_branches)); }
+    bool check() const;
+};
+
 struct MaskColumns : tree_mask_columns {
     MaskColumns() : tree_mask_columns{} { struct_size = sizeof *this; }
 };
@@ -834,6 +874,10 @@ struct MeshTotals : tree_mesh_totals {
     MeshTotals() : tree_mesh_totals{} { struct_size = sizeof *this; }
 };
 
+struct MidlineParams : tree_midline_params {
+    MidlineParams() : tree_midline_params{} { tree_midline_params_init(this, sizeof(tree_midline_params)); }
+};
+
 struct NaturalParams : tree_natural_params {
     NaturalParams() : tree_natural_params{} { tree_natural_params_init(this, sizeof(tree_natural_params)); }
 };
@@ -844,6 +888,10 @@ struct NaturalReport : tree_natural_report {
 
 struct OcclusionParams : tree_occlusion_params {
     OcclusionParams() : tree_occlusion_params{} { tree_occlusion_params_init(this, sizeof(tree_occlusion_params)); }
+};
+
+struct OutlineParams : tree_outline_params {
+    OutlineParams() : tree_outline_params{} { tree_outline_params_init(this, sizeof(tree_outline_params)); }
 };
 
 struct PackedColumns : tree_packed_columns {
@@ -936,6 +984,10 @@ struct Pixels : tree_pixels {
     Pixels() : tree_pixels{} { struct_size = sizeof *this; }
 };
 
+struct PlanColumns : tree_plan_columns {
+    PlanColumns() : tree_plan_columns{} { struct_size = sizeof *this; }
+};
+
 struct PlyOptions : tree_ply_options {
     PlyOptions() : tree_ply_options{} { tree_ply_options_init(this, sizeof(tree_ply_options)); }
 };
@@ -965,6 +1017,11 @@ struct SeedParams : tree_seed_params {
     SeedParams() : tree_seed_params{} { tree_seed_params_init(this, sizeof(tree_seed_params)); }
 };
 
+struct SelectParams : tree_select_params {
+    SelectParams() : tree_select_params{} { tree_select_params_init(this, sizeof(tree_select_params)); }
+    bool check() const;
+};
+
 struct SeparationColumns : tree_separation_columns {
     SeparationColumns() : tree_separation_columns{} { struct_size = sizeof *this; }
 };
@@ -979,6 +1036,10 @@ struct SkeletonizeParams : tree_skeletonize_params {
 
 struct SkeletonizeReport : tree_skeletonize_report {
     SkeletonizeReport() : tree_skeletonize_report{} { struct_size = sizeof *this; }
+};
+
+struct SketchStroke : tree_sketch_stroke {
+    SketchStroke() : tree_sketch_stroke{} { struct_size = sizeof *this; }
 };
 
 struct Solid : tree_solid {
@@ -1024,6 +1085,19 @@ struct SwcContents : tree_swc_contents {
 
 struct SwcOptions : tree_swc_options {
     SwcOptions() : tree_swc_options{} { tree_swc_options_init(this, sizeof(tree_swc_options)); }
+};
+
+struct TemplateParams : tree_template_params {
+    TemplateParams() : tree_template_params{} { tree_template_params_init(this, sizeof(tree_template_params)); }
+    bool check() const;
+};
+
+struct TemplateSide : tree_template_side {
+    TemplateSide() : tree_template_side{} { struct_size = sizeof *this; }
+};
+
+struct TemplateView : tree_template_view {
+    TemplateView() : tree_template_view{} { struct_size = sizeof *this; }
 };
 
 struct TexturePixels : tree_texture_pixels {
@@ -1146,6 +1220,25 @@ public:
     CrossingPairs view() const && = delete;
 };
 
+class Crown : public detail::Object<tree_crown, tree_crown_free> {
+public:
+    using Object::Object;
+    static Crown close(Ref<tree_strokes_columns> columns, Span<const float> spots = {}, Ref<tree_crown_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Crown from_polygons(Ref<tree_strokes_columns> columns, float depth, Ref<tree_control> control = nullptr);
+    StrokesColumns polygons() const &;
+    StrokesColumns polygons() const && = delete;
+    CrownMeasures measure() const;
+    Span<const tree_crown_repair> repairs() const &;
+    Span<const tree_crown_repair> repairs() const && = delete;
+    Lines repairs_text() const;
+    std::vector<uint8_t> contains(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool contains(Span<const float> spots, Ref<tree_control> control, Span<uint8_t> inside) const;
+    std::vector<float> levels(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool levels(Span<const float> points, Ref<tree_control> control, Span<float> levels) const;
+    std::vector<float> exits(Span<const float> ways, Ref<tree_control> control = nullptr) const;
+    bool exits(Span<const float> ways, Ref<tree_control> control, Span<float> exits) const;
+};
+
 class DirectionField : public detail::Object<tree_direction_field, tree_direction_field_free> {
 public:
     using Object::Object;
@@ -1156,6 +1249,29 @@ public:
     bool sample(Span<const float> spots, Ref<tree_control> control, Span<float> directions) const;
     Photo picture() const;
     Photo draw_over(const Photo &photo, uint32_t color) const;
+};
+
+class Drawing : public detail::Object<tree_drawing, tree_drawing_free> {
+public:
+    using Object::Object;
+    Plan clean(Ref<tree_clean_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static Drawing make(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control = nullptr);
+    Drawing with_strokes(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control = nullptr) const;
+    static Drawing from_svg(std::string_view svg, Ref<tree_control> control = nullptr);
+    static Drawing from_json(std::string_view json, Ref<tree_control> control = nullptr);
+    Bytes to_json() const;
+    size_t count() const;
+    SketchStroke stroke(size_t index) const &;
+    SketchStroke stroke(size_t index) const && = delete;
+    static Drawing of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branches> main = nullptr, Ref<tree_outline_params> outline = nullptr, Ref<tree_control> control = nullptr);
+};
+
+class Drawings : public detail::Object<tree_drawings, tree_drawings_free> {
+public:
+    using Object::Object;
+    static Drawings from_ndjson(std::string_view ndjson, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    Drawing at(size_t index) const;
 };
 
 class Equations : public detail::Object<tree_equations, tree_equations_free> {
@@ -1347,6 +1463,16 @@ public:
     Tree skeletonize_mesh(Span<const tree_hint> hints = {}, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr) const;
 };
 
+class Midlines : public detail::Object<tree_midlines, tree_midlines_free> {
+public:
+    using Object::Object;
+    static Midlines of(Ref<tree_strokes_columns> columns, Ref<tree_midline_params> params = nullptr, Ref<tree_control> control = nullptr);
+    StrokesColumns view() const &;
+    StrokesColumns view() const && = delete;
+    Span<const float> half_widths() const &;
+    Span<const float> half_widths() const && = delete;
+};
+
 class Packed : public detail::Object<tree_packed, tree_packed_free> {
 public:
     using Object::Object;
@@ -1439,6 +1565,26 @@ public:
     Skeleton link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, Span<uint8_t> reached) const;
 };
 
+class Plan : public detail::Object<tree_plan, tree_plan_free> {
+public:
+    using Object::Object;
+    static Plan from_columns(Ref<tree_plan_columns> columns, Ref<tree_control> control = nullptr);
+    PlanColumns view() const &;
+    PlanColumns view() const && = delete;
+    StrokesColumns crown() const &;
+    StrokesColumns crown() const && = delete;
+    Span<const uint32_t> crown_strokes() const &;
+    Span<const uint32_t> crown_strokes() const && = delete;
+    Span<const tree_clean_repair> repairs() const &;
+    Span<const tree_clean_repair> repairs() const && = delete;
+    Lines repairs_text() const;
+    Plan scaled(float factor) const;
+    std::vector<float> points_to_drawing(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool points_to_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> drawn) const;
+    std::vector<float> points_from_drawing(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool points_from_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> planned) const;
+};
+
 class Pool : public detail::Object<tree_pool, tree_pool_free> {
 public:
     using Object::Object;
@@ -1520,6 +1666,7 @@ public:
     static Strokes from_svg(std::string_view svg, float width, float height, Ref<tree_control> control = nullptr);
     StrokesColumns view() const &;
     StrokesColumns view() const && = delete;
+    static Strokes outline(Span<const float> spots, Ref<tree_outline_params> params = nullptr, Ref<tree_control> control = nullptr);
 };
 
 class Swc : public detail::Object<tree_swc, tree_swc_free> {
@@ -1530,6 +1677,24 @@ public:
     Skeleton skeleton() const;
     SwcContents view() const &;
     SwcContents view() const && = delete;
+};
+
+class Templates : public detail::Object<tree_templates, tree_templates_free> {
+public:
+    using Object::Object;
+    std::vector<tree_choice> select(const Plan &plan, Maybe<tree_crown> crown = nullptr, Ref<tree_select_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const;
+    static Templates builtin();
+    static Templates from_text(std::string_view text, Ref<tree_control> control = nullptr);
+    Bytes to_text() const;
+    static Templates of_tree(std::string_view name, std::string_view species, const Tree &tree, Ref<tree_template_params> params = nullptr, Ref<tree_control> control = nullptr);
+    Templates join(const Templates &others) const;
+    size_t count() const;
+    size_t find(std::string_view name) const;
+    TemplateView view(size_t index) const &;
+    TemplateView view(size_t index) const && = delete;
+    TemplateSide side(size_t index, size_t number) const &;
+    TemplateSide side(size_t index, size_t number) const && = delete;
 };
 
 class Texture : public detail::Object<tree_texture, tree_texture_free> {
@@ -1706,6 +1871,14 @@ PathParams path_preset(std::string_view name);
 Lines align_warnings_text(Span<const tree_align_warning> warnings);
 Aligned align_all(const Handles<tree_matte> &mattes, Span<const tree_align_params> params, float height, Ref<tree_control> control = nullptr);
 Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr);
+size_t exemplar_count();
+std::tuple<std::string_view, std::string_view, std::string_view> exemplar_name(size_t index);
+Tree exemplar_grow(std::string_view name, uint64_t seed, Ref<tree_control> control = nullptr);
+std::vector<float> footprint_of(Span<const float> spots, Ref<tree_control> control = nullptr);
+bool footprint_of(Span<const float> spots, Ref<tree_control> control, Span<float> distances);
+float footprint_difference(Span<const float> first, Span<const float> second);
+std::tuple<std::vector<float>, size_t> convex_hull(Span<const float> spots, Ref<tree_control> control = nullptr);
+size_t convex_hull(Span<const float> spots, Ref<tree_control> control, Span<float> corners);
 uint32_t abi_version();
 std::string_view version();
 size_t live_objects();
@@ -3508,6 +3681,321 @@ inline Tree Mesh::skeletonize_mesh(Span<const tree_hint> hints, Ref<tree_skeleto
     Tree tree;
     detail::done(tree_skeletonize_mesh(get(), hints.data(), hints.size(), params, control, report, tree.place()), control);
     return tree;
+}
+inline bool CleanParams::check() const {
+    return detail::done(tree_clean_params_check(this));
+}
+inline Plan Drawing::clean(Ref<tree_clean_params> params, Ref<tree_control> control) const {
+    Plan plan;
+    detail::done(tree_drawing_clean(get(), params, control, plan.place()), control);
+    return plan;
+}
+inline bool CrownParams::check() const {
+    return detail::done(tree_crown_params_check(this));
+}
+inline Crown Crown::close(Ref<tree_strokes_columns> columns, Span<const float> spots, Ref<tree_crown_params> params, Ref<tree_control> control) {
+    Crown crown;
+    static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_crown_close(columns, spots.data(), spots.size() / 2, params, control, crown.place()), control));
+    return crown;
+}
+inline Crown Crown::from_polygons(Ref<tree_strokes_columns> columns, float depth, Ref<tree_control> control) {
+    Crown crown;
+    detail::done(tree_crown_from_polygons(columns, depth, control, crown.place()), control);
+    return crown;
+}
+inline StrokesColumns Crown::polygons() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_crown_polygons(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline CrownMeasures Crown::measure() const {
+    CrownMeasures measures;
+    if (!(detail::done(tree_crown_measure(get(), &measures)))) { measures.struct_size = 0; }
+    return measures;
+}
+inline Span<const tree_crown_repair> Crown::repairs() const & {
+    const tree_crown_repair *repairs = nullptr;
+    size_t n_repairs = 0;
+    detail::done(tree_crown_repairs(get(), &repairs, &n_repairs));
+    return Span<const tree_crown_repair>(repairs, n_repairs);
+}
+inline Lines Crown::repairs_text() const {
+    Lines lines;
+    detail::done(tree_crown_repairs_text(get(), lines.place()));
+    return lines;
+}
+inline std::vector<uint8_t> Crown::contains(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<uint8_t> inside(spots.size() / 2);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_crown_contains(get(), spots.data(), spots.size() / 2, control, inside.data(), inside.size()), control))) { inside.clear(); }
+    return inside;
+}
+inline bool Crown::contains(Span<const float> spots, Ref<tree_control> control, Span<uint8_t> inside) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_crown_contains(get(), spots.data(), spots.size() / 2, control, inside.data(), inside.size()), control);
+}
+inline std::vector<float> Crown::levels(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> levels(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_crown_levels(get(), points.data(), points.size() / 3, control, levels.data(), levels.size()), control))) { levels.clear(); }
+    return levels;
+}
+inline bool Crown::levels(Span<const float> points, Ref<tree_control> control, Span<float> levels) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_crown_levels(get(), points.data(), points.size() / 3, control, levels.data(), levels.size()), control);
+}
+inline std::vector<float> Crown::exits(Span<const float> ways, Ref<tree_control> control) const {
+    std::vector<float> exits(ways.size() / 6);
+    if (!(detail::expect(ways.size() % 6 == 0, TREE_ERROR_BUFFER, "ways: must have 6 numbers for each item")
+        && detail::done(tree_crown_exits(get(), ways.data(), ways.size() / 6, control, exits.data(), exits.size()), control))) { exits.clear(); }
+    return exits;
+}
+inline bool Crown::exits(Span<const float> ways, Ref<tree_control> control, Span<float> exits) const {
+    return detail::expect(ways.size() % 6 == 0, TREE_ERROR_BUFFER, "ways: must have 6 numbers for each item")
+        && detail::done(tree_crown_exits(get(), ways.data(), ways.size() / 6, control, exits.data(), exits.size()), control);
+}
+inline Strokes Strokes::outline(Span<const float> spots, Ref<tree_outline_params> params, Ref<tree_control> control) {
+    Strokes strokes;
+    static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_strokes_outline(spots.data(), spots.size() / 2, params, control, strokes.place()), control));
+    return strokes;
+}
+inline Drawing Drawing::make(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_new(strokes.data(), strokes.size(), control, drawing.place()), control);
+    return drawing;
+}
+inline Drawing Drawing::with_strokes(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control) const {
+    Drawing more;
+    detail::done(tree_drawing_with_strokes(get(), strokes.data(), strokes.size(), control, more.place()), control);
+    return more;
+}
+inline Drawing Drawing::from_svg(std::string_view svg, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_from_svg(svg.data() ? svg.data() : "", svg.size(), control, drawing.place()), control);
+    return drawing;
+}
+inline Drawing Drawing::from_json(std::string_view json, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_from_json(json.data() ? json.data() : "", json.size(), control, drawing.place()), control);
+    return drawing;
+}
+inline Bytes Drawing::to_json() const {
+    Bytes bytes;
+    detail::done(tree_drawing_to_json(get(), bytes.place()));
+    return bytes;
+}
+inline size_t Drawing::count() const {
+    size_t n_strokes{};
+    detail::done(tree_drawing_count(get(), &n_strokes));
+    return n_strokes;
+}
+inline SketchStroke Drawing::stroke(size_t index) const & {
+    SketchStroke stroke;
+    if (!(detail::done(tree_drawing_stroke(get(), index, &stroke)))) { stroke.struct_size = 0; }
+    return stroke;
+}
+inline Drawings Drawings::from_ndjson(std::string_view ndjson, Ref<tree_control> control) {
+    Drawings drawings;
+    detail::done(tree_drawings_from_ndjson(ndjson.data() ? ndjson.data() : "", ndjson.size(), control, drawings.place()), control);
+    return drawings;
+}
+inline size_t Drawings::count() const {
+    size_t n_drawings{};
+    detail::done(tree_drawings_count(get(), &n_drawings));
+    return n_drawings;
+}
+inline Drawing Drawings::at(size_t index) const {
+    Drawing drawing;
+    detail::done(tree_drawings_at(get(), index, drawing.place()));
+    return drawing;
+}
+inline size_t exemplar_count() {
+    return tree_exemplar_count();
+}
+inline std::tuple<std::string_view, std::string_view, std::string_view> exemplar_name(size_t index) {
+    tree_str name{};
+    tree_str title{};
+    tree_str species{};
+    detail::done(tree_exemplar_name(index, &name, &title, &species));
+    return {detail::text(name), detail::text(title), detail::text(species)};
+}
+inline Tree exemplar_grow(std::string_view name, uint64_t seed, Ref<tree_control> control) {
+    Tree tree;
+    detail::done(tree_exemplar_grow(name.data() ? name.data() : "", name.size(), seed, control, tree.place()), control);
+    return tree;
+}
+inline bool MainBranches::check() const {
+    return detail::done(tree_main_branches_check(this));
+}
+inline Drawing Drawing::of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branches> main, Ref<tree_outline_params> outline, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_of_tree(tree.get(), yaw, with_crown ? 1u : 0u, main, outline, control, drawing.place()), control);
+    return drawing;
+}
+inline std::vector<float> footprint_of(Span<const float> spots, Ref<tree_control> control) {
+    std::vector<float> distances(TREE_FOOTPRINT_DIRECTIONS);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_footprint_of(spots.data(), spots.size() / 2, control, distances.data(), distances.size()), control))) { distances.clear(); }
+    return distances;
+}
+inline bool footprint_of(Span<const float> spots, Ref<tree_control> control, Span<float> distances) {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_footprint_of(spots.data(), spots.size() / 2, control, distances.data(), distances.size()), control);
+}
+inline float footprint_difference(Span<const float> first, Span<const float> second) {
+    float difference{};
+    detail::done(tree_footprint_difference(first.data(), first.size(), second.data(), second.size(), &difference));
+    return difference;
+}
+inline std::tuple<std::vector<float>, size_t> convex_hull(Span<const float> spots, Ref<tree_control> control) {
+    std::vector<float> corners(spots.size());
+    size_t n_corners{};
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_convex_hull(spots.data(), spots.size() / 2, control, corners.data(), corners.size(), &n_corners), control))) { corners.clear(); }
+    corners.resize(2 * n_corners);
+    return {std::move(corners), std::move(n_corners)};
+}
+inline size_t convex_hull(Span<const float> spots, Ref<tree_control> control, Span<float> corners) {
+    size_t n_corners{};
+    static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_convex_hull(spots.data(), spots.size() / 2, control, corners.data(), corners.size(), &n_corners), control));
+    return n_corners;
+}
+inline Midlines Midlines::of(Ref<tree_strokes_columns> columns, Ref<tree_midline_params> params, Ref<tree_control> control) {
+    Midlines midlines;
+    detail::done(tree_midlines_of(columns, params, control, midlines.place()), control);
+    return midlines;
+}
+inline StrokesColumns Midlines::view() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_midlines_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Span<const float> Midlines::half_widths() const & {
+    const float *half_widths = nullptr;
+    size_t n_points = 0;
+    detail::done(tree_midlines_half_widths(get(), &half_widths, &n_points));
+    return Span<const float>(half_widths, n_points);
+}
+inline Plan Plan::from_columns(Ref<tree_plan_columns> columns, Ref<tree_control> control) {
+    Plan plan;
+    detail::done(tree_plan_from_columns(columns, control, plan.place()), control);
+    return plan;
+}
+inline PlanColumns Plan::view() const & {
+    PlanColumns columns;
+    if (!(detail::done(tree_plan_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline StrokesColumns Plan::crown() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_plan_crown(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Span<const uint32_t> Plan::crown_strokes() const & {
+    const uint32_t *strokes = nullptr;
+    size_t n_strokes = 0;
+    detail::done(tree_plan_crown_strokes(get(), &strokes, &n_strokes));
+    return Span<const uint32_t>(strokes, n_strokes);
+}
+inline Span<const tree_clean_repair> Plan::repairs() const & {
+    const tree_clean_repair *repairs = nullptr;
+    size_t n_repairs = 0;
+    detail::done(tree_plan_repairs(get(), &repairs, &n_repairs));
+    return Span<const tree_clean_repair>(repairs, n_repairs);
+}
+inline Lines Plan::repairs_text() const {
+    Lines lines;
+    detail::done(tree_plan_repairs_text(get(), lines.place()));
+    return lines;
+}
+inline Plan Plan::scaled(float factor) const {
+    Plan scaled;
+    detail::done(tree_plan_scaled(get(), factor, scaled.place()));
+    return scaled;
+}
+inline std::vector<float> Plan::points_to_drawing(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> drawn(spots.size());
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_to_drawing(get(), spots.data(), spots.size() / 2, control, drawn.data(), drawn.size()), control))) { drawn.clear(); }
+    return drawn;
+}
+inline bool Plan::points_to_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> drawn) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_to_drawing(get(), spots.data(), spots.size() / 2, control, drawn.data(), drawn.size()), control);
+}
+inline std::vector<float> Plan::points_from_drawing(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> planned(spots.size());
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_from_drawing(get(), spots.data(), spots.size() / 2, control, planned.data(), planned.size()), control))) { planned.clear(); }
+    return planned;
+}
+inline bool Plan::points_from_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> planned) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_from_drawing(get(), spots.data(), spots.size() / 2, control, planned.data(), planned.size()), control);
+}
+inline bool SelectParams::check() const {
+    return detail::done(tree_select_params_check(this));
+}
+inline std::vector<tree_choice> Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control) const {
+    std::vector<tree_choice> choices(count());
+    if (!(detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_templates_select(get(), plan.get(), crown, params, control, choices.data(), choices.size()), control))) { choices.clear(); }
+    return choices;
+}
+inline bool Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const {
+    return detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_templates_select(get(), plan.get(), crown, params, control, choices.data(), choices.size()), control);
+}
+inline Templates Templates::builtin() {
+    Templates templates;
+    detail::done(tree_templates_builtin(templates.place()));
+    return templates;
+}
+inline Templates Templates::from_text(std::string_view text, Ref<tree_control> control) {
+    Templates templates;
+    detail::done(tree_templates_from_text(text.data() ? text.data() : "", text.size(), control, templates.place()), control);
+    return templates;
+}
+inline Bytes Templates::to_text() const {
+    Bytes bytes;
+    detail::done(tree_templates_to_text(get(), bytes.place()));
+    return bytes;
+}
+inline bool TemplateParams::check() const {
+    return detail::done(tree_template_params_check(this));
+}
+inline Templates Templates::of_tree(std::string_view name, std::string_view species, const Tree &tree, Ref<tree_template_params> params, Ref<tree_control> control) {
+    Templates templates;
+    detail::done(tree_templates_of_tree(name.data() ? name.data() : "", name.size(), species.data() ? species.data() : "", species.size(), tree.get(), params, control, templates.place()), control);
+    return templates;
+}
+inline Templates Templates::join(const Templates &others) const {
+    Templates joined;
+    detail::done(tree_templates_join(get(), others.get(), joined.place()));
+    return joined;
+}
+inline size_t Templates::count() const {
+    size_t n_templates{};
+    detail::done(tree_templates_count(get(), &n_templates));
+    return n_templates;
+}
+inline size_t Templates::find(std::string_view name) const {
+    size_t index{};
+    detail::done(tree_templates_find(get(), name.data() ? name.data() : "", name.size(), &index));
+    return index;
+}
+inline TemplateView Templates::view(size_t index) const & {
+    TemplateView view;
+    if (!(detail::done(tree_templates_view(get(), index, &view)))) { view.struct_size = 0; }
+    return view;
+}
+inline TemplateSide Templates::side(size_t index, size_t number) const & {
+    TemplateSide side;
+    if (!(detail::done(tree_templates_side(get(), index, number, &side)))) { side.struct_size = 0; }
+    return side;
 }
 inline Tree Tree::make(const Skeleton &skeleton, Ref<tree_foliage> foliage, Ref<tree_species> species, Ref<tree_control> control) {
     Tree tree;

@@ -55,9 +55,25 @@ namespace TreeFamily.Native
     public struct tree_crossings { }
 
     /// <summary>
+    /// A crown: polygons in the plan, and the solid they stand for. At every height each stretch of the inside is swept to
+    /// a circle (or an ellipse, by the depth) about its own middle.
+    /// </summary>
+    public struct tree_crown { }
+
+    /// <summary>
     /// Directions on a grid of cells over a picture.
     /// </summary>
     public struct tree_direction_field { }
+
+    /// <summary>
+    /// A drawing: strokes in the order they were drawn, in any units, y downwards as on screens and in SVG.
+    /// </summary>
+    public struct tree_drawing { }
+
+    /// <summary>
+    /// Drawings of one file.
+    /// </summary>
+    public struct tree_drawings { }
 
     /// <summary>
     /// The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
@@ -129,6 +145,11 @@ namespace TreeFamily.Native
     public struct tree_mesh { }
 
     /// <summary>
+    /// The middle lines of a filled area.
+    /// </summary>
+    public struct tree_midlines { }
+
+    /// <summary>
     /// A surface in the axes and the layout of an engine.
     /// </summary>
     public struct tree_packed { }
@@ -162,6 +183,12 @@ namespace TreeFamily.Native
     public struct tree_pieces { }
 
     /// <summary>
+    /// A cleaned drawing: its branches as one tree in the plane, the lines of its crown, and what was done to its
+    /// strokes.
+    /// </summary>
+    public struct tree_plan { }
+
+    /// <summary>
     /// Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
     /// depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
     /// threads of calls without a pool never end.
@@ -191,7 +218,7 @@ namespace TreeFamily.Native
     public struct tree_skeleton { }
 
     /// <summary>
-    /// Strokes read from a drawing, or a session's branches as strokes.
+    /// Strokes read from a drawing, a session's branches as strokes, or outlines.
     /// </summary>
     public struct tree_strokes { }
 
@@ -199,6 +226,11 @@ namespace TreeFamily.Native
     /// What an SWC file held: a skeleton, and what a skeleton has no column for.
     /// </summary>
     public struct tree_swc { }
+
+    /// <summary>
+    /// Kinds of tree to guide a reconstruction by.
+    /// </summary>
+    public struct tree_templates { }
 
     /// <summary>
     /// A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
@@ -3772,8 +3804,8 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
-    /// `starts[i + 1]`. Set `struct_size` first.
+    /// Strokes over a picture, or other lines of the plane. The points of stroke `i` are rows `starts[i]` up to,
+    /// but not including, `starts[i + 1]`. Set `struct_size` first.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct tree_strokes_columns
@@ -3795,7 +3827,7 @@ namespace TreeFamily.Native
         /// </summary>
         public UIntPtr n_points;
         /// <summary>
-        /// Two floats for each point, in pixels from the top left of the picture.
+        /// Two floats for each point, in pixels from the top left of the picture where nothing else is said.
         /// </summary>
         public float* points;
     }
@@ -6100,6 +6132,537 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How a drawing is cleaned and joined. Shares are of the drawing's height (or of a tenth of its width, where
+    /// that is more). Begin with `tree_clean_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_clean_params
+    {
+        /// <summary>
+        /// `sizeof(tree_clean_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Height of branches and crown together in metres, 0.01 to 1000. Default 10.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Distance between nodes, a share, 0.001 to 0.2. Default 0.01. Corners get nodes of their own. Very long
+        /// drawings are sampled more coarsely.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Gaps up to this share count as drawn to touch, 0 to 0.2. Default 0.03. Ends that stick out beyond the
+        /// stroke they join by up to this share are cut off.
+        /// </summary>
+        public float snap;
+        /// <summary>
+        /// A stroke that runs along another within this share is the same, 0 to 0.1. Default 0.012. 0: nothing is
+        /// merged.
+        /// </summary>
+        public float merge;
+        /// <summary>
+        /// How far a stroke may be from the rest, a share, 0 to 10. Default 0.25.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// What becomes of strokes beyond the reach. Default `TREE_ISOLATED_BRIDGE`.
+        /// </summary>
+        public uint isolated; // tree_isolated
+        /// <summary>
+        /// Whether `root` says where the tree's base is. Default no: it is found.
+        /// </summary>
+        public uint has_root;
+        /// <summary>
+        /// Where the tree's base is, in units of the drawing.
+        /// </summary>
+        public fixed float root[2];
+        /// <summary>
+        /// Whether strokes without a role may be taken for a crown, the ground, sides of a trunk or marks on its
+        /// bark. Default yes; no: what is not marked is a branch.
+        /// </summary>
+        public uint guess;
+    }
+
+    /// <summary>
+    /// How a drawn crown is understood. Begin with `tree_crown_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crown_params
+    {
+        /// <summary>
+        /// `sizeof(tree_crown_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// A stroke whose ends are closer than this share of its length is a loop of its own, 0 to 1. Default 0.15.
+        /// </summary>
+        public float gap;
+        /// <summary>
+        /// Ends of strokes closer than this share of the crown's size are joined, 0 to 1. Default 0.05.
+        /// </summary>
+        public float join;
+        /// <summary>
+        /// Depth of the crown, along the view, over its width, 0.05 to 20. Default 1: circles.
+        /// </summary>
+        public float depth;
+        /// <summary>
+        /// Whether a crown that no branch touches is an error. Default no: it is kept and reported.
+        /// </summary>
+        public uint refuse;
+    }
+
+    /// <summary>
+    /// How large a crown is.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crown_measures
+    {
+        /// <summary>
+        /// `sizeof(tree_crown_measures)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Lowest coordinates of the polygons in metres.
+        /// </summary>
+        public fixed float low[2];
+        /// <summary>
+        /// Highest coordinates of the polygons in metres.
+        /// </summary>
+        public fixed float high[2];
+        /// <summary>
+        /// Area of the polygons in square metres.
+        /// </summary>
+        public float area;
+        /// <summary>
+        /// Volume of the solid in cubic metres.
+        /// </summary>
+        public float volume;
+        /// <summary>
+        /// Share of the branches' points that lay outside when it was closed, 0 to 1.
+        /// </summary>
+        public float outside;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One thing that was repaired or noticed of a drawn crown. Fields that its kind does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crown_repair
+    {
+        /// <summary>
+        /// What it was.
+        /// </summary>
+        public uint kind; // tree_crown_repair_kind
+        /// <summary>
+        /// Number of a stroke of the crown, or of a loop.
+        /// </summary>
+        public uint stroke;
+        /// <summary>
+        /// How many there were.
+        /// </summary>
+        public uint count;
+        /// <summary>
+        /// How many there are now.
+        /// </summary>
+        public uint after;
+        /// <summary>
+        /// A length in metres.
+        /// </summary>
+        public float gap;
+        /// <summary>
+        /// A share, 0 to 1.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// 1 or 0.
+        /// </summary>
+        public uint round_branches;
+    }
+
+    /// <summary>
+    /// How outlines are drawn. Begin with `tree_outline_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_params
+    {
+        /// <summary>
+        /// `sizeof(tree_outline_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Bays narrower than twice this share of the size are drawn across, 0.01 to 0.5. Default 0.06.
+        /// </summary>
+        public float closing;
+        /// <summary>
+        /// Most corners of all outlines together, 12 to 10,000. Default 120.
+        /// </summary>
+        public uint corners;
+    }
+
+    /// <summary>
+    /// One line of a drawing: as input, or as a view of a `tree_drawing`. Zeros are its defaults. Set `struct_size`
+    /// first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_stroke
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_stroke)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Two floats for each point, in the drawing's own units, y downwards as on screens. Points that are not
+        /// finite are taken: cleaning leaves them out and says so.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// What messages call it besides its number. Default empty.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// What it shows. Default `TREE_ROLE_UNKNOWN`.
+        /// </summary>
+        public uint role; // tree_role
+        /// <summary>
+        /// Whether its end is joined to its beginning.
+        /// </summary>
+        public uint closed;
+        /// <summary>
+        /// Whether it is the outline of a filled area rather than a line: of a branch so drawn the middle line is
+        /// meant.
+        /// </summary>
+        public uint filled;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Which branches of a tree a person would draw. Begin with `tree_main_branches_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_main_branches
+    {
+        /// <summary>
+        /// `sizeof(tree_main_branches)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
+        /// </summary>
+        public float least;
+        /// <summary>
+        /// Least length of axes of order 2 as a share of their parent's, 0 to 1. Default 0.35.
+        /// </summary>
+        public float least_second;
+        /// <summary>
+        /// Most axes, 1 to 1000. Default 36.
+        /// </summary>
+        public uint most;
+        /// <summary>
+        /// Forks closer than this on an axis, as a share of the tree's extent, are taken for one, 0 to 0.5. Default
+        /// 0.025.
+        /// </summary>
+        public float gather;
+        /// <summary>
+        /// What continues an axis at a fork. Default `TREE_CONTINUATION_THICKEST`.
+        /// </summary>
+        public uint continuation; // tree_continuation
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How middle lines are found. Begin with `tree_midline_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_midline_params
+    {
+        /// <summary>
+        /// `sizeof(tree_midline_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Side lines shorter than this share of the area's width where they leave are no branches, 0 to 10. Default 1.
+        /// </summary>
+        public float spur;
+        /// <summary>
+        /// What lies inside. Default `TREE_FILL_NON_ZERO`.
+        /// </summary>
+        public uint rule; // tree_fill_rule
+    }
+
+    /// <summary>
+    /// The columns of a plan: as input, or as a view of a `tree_plan`. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plan_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_plan_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes, at least 1. Node 0 is the base.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Two floats for each node, in metres: x to the right, y up, the base at the origin.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Parent of each node, which comes before it; `TREE_NO_PARENT` for node 0.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// The drawing's stroke that each node lies on. Where two meet, the node belongs to the one that bears the
+        /// other.
+        /// </summary>
+        public uint* strokes;
+        /// <summary>
+        /// Where the base is in the drawing.
+        /// </summary>
+        public fixed float @base[2];
+        /// <summary>
+        /// Metres for one unit of the drawing, above 0.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One thing that was done to one stroke of a drawing. Fields that its kind does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_clean_repair
+    {
+        /// <summary>
+        /// Index of the stroke in the drawing.
+        /// </summary>
+        public uint stroke;
+        /// <summary>
+        /// What was done. New ones may be added.
+        /// </summary>
+        public uint kind; // tree_repair_kind
+        /// <summary>
+        /// Index of another stroke.
+        /// </summary>
+        public uint other;
+        /// <summary>
+        /// A number of points.
+        /// </summary>
+        public uint count;
+        /// <summary>
+        /// What it was taken to show.
+        /// </summary>
+        public uint role; // tree_role
+        /// <summary>
+        /// A length, as a share of the drawing's height.
+        /// </summary>
+        public float share;
+    }
+
+    /// <summary>
+    /// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_select_params
+    {
+        /// <summary>
+        /// `sizeof(tree_select_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Weight of the crown's footprint, 0 to 1000. Default 40.
+        /// </summary>
+        public float crown;
+        /// <summary>
+        /// Weight of the branches' footprint, 0 to 1000. Default 40.
+        /// </summary>
+        public float branches;
+        /// <summary>
+        /// Weight of the branching shape, 0 to 1000. Default 1.
+        /// </summary>
+        public float shape;
+        /// <summary>
+        /// Weight of the directions of branches, 0 to 1000. Default 15.
+        /// </summary>
+        public float directions;
+        /// <summary>
+        /// Added to every deviation of the branching shape, 0.001 to 10: what the hand adds. Default 0.3.
+        /// </summary>
+        public float hand;
+        /// <summary>
+        /// What one of the branching shape's three parts can take away at most, 0 to 1000. Default 2.
+        /// </summary>
+        public float most;
+    }
+
+    /// <summary>
+    /// A template, and how well it suits a drawing.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_choice
+    {
+        /// <summary>
+        /// Index of the template.
+        /// </summary>
+        public uint index;
+        /// <summary>
+        /// Where the eye stands round the template in the view that suits best, in radians, 0 to 2π.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// 0 for a perfect match, else below: the sum of the four parts.
+        /// </summary>
+        public float score;
+        /// <summary>
+        /// The crown's part, weighted; 0 where no crown is drawn.
+        /// </summary>
+        public float crown;
+        /// <summary>
+        /// The part of the branches' footprint, weighted.
+        /// </summary>
+        public float branches;
+        /// <summary>
+        /// The branching shape's part, weighted.
+        /// </summary>
+        public float shape;
+        /// <summary>
+        /// The directions' part, weighted.
+        /// </summary>
+        public float directions;
+    }
+
+    /// <summary>
+    /// How a template is measured. Begin with `tree_template_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_template_params
+    {
+        /// <summary>
+        /// `sizeof(tree_template_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Which branches are main ones; NULL for the default.
+        /// </summary>
+        public tree_main_branches* main;
+        /// <summary>
+        /// Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
+        /// </summary>
+        public uint views;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A template.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_template_view
+    {
+        /// <summary>
+        /// `sizeof(tree_template_view)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// What it is called.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// The species whose leaves it bears, as `tree_finish_params_find` takes it where it is built in.
+        /// </summary>
+        public tree_str species;
+        /// <summary>
+        /// Height of the exemplar in metres: what a drawing is scaled to unless its height is given.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Radius of the trunk's base over the height, 0 to 1.
+        /// </summary>
+        public float slenderness;
+        /// <summary>
+        /// Number of orders of axes that have parameters of their own.
+        /// </summary>
+        public UIntPtr n_orders;
+        /// <summary>
+        /// Number of views; see `tree_templates_side`.
+        /// </summary>
+        public UIntPtr n_views;
+    }
+
+    /// <summary>
+    /// What a template looks like from one side.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_template_side
+    {
+        /// <summary>
+        /// `sizeof(tree_template_side)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the eye stands round the trunk, in radians, 0 to 2π: 0 on +Z, a quarter turn on +X.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// Mean and standard deviation of the natural logarithm of a segment's length over that of the one below. NaN where
+        /// there are no forks.
+        /// </summary>
+        public fixed float scale[2];
+        /// <summary>
+        /// The same of the angle in radians at which the branch that bends least leaves the segment below.
+        /// </summary>
+        public fixed float alpha[2];
+        /// <summary>
+        /// The same of all other branches.
+        /// </summary>
+        public fixed float beta[2];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// `TREE_DIRECTION_BINS` shares of the branches' length: what goes straight up comes first, straight down last.
+        /// </summary>
+        public float* directions;
+        /// <summary>
+        /// Footprint of crown and branches without the root branch: `TREE_FOOTPRINT_DIRECTIONS` distances.
+        /// </summary>
+        public float* crown;
+        /// <summary>
+        /// Footprint of the branches alone, as many.
+        /// </summary>
+        public float* branches;
+        /// <summary>
+        /// Number of points of the silhouette.
+        /// </summary>
+        public UIntPtr n_silhouette;
+        /// <summary>
+        /// Outline of the crown, two floats for each point, in metres, y up, the tree's base at the origin of y.
+        /// </summary>
+        public float* silhouette;
+    }
+
+    /// <summary>
     /// A view of what a volume is made of. What its kind does not use is 0 or NULL.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -7103,6 +7666,241 @@ namespace TreeFamily.Native
         /// Not looked at.
         /// </summary>
         public const int TREE_CLASS_IGNORED = 3;
+
+        /// <summary>
+        /// A straight line joins them, however far they are.
+        /// </summary>
+        public const int TREE_ISOLATED_BRIDGE = 0;
+
+        /// <summary>
+        /// Those beyond the reach are left out.
+        /// </summary>
+        public const int TREE_ISOLATED_DROP = 1;
+
+        /// <summary>
+        /// Those beyond the reach are an error.
+        /// </summary>
+        public const int TREE_ISOLATED_REFUSE = 2;
+
+        /// <summary>
+        /// `count` points that are not finite, or absurdly far away, were left out.
+        /// </summary>
+        public const int TREE_REPAIR_BAD_POINTS = 0;
+
+        /// <summary>
+        /// It has no length worth speaking of, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_EMPTY = 1;
+
+        /// <summary>
+        /// It was taken for the ground, and left out.
+        /// </summary>
+        public const int TREE_REPAIR_GROUND = 2;
+
+        /// <summary>
+        /// It was taken for a mark on the trunk's bark, and left out.
+        /// </summary>
+        public const int TREE_REPAIR_BARK_MARK = 3;
+
+        /// <summary>
+        /// It is a small mark that touches nothing, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_SPECK = 4;
+
+        /// <summary>
+        /// It shows roots below the ground: what is below was left out.
+        /// </summary>
+        public const int TREE_REPAIR_BELOW_GROUND = 5;
+
+        /// <summary>
+        /// It runs along the crown's outline, stroke `other`: that part is its ink, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_CROWN_INK = 6;
+
+        /// <summary>
+        /// It was not marked, and was taken to show `role`.
+        /// </summary>
+        public const int TREE_REPAIR_TAKEN_AS = 7;
+
+        /// <summary>
+        /// It shows the trunk and the crown in one go, and was cut at the corner between them.
+        /// </summary>
+        public const int TREE_REPAIR_CUT_AT_CORNER = 8;
+
+        /// <summary>
+        /// It is one side of the trunk and stroke `other` the other side: the line between them was taken.
+        /// </summary>
+        public const int TREE_REPAIR_MIDDLE_OF_SIDES = 9;
+
+        /// <summary>
+        /// It is an outline: its middle line was taken.
+        /// </summary>
+        public const int TREE_REPAIR_MIDDLE_OF_OUTLINE = 10;
+
+        /// <summary>
+        /// All of it runs along stroke `other`, and was merged into that.
+        /// </summary>
+        public const int TREE_REPAIR_MERGED = 11;
+
+        /// <summary>
+        /// A part of it runs along stroke `other`, and was merged into that.
+        /// </summary>
+        public const int TREE_REPAIR_MERGED_PARTLY = 12;
+
+        /// <summary>
+        /// It was drawn towards the base, and was turned round.
+        /// </summary>
+        public const int TREE_REPAIR_TURNED_ROUND = 13;
+
+        /// <summary>
+        /// It passes through where it joins, and was split there in two.
+        /// </summary>
+        public const int TREE_REPAIR_SPLIT = 14;
+
+        /// <summary>
+        /// It crosses stroke `other` a little: the end beyond it, `share` long, was cut off.
+        /// </summary>
+        public const int TREE_REPAIR_TRIMMED = 15;
+
+        /// <summary>
+        /// Its end was joined over a small gap of `share`.
+        /// </summary>
+        public const int TREE_REPAIR_SNAPPED = 16;
+
+        /// <summary>
+        /// It was joined by a straight line over a gap of `share`.
+        /// </summary>
+        public const int TREE_REPAIR_BRIDGED = 17;
+
+        /// <summary>
+        /// It begins on the ground beside the base, `share` away, and was joined to the base.
+        /// </summary>
+        public const int TREE_REPAIR_SECOND_ROOT = 18;
+
+        /// <summary>
+        /// It is `share` away from the rest, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_ISOLATED = 19;
+
+        /// <summary>
+        /// There are no branches: a straight trunk was imagined below this crown.
+        /// </summary>
+        public const int TREE_REPAIR_IMAGINED_TRUNK = 20;
+
+        /// <summary>
+        /// Something else: `tree_plan_repairs_text` says what.
+        /// </summary>
+        public const int TREE_REPAIR_OTHER = 21;
+
+        /// <summary>
+        /// Of stroke `stroke`, `count` points were not finite or absurdly far away, and were left out.
+        /// </summary>
+        public const int TREE_CROWN_POINTS_DROPPED = 0;
+
+        /// <summary>
+        /// Stroke `stroke` has no length, and was left out.
+        /// </summary>
+        public const int TREE_CROWN_STROKE_DROPPED = 1;
+
+        /// <summary>
+        /// Stroke `stroke` is open and lies inside a closed one: it is a detail, and was left out.
+        /// </summary>
+        public const int TREE_CROWN_DETAIL_DROPPED = 2;
+
+        /// <summary>
+        /// Stroke `stroke`, or several joined ones of which it is the first, was closed straight over `gap` metres.
+        /// </summary>
+        public const int TREE_CROWN_CLOSED = 3;
+
+        /// <summary>
+        /// Strokes were joined at `count` places where their ends were close.
+        /// </summary>
+        public const int TREE_CROWN_JOINED = 4;
+
+        /// <summary>
+        /// A wide gap of `gap` metres between ends was closed; `round_branches` says whether round branches in it.
+        /// </summary>
+        public const int TREE_CROWN_GAP_CLOSED = 5;
+
+        /// <summary>
+        /// Loop `stroke`, in the order they were closed, crossed itself; what it winds round was kept.
+        /// </summary>
+        public const int TREE_CROWN_CROSSING_UNDONE = 6;
+
+        /// <summary>
+        /// `count` loops that overlap were united, and `after` polygons are left of them.
+        /// </summary>
+        public const int TREE_CROWN_UNITED = 7;
+
+        /// <summary>
+        /// `count` loops inside others are details, and were left out.
+        /// </summary>
+        public const int TREE_CROWN_NESTED_DROPPED = 8;
+
+        /// <summary>
+        /// `count` tiny parts were left out.
+        /// </summary>
+        public const int TREE_CROWN_CRUMBS_DROPPED = 9;
+
+        /// <summary>
+        /// A `share` of the branches' points lies outside.
+        /// </summary>
+        public const int TREE_CROWN_BRANCHES_OUTSIDE = 10;
+
+        /// <summary>
+        /// No branch touches the crown.
+        /// </summary>
+        public const int TREE_CROWN_NO_BRANCH_INSIDE = 11;
+
+        /// <summary>
+        /// Something else: `tree_crown_repairs_text` says what.
+        /// </summary>
+        public const int TREE_CROWN_OTHER = 12;
+
+        /// <summary>
+        /// Not said: cleaning is to find out.
+        /// </summary>
+        public const int TREE_ROLE_UNKNOWN = 0;
+
+        /// <summary>
+        /// The trunk. It begins the tree.
+        /// </summary>
+        public const int TREE_ROLE_TRUNK = 1;
+
+        /// <summary>
+        /// A branch.
+        /// </summary>
+        public const int TREE_ROLE_BRANCH = 2;
+
+        /// <summary>
+        /// The crown's outline, or a piece of it.
+        /// </summary>
+        public const int TREE_ROLE_CROWN = 3;
+
+        /// <summary>
+        /// The seed of the trees that the built-in templates were measured by.
+        /// </summary>
+        public const int TREE_EXEMPLAR_SEED = 1;
+
+        /// <summary>
+        /// Number of distances in a footprint. Direction 0 is +x, then they turn against the clock where y goes up.
+        /// </summary>
+        public const int TREE_FOOTPRINT_DIRECTIONS = 64;
+
+        /// <summary>
+        /// What is wound round. The default, as in SVG.
+        /// </summary>
+        public const int TREE_FILL_NON_ZERO = 0;
+
+        /// <summary>
+        /// What is wound round an odd number of times.
+        /// </summary>
+        public const int TREE_FILL_EVEN_ODD = 1;
+
+        /// <summary>
+        /// Number of shares in `directions` of a `tree_template_side`.
+        /// </summary>
+        public const int TREE_DIRECTION_BINS = 12;
 
         /// <summary>
         /// Version of the ABI that this header describes. A library with the same number has every function and
@@ -10177,6 +10975,492 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_skeletonize_mesh(tree_mesh* mesh, uint* hints, UIntPtr n_hints, tree_skeletonize_params* @params, tree_control* control, tree_skeletonize_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_clean_params_init(tree_clean_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_clean_params_check(tree_clean_params* @params);
+
+        /// <summary>
+        /// Cleans a drawing and joins its strokes to one tree in the plane: points that are none go, what nobody marked
+        /// is told apart (ground, crown, wood), of wood drawn by its outline the middle line is taken, strokes drawn over
+        /// one another become one, gaps are closed. What was done is told by `tree_plan_repairs`. `params` and `control` may
+        /// be NULL; `nodes` of the limits caps the points. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where no
+        /// stroke has a length, or one is too far from the rest and `TREE_ISOLATED_REFUSE` was asked for: the text names the
+        /// stroke.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_clean(tree_drawing* drawing, tree_clean_params* @params, tree_control* control, tree_plan** plan);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_params_init(tree_crown_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_params_check(tree_crown_params* @params);
+
+        /// <summary>
+        /// Makes a crown of what was drawn: `columns` are lines in metres of the plan (x to the right, y up) such as those of
+        /// `tree_plan_crown`. Ends that lie close are joined, wide gaps closed round the branches in them, and loops that cross
+        /// are united. `spots` are `n_spots` points of the branches, two floats each, best without those below the first fork;
+        /// there may be none. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the crown with
+        /// `tree_crown_free`. `TREE_ERROR_INVALID` where nothing drawn encloses an area, or no branch touches the crown and
+        /// `refuse` says so.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_close(tree_strokes_columns* columns, float* spots, UIntPtr n_spots, tree_crown_params* @params, tree_control* control, tree_crown** crown);
+
+        /// <summary>
+        /// Makes a crown of closed polygons, in metres of the plan. They are made simple and united as drawn ones are; points
+        /// that are not finite are left out. `depth` is the crown's depth over its width, 0.05 to 20, 1 for circles. `control` may
+        /// be NULL; `nodes` of the limits caps the points. Free the crown with `tree_crown_free`. `TREE_ERROR_INVALID` where they
+        /// enclose no area.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_from_polygons(tree_strokes_columns* columns, float depth, tree_control* control, tree_crown** crown);
+
+        /// <summary>
+        /// Views the polygons in metres of the plan: simple, apart from each other, against the clock, the largest first.
+        /// Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_polygons(tree_crown* crown, tree_strokes_columns* columns);
+
+        /// <summary>
+        /// Tells how large a crown is. Set `measures-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_measure(tree_crown* crown, tree_crown_measures* measures);
+
+        /// <summary>
+        /// Views what was repaired or noticed when the crown was closed, in that order: where the repairs begin and how many
+        /// there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_repairs(tree_crown* crown, tree_crown_repair** repairs, UIntPtr* n_repairs);
+
+        /// <summary>
+        /// A sentence for each repair. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_repairs_text(tree_crown* crown, tree_lines** lines);
+
+        /// <summary>
+        /// Says of `n_spots` points of the plan, two floats each, whether they lie in the crown: 1 or 0 into `inside`, which
+        /// has room for `capacity`. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_contains(tree_crown* crown, float* spots, UIntPtr n_spots, tree_control* control, byte* inside, UIntPtr capacity);
+
+        /// <summary>
+        /// Says of `n_points` points, three floats each, how near the solid's surface they are, into `levels`, which has room
+        /// for `capacity`: 0 on the axis of the stretch they lie in, up to 1 inside, above 1 outside; infinite where the crown
+        /// has nothing at that height. The plan lies at z = 0. `control` as for `tree_crown_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_levels(tree_crown* crown, float* points, UIntPtr n_points, tree_control* control, float* levels, UIntPtr capacity);
+
+        /// <summary>
+        /// Where `n_ways` straight ways first leave the solid: each is six floats in `ways`, its beginning and its end. `exits`,
+        /// which has room for `capacity`, gets a share of each way: 0 where it begins outside, infinite where it stays inside.
+        /// `control` as for `tree_crown_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_exits(tree_crown* crown, float* ways, UIntPtr n_ways, tree_control* control, float* exits, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a crown. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_free(tree_crown* crown);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_params_init(tree_outline_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The outlines of a cloud of `n_spots` points, two floats each, such as a tree's leaves as seen from one side, drawn
+        /// as a person would: gaps between leaves closed, corners rounded. They are against the clock, the largest first; none
+        /// for fewer than three points. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the outlines
+        /// with `tree_strokes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_strokes_outline(float* spots, UIntPtr n_spots, tree_outline_params* @params, tree_control* control, tree_strokes** strokes);
+
+        /// <summary>
+        /// Makes a drawing of strokes, which are copied; there may be none. `control` may be NULL; `nodes` of its
+        /// limits caps the points of all strokes. Free the drawing with `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_new(tree_sketch_stroke* strokes, UIntPtr n_strokes, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// Makes a drawing with the strokes of another and these after them. The other stays as it is. `control` may
+        /// be NULL; only its limits matter. Free the new drawing with `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_with_strokes(tree_drawing* drawing, tree_sketch_stroke* strokes, UIntPtr n_strokes, tree_control* control, tree_drawing** more);
+
+        /// <summary>
+        /// Reads the strokes of an SVG drawing: `svg` of `len` bytes or `TREE_NUL_TERMINATED`. Every path, line, polyline,
+        /// polygon, rectangle, circle and ellipse that is seen is one, with all transforms, in the drawing's units. A
+        /// whole word in its id, class, layer label or name, or in those of the groups around it, says what it shows:
+        /// `trunk`, `stem`; `branch`, `limb`, `twig`; `crown`, `outline`, `foliage`, `leaves`, `canopy`; and what is green
+        /// is the crown. Its id becomes its name. Style sheets, `&lt;use&gt;` and texts are not read. `control` may be NULL;
+        /// only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` when the text is no SVG or
+        /// draws nothing.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_from_svg(byte* svg, UIntPtr len, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// Reads a drawing from JSON, `json` of `len` bytes or `TREE_NUL_TERMINATED`, at most 32 MiB, in any of these forms,
+        /// y downwards:
+        ///
+        /// * `{"strokes": [{"points": [[x, y], …], "role": "branch", "closed": false, "filled": false, "name": ""}, …]}`,
+        /// where all but the points may be missing; the role is `trunk`, `branch`, `crown` or `null`;
+        /// * `[[[x, y], …], …]`, bare lines;
+        /// * `{"drawing": [[[x…], [y…]], …]}`, a drawing of Quick, Draw!.
+        ///
+        /// `control` may be NULL; only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` names
+        /// the stroke and the point at fault.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_from_json(byte* json, UIntPtr len, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// Writes a drawing as JSON, in the first form of `tree_drawing_from_json`. Free the bytes, which are UTF-8, with
+        /// `tree_bytes_free`. `TREE_ERROR_INVALID` names a point that is not finite: JSON has no such numbers.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_to_json(tree_drawing* drawing, tree_bytes** bytes);
+
+        /// <summary>
+        /// Number of strokes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_count(tree_drawing* drawing, UIntPtr* n_strokes);
+
+        /// <summary>
+        /// Views a stroke. `index` is below `tree_drawing_count`. Set `stroke-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_stroke(tree_drawing* drawing, UIntPtr index, tree_sketch_stroke* stroke);
+
+        /// <summary>
+        /// Frees a drawing. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_free(tree_drawing* drawing);
+
+        /// <summary>
+        /// Reads a drawing from each line that is not blank, in any form of `tree_drawing_from_json`: the files of Quick,
+        /// Draw!. `ndjson` has `len` bytes or is `TREE_NUL_TERMINATED`. `control` may be NULL; only its limits matter. Free the
+        /// drawings with `tree_drawings_free`. `TREE_ERROR_FORMAT` names the line, from 1, the stroke and the point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_from_ndjson(byte* ndjson, UIntPtr len, tree_control* control, tree_drawings** drawings);
+
+        /// <summary>
+        /// Number of drawings.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_count(tree_drawings* drawings, UIntPtr* n_drawings);
+
+        /// <summary>
+        /// One of the drawings, not copied; it may outlive the others. `index` is below `tree_drawings_count`. Free it with
+        /// `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_at(tree_drawings* drawings, UIntPtr index, tree_drawing** drawing);
+
+        /// <summary>
+        /// Frees drawings. Those taken out live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_free(tree_drawings* drawings);
+
+        /// <summary>
+        /// Number of exemplars: trees of clearly different habit, one for each built-in template.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr tree_exemplar_count();
+
+        /// <summary>
+        /// Name of an exemplar, such as `oak`, what the tree looks like, in a few words, and the name of the species whose
+        /// leaves suit it. `index` is below `tree_exemplar_count`; `title` and `species` may be NULL. The texts are valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_exemplar_name(UIntPtr index, tree_str* name, tree_str* title, tree_str* species);
+
+        /// <summary>
+        /// Grows one tree of the exemplar called `name` (`len` bytes, or `TREE_NUL_TERMINATED`), with leaves on cards. The same
+        /// seed gives the same bits. `control` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_UNKNOWN_NAME` lists
+        /// the names there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_exemplar_grow(byte* name, UIntPtr len, ulong seed, tree_control* control, tree_tree** tree);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_main_branches_init(tree_main_branches* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_main_branches_check(tree_main_branches* @params);
+
+        /// <summary>
+        /// The drawing that a person would make of a tree, in metres, y down: a stroke for each main branch, the trunk first, as
+        /// an eye sees them that looks level from afar and stands at `yaw` radians round the trunk (0 on +Z, a quarter turn on
+        /// +X), and `with_crown` the outline of its leaves. `main`, `outline` and `control` may be NULL. Free the drawing with
+        /// `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_of_tree(tree_tree* tree, float yaw, uint with_crown, tree_main_branches* main, tree_outline_params* outline, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// The footprint of `n_spots` points, two floats each: the distances from the centre of their convex hull to the hull in
+        /// `TREE_FOOTPRINT_DIRECTIONS` directions, as shares of the longer side of its bounding box, into `distances`, which has
+        /// room for `capacity`. Points that are not finite do not count. `control` may be NULL; `nodes` of the limits caps the
+        /// points. `TREE_ERROR_NO_RESULT` where the hull has no area.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_footprint_of(float* spots, UIntPtr n_spots, tree_control* control, float* distances, UIntPtr capacity);
+
+        /// <summary>
+        /// How unlike two footprints are, each `TREE_FOOTPRINT_DIRECTIONS` distances: the root of the mean square of their
+        /// differences. 0 for equal shapes, about 0.2 for a circle and a poplar. `TREE_ERROR_INVALID` for other numbers of
+        /// distances, or where one is not above 0 and at most 2.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_footprint_difference(float* first, UIntPtr n_first, float* second, UIntPtr n_second, float* difference);
+
+        /// <summary>
+        /// The convex hull of `n_spots` points, two floats each, against the clock where y goes up, without corners on straight
+        /// sides, into `corners`, which has room for `capacity` floats: twice `n_spots` always do. `n_corners` gets their number,
+        /// which is below 3 where the points lie on a line. Points that are not finite do not count. `control` may be NULL; `nodes`
+        /// of the limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convex_hull(float* spots, UIntPtr n_spots, tree_control* control, float* corners, UIntPtr capacity, UIntPtr* n_corners);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midline_params_init(tree_midline_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Finds the middle lines of a filled area with these closed contours, which may cross: the main line first, then those
+        /// that leave it, the strongest first. A side line begins at a point of the line that bears it. Points that are not finite
+        /// are left out; what has no area has no lines. `params` and `control` may be NULL; `nodes` of the limits caps the
+        /// points. Free the lines with `tree_midlines_free`. `tree_drawing_clean` does this for strokes that are `filled`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_of(tree_strokes_columns* columns, tree_midline_params* @params, tree_control* control, tree_midlines** midlines);
+
+        /// <summary>
+        /// Views middle lines, in the units of the contours. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_view(tree_midlines* midlines, tree_strokes_columns* columns);
+
+        /// <summary>
+        /// Views half the area's width at every point of `tree_midlines_view`: where the numbers begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_half_widths(tree_midlines* midlines, float** half_widths, UIntPtr* n_points);
+
+        /// <summary>
+        /// Frees middle lines.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_free(tree_midlines* midlines);
+
+        /// <summary>
+        /// Makes a plan of columns, which are copied: without crown and without repairs. `control` may be NULL; `nodes`
+        /// of its limits counts. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where a number is not finite,
+        /// or a parent does not come before its node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_from_columns(tree_plan_columns* columns, tree_control* control, tree_plan** plan);
+
+        /// <summary>
+        /// Views the columns of a plan. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_view(tree_plan* plan, tree_plan_columns* columns);
+
+        /// <summary>
+        /// Views the lines of the drawn crown in metres of the plan, as drawn and not yet closed; a closed one ends where it
+        /// begins. There may be none. Set `columns-&gt;struct_size` first. `tree_crown_close` takes them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_crown(tree_plan* plan, tree_strokes_columns* columns);
+
+        /// <summary>
+        /// Views the drawing's stroke of each line of the crown: where the numbers begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_crown_strokes(tree_plan* plan, uint** strokes, UIntPtr* n_strokes);
+
+        /// <summary>
+        /// Views what cleaning did to the drawing, in that order: where the repairs begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_repairs(tree_plan* plan, tree_clean_repair** repairs, UIntPtr* n_repairs);
+
+        /// <summary>
+        /// A sentence for each repair, which names the stroke. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_repairs_text(tree_plan* plan, tree_lines** lines);
+
+        /// <summary>
+        /// The same plan, its crown with it, `factor` times as large in metres. Free it with `tree_plan_free`.
+        /// `TREE_ERROR_INVALID` where the factor is not above 0 or coordinates become infinite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_scaled(tree_plan* plan, float factor, tree_plan** scaled);
+
+        /// <summary>
+        /// Where points of the plan lie in the drawing: `spots` are `n_spots` times two floats in metres, `drawn` gets as many
+        /// in units of the drawing; `capacity` is its room in floats. `control` may be NULL; `nodes` of its limits caps the
+        /// points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_points_to_drawing(tree_plan* plan, float* spots, UIntPtr n_spots, tree_control* control, float* drawn, UIntPtr capacity);
+
+        /// <summary>
+        /// Where points of the drawing lie in the plan: as `tree_plan_points_to_drawing`, the other way. `planned` gets
+        /// the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_points_from_drawing(tree_plan* plan, float* spots, UIntPtr n_spots, tree_control* control, float* planned, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a plan. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_free(tree_plan* plan);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_select_params_init(tree_select_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_select_params_check(tree_select_params* @params);
+
+        /// <summary>
+        /// Compares a plan with templates: one row for each into `choices`, best first; `capacity` is the number of templates or
+        /// more. `crown` may be NULL for that which was drawn with the plan, as it was drawn. `params` and `control` may be NULL.
+        /// `TREE_ERROR_INVALID` where there are no templates.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_select(tree_templates* templates, tree_plan* plan, tree_crown* crown, tree_select_params* @params, tree_control* control, tree_choice* choices, UIntPtr capacity);
+
+        /// <summary>
+        /// The templates shipped: twenty trees of different habit. Free them with `tree_templates_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_builtin(tree_templates** templates);
+
+        /// <summary>
+        /// Reads templates from text, `text` of `len` bytes or `TREE_NUL_TERMINATED`, as `tree_templates_to_text` writes it.
+        /// `control` may be NULL; only its limits matter. Free the templates with `tree_templates_free`. `TREE_ERROR_FORMAT`
+        /// names the line and says what is wrong with it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_from_text(byte* text, UIntPtr len, tree_control* control, tree_templates** templates);
+
+        /// <summary>
+        /// Writes templates as text, some kilobytes for each. Free the bytes, which are UTF-8, with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_to_text(tree_templates* templates, tree_bytes** bytes);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_template_params_init(tree_template_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_template_params_check(tree_template_params* @params);
+
+        /// <summary>
+        /// Measures one template of any tree, which grows along +Y: an exemplar of your own. `name` and `species` are one line of
+        /// text each, of `name_len` and `species_len` bytes or `TREE_NUL_TERMINATED`; the species names its leaves. `params` and
+        /// `control` may be NULL. Free the template with `tree_templates_free`; `tree_templates_join` puts it to others.
+        /// `TREE_ERROR_INVALID` for trees without extent, height or branches.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_of_tree(byte* name, UIntPtr name_len, byte* species, UIntPtr species_len, tree_tree* tree, tree_template_params* @params, tree_control* control, tree_templates** templates);
+
+        /// <summary>
+        /// Templates and others after them, copied. Free them with `tree_templates_free`. `TREE_ERROR_INVALID` where two have one
+        /// name.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_join(tree_templates* templates, tree_templates* others, tree_templates** joined);
+
+        /// <summary>
+        /// Number of templates.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_count(tree_templates* templates, UIntPtr* n_templates);
+
+        /// <summary>
+        /// Index of the template called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). `TREE_ERROR_UNKNOWN_NAME` lists the names
+        /// there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_find(tree_templates* templates, byte* name, UIntPtr len, UIntPtr* index);
+
+        /// <summary>
+        /// Views a template. `index` is below `tree_templates_count`. Set `view-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_view(tree_templates* templates, UIntPtr index, tree_template_view* view);
+
+        /// <summary>
+        /// Views what a template looks like from one side. `index` is below `tree_templates_count`, `number` below `n_views` of
+        /// the template. Set `side-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_side(tree_templates* templates, UIntPtr index, UIntPtr number, tree_template_side* side);
+
+        /// <summary>
+        /// Frees templates. What was made of them lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_free(tree_templates* templates);
 
         /// <summary>
         /// Makes a tree of a skeleton, which is copied, and columns of leaves (NULL for none), which are copied.

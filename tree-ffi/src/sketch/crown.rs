@@ -235,8 +235,8 @@ pub unsafe extern "C" fn tree_crown_polygons(
 /// How large a crown is.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct tree_crown_size {
-    /// `sizeof(tree_crown_size)`.
+pub struct tree_crown_measures {
+    /// `sizeof(tree_crown_measures)`.
     pub struct_size: usize,
     /// Lowest coordinates of the polygons in metres.
     pub low: [f32; 2],
@@ -253,8 +253,8 @@ pub struct tree_crown_size {
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_crown_size {
-    const NAME: &'static str = "tree_crown_size";
+unsafe impl Versioned for tree_crown_measures {
+    const NAME: &'static str = "tree_crown_measures";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
         Self {
@@ -269,25 +269,25 @@ unsafe impl Versioned for tree_crown_size {
     }
 }
 
-/// Tells how large a crown is. Set `size->struct_size` first.
+/// Tells how large a crown is. Set `measures->struct_size` first.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_crown_measure(
     crown: *const tree_crown,
-    size: *mut tree_crown_size,
+    measures: *mut tree_crown_measures,
 ) -> tree_status {
     call(|| {
-        unsafe { foresee(size, "size") }?;
+        unsafe { foresee(measures, "measures") }?;
         let held = unsafe { get(crown, "crown") }?;
         let (low, high) = held.rust().bounds();
-        let found = tree_crown_size {
+        let found = tree_crown_measures {
             low: low.to_array(),
             high: high.to_array(),
             area: held.rust().area(),
             volume: held.rust().volume(),
             outside: held.report.outside,
-            ..tree_crown_size::default_value()
+            ..tree_crown_measures::default_value()
         };
-        unsafe { write(size, "size", &found) }
+        unsafe { write(measures, "measures", &found) }
     })
 }
 

@@ -62,7 +62,7 @@ pub unsafe extern "C" fn tree_templates_from_text(
         let place = unsafe { out(templates, "templates") }?;
         let text = unsafe { document(text, len, &limits(control)?, "text") }?;
         let read = unsafe { run(control, |_| parse(text).map_err(in_document)) }?;
-        place.put(tree_templates(Cow::Owned(read)));
+        place.put(tree_templates::new(read));
         Ok(())
     })
 }
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn tree_templates_of_tree(
         let params = unsafe { read_or_default(params, "params")?.rust() }?;
         let body = |control: &_| Ok(Template::of_tree(name, species, tree, &params, control)?);
         let made = unsafe { run(control, body) }?;
-        place.put(tree_templates(Cow::Owned(vec![made])));
+        place.put(tree_templates::new(vec![made]));
         Ok(())
     })
 }
@@ -174,7 +174,7 @@ pub unsafe extern "C" fn tree_templates_join(
             let text = format!("there are two templates called '{}'", other.name);
             return Err(Failure::new(TREE_ERROR_INVALID, text));
         }
-        place.put(tree_templates(Cow::Owned([templates, others].concat())));
+        place.put(tree_templates::new([templates, others].concat()));
         Ok(())
     })
 }

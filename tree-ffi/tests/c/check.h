@@ -63,6 +63,7 @@ void test_io(void);
 void test_sketch(void);
 void test_preview(void);
 void test_photo(void);
+void test_sketch_in(void);
 void test_threads(void);
 
 #endif

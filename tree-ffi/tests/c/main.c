@@ -45,6 +45,7 @@ int main(void) {
     test_sketch();
     test_preview();
     test_photo();
+    test_sketch_in();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

@@ -4,6 +4,7 @@ use crate::common::header::Header;
 
 /// Places for one number or one struct without a size.
 pub(crate) const SINGLES: &[&str] = &[
+    "difference",
     "gap",
     "length",
     "measure",
@@ -22,7 +23,7 @@ pub(crate) const SINGLES: &[&str] = &[
 ];
 
 /// Yes or no, as an argument.
-pub(crate) const FLAGS: &[&str] = &["plain", "with_stalks"];
+pub(crate) const FLAGS: &[&str] = &["plain", "with_crown", "with_stalks"];
 
 /// Objects and arrays that may be left out.
 pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
@@ -37,6 +38,8 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
                 | ("tree_sketch_session_set_templates", "templates")
                 | ("tree_sketch_session_set_obstacles", "obstacles")
                 | ("tree_from_sketch", "templates" | "obstacles")
+                | ("tree_crown_close", "spots")
+                | ("tree_templates_select", "crown")
                 | ("tree_attractor_livewire" | "tree_matte_turned", "photo")
         )
 }
@@ -58,6 +61,7 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
         ("tree_convert_uvs", "from") | (_, "edges" | "profile") => 2,
         (_, "eraser" | "seeds" | "spots" | "stroke") => 2,
         ("tree_traces_flow", "starts") => 3,
+        (_, "ways") => 6,
         (_, "from" | "points" | "positions" | "indices") => 3,
         _ => 1,
     }
@@ -97,6 +101,14 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("graph_search", _) => "view().n_nodes",
         ("volume_sample", _) => "3 * n_points",
         ("volume_contains" | "volume_distance", _) => "points.size() / 3",
+        ("plan_points_to_drawing" | "plan_points_from_drawing" | "convex_hull", _) => {
+            "spots.size()"
+        }
+        ("crown_contains", _) => "spots.size() / 2",
+        ("crown_levels", _) => "points.size() / 3",
+        ("crown_exits", _) => "ways.size() / 6",
+        ("footprint_of", _) => "TREE_FOOTPRINT_DIRECTIONS",
+        ("templates_select", _) => "count()",
         (name, _) if name.starts_with("convert_") => "from.size()",
         (name, _) if name.starts_with("skeleton_") => "view().n_nodes",
         _ => return None,
@@ -108,6 +120,7 @@ pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
     match (function, argument) {
         ("tree_silhouette_seeds", "seeds") => Some("2 * n_seeds"),
         ("tree_sketch_branches_relations", "relations") => Some("n_relations"),
+        ("tree_convex_hull", "corners") => Some("2 * n_corners"),
         ("tree_mesh_points", "first") => Some("n_points"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
         _ => None,
