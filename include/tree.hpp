@@ -403,12 +403,14 @@ class DirectionField;
 class Drawing;
 class Drawings;
 class Equations;
+class FactorGraph;
 class FoundLeaves;
 class GltfAttributes;
 class GltfLeaves;
 class Graph;
 class GraphNodes;
 class Grid;
+class Inferred;
 class LeafModel;
 class Lines;
 class Look;
@@ -427,6 +429,8 @@ class Profile;
 class Rows;
 class Separation;
 class Skeleton;
+class SketchBranches;
+class SketchSession;
 class Strokes;
 class Swc;
 class Templates;
@@ -492,6 +496,7 @@ struct GraphNodesColumns;
 struct GridColumns;
 struct ImportOptions;
 struct ImportReport;
+struct InferredColumns;
 struct InstancingParams;
 struct InstancingReport;
 struct LeafCard;
@@ -554,7 +559,23 @@ struct SeparationColumns;
 struct SkeletonColumns;
 struct SkeletonizeParams;
 struct SkeletonizeReport;
+struct SketchBranchesColumns;
+using SketchFactorRow = tree_sketch_factor_row;
+struct SketchFinishParams;
+struct SketchFinishReport;
+using SketchHabit = tree_sketch_habit;
+struct SketchInferParams;
+using SketchNormal = tree_sketch_normal;
+struct SketchOmega;
+struct SketchParams;
+using SketchPin = tree_sketch_pin;
+using SketchPosterior = tree_sketch_posterior;
+struct SketchPropagateParams;
+struct SketchPropagateReport;
+using SketchRelation = tree_sketch_relation;
+struct SketchReport;
 struct SketchStroke;
+using SketchTraceRow = tree_sketch_trace_row;
 struct Solid;
 struct Species;
 using Stream = tree_stream;
@@ -771,6 +792,10 @@ struct ImportOptions : tree_import_options {
 
 struct ImportReport : tree_import_report {
     ImportReport() : tree_import_report{} { struct_size = sizeof *this; }
+};
+
+struct InferredColumns : tree_inferred_columns {
+    InferredColumns() : tree_inferred_columns{} { struct_size = sizeof *this; }
 };
 
 struct InstancingParams : tree_instancing_params {
@@ -1038,6 +1063,46 @@ struct SkeletonizeReport : tree_skeletonize_report {
     SkeletonizeReport() : tree_skeletonize_report{} { struct_size = sizeof *this; }
 };
 
+struct SketchBranchesColumns : tree_sketch_branches_columns {
+    SketchBranchesColumns() : tree_sketch_branches_columns{} { struct_size = sizeof *this; }
+};
+
+struct SketchFinishParams : tree_sketch_finish_params {
+    SketchFinishParams() : tree_sketch_finish_params{} { tree_sketch_finish_params_init(this, sizeof(tree_sketch_finish_params)); }
+};
+
+struct SketchFinishReport : tree_sketch_finish_report {
+    SketchFinishReport() : tree_sketch_finish_report{} { struct_size = sizeof *this; }
+};
+
+struct SketchInferParams : tree_sketch_infer_params {
+    SketchInferParams() : tree_sketch_infer_params{} { tree_sketch_infer_params_init(this, sizeof(tree_sketch_infer_params)); }
+    bool thesis();
+};
+
+struct SketchOmega : tree_sketch_omega {
+    SketchOmega() : tree_sketch_omega{} { tree_sketch_omega_init(this, sizeof(tree_sketch_omega)); }
+    bool check() const;
+    SketchOmega without_orders() const;
+};
+
+struct SketchParams : tree_sketch_params {
+    SketchParams() : tree_sketch_params{} { tree_sketch_params_init(this, sizeof(tree_sketch_params)); }
+    bool check() const;
+};
+
+struct SketchPropagateParams : tree_sketch_propagate_params {
+    SketchPropagateParams() : tree_sketch_propagate_params{} { tree_sketch_propagate_params_init(this, sizeof(tree_sketch_propagate_params)); }
+};
+
+struct SketchPropagateReport : tree_sketch_propagate_report {
+    SketchPropagateReport() : tree_sketch_propagate_report{} { struct_size = sizeof *this; }
+};
+
+struct SketchReport : tree_sketch_report {
+    SketchReport() : tree_sketch_report{} { struct_size = sizeof *this; }
+};
+
 struct SketchStroke : tree_sketch_stroke {
     SketchStroke() : tree_sketch_stroke{} { struct_size = sizeof *this; }
 };
@@ -1264,6 +1329,7 @@ public:
     SketchStroke stroke(size_t index) const &;
     SketchStroke stroke(size_t index) const && = delete;
     static Drawing of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branches> main = nullptr, Ref<tree_outline_params> outline = nullptr, Ref<tree_control> control = nullptr);
+    Tree from_sketch(Maybe<tree_templates> templates, Maybe<tree_volume> obstacles, Ref<tree_sketch_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_sketch_report *report = nullptr) const;
 };
 
 class Drawings : public detail::Object<tree_drawings, tree_drawings_free> {
@@ -1280,6 +1346,16 @@ public:
     static Equations make(const Carved &carved, Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr);
     EquationsColumns view() const &;
     EquationsColumns view() const && = delete;
+};
+
+class FactorGraph : public detail::Object<tree_factor_graph, tree_factor_graph_free> {
+public:
+    using Object::Object;
+    static FactorGraph make(const Plan &plan, Ref<tree_sketch_omega> omega, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    Span<const uint32_t> parents() const &;
+    Span<const uint32_t> parents() const && = delete;
+    double length(uint32_t segment) const;
+    tree_sketch_posterior posterior(Ref<tree_sketch_omega> omega, Span<const double> depths, Span<const tree_sketch_label> labels, Ref<tree_control> control = nullptr) const;
 };
 
 class FoundLeaves : public detail::Object<tree_found_leaves, tree_found_leaves_free> {
@@ -1344,6 +1420,15 @@ public:
     bool sample(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
     std::vector<float> nearest(Span<const float> points, Ref<tree_control> control = nullptr) const;
     bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
+};
+
+class Inferred : public detail::Object<tree_inferred, tree_inferred_free> {
+public:
+    using Object::Object;
+    InferredColumns view() const &;
+    InferredColumns view() const && = delete;
+    SketchBranches branches() const;
+    SketchOmega omega() const;
 };
 
 class LeafModel : public detail::Object<tree_leaf_model, tree_leaf_model_free> {
@@ -1568,6 +1653,7 @@ public:
 class Plan : public detail::Object<tree_plan, tree_plan_free> {
 public:
     using Object::Object;
+    Inferred sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
     static Plan from_columns(Ref<tree_plan_columns> columns, Ref<tree_control> control = nullptr);
     PlanColumns view() const &;
     PlanColumns view() const && = delete;
@@ -1658,6 +1744,53 @@ public:
     bool children(Span<uint32_t> starts, Span<uint32_t> nodes) const;
     bool write_swc(std::string_view path, Ref<tree_swc_options> options = nullptr) const;
     Bytes to_swc(Ref<tree_swc_options> options = nullptr) const;
+    Tree sketch_grow_crown(Maybe<tree_crown> crown, Ref<tree_sketch_finish_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_sketch_finish_report *report = nullptr) const;
+};
+
+class SketchBranches : public detail::Object<tree_sketch_branches, tree_sketch_branches_free> {
+public:
+    using Object::Object;
+    static SketchBranches from_columns(Ref<tree_sketch_branches_columns> columns, Ref<tree_control> control = nullptr);
+    SketchBranchesColumns view() const &;
+    SketchBranchesColumns view() const && = delete;
+    std::vector<uint32_t> orders() const;
+    bool orders(Span<uint32_t> orders) const;
+    SketchBranches smooth_depth(uint32_t n_passes) const;
+    Skeleton wood(Ref<tree_sketch_finish_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    SketchOmega sketch_omega_fit() const;
+    std::tuple<std::vector<tree_sketch_relation>, size_t> relations() const;
+    size_t relations(Span<tree_sketch_relation> relations) const;
+    SketchBranches propagate(Ref<tree_sketch_omega> omega, Maybe<tree_crown> crown, Maybe<tree_volume> obstacles, Ref<tree_sketch_propagate_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_sketch_propagate_report *report = nullptr) const;
+};
+
+class SketchSession : public detail::Object<tree_sketch_session, tree_sketch_session_free> {
+public:
+    using Object::Object;
+    static SketchSession make(const Drawing &drawing, Ref<tree_sketch_params> params, uint64_t seed);
+    SketchSession copy() const;
+    bool set_seed(uint64_t seed) const;
+    bool set_params(Ref<tree_sketch_params> params = nullptr) const;
+    bool set_templates(Maybe<tree_templates> templates = nullptr) const;
+    bool set_obstacles(Maybe<tree_volume> obstacles = nullptr) const;
+    bool infer_anew() const;
+    bool redo_from(tree_sketch_stage stage) const;
+    size_t add_stroke(Ref<tree_sketch_stroke> stroke = nullptr, Ref<tree_control> control = nullptr) const;
+    size_t erase_stroke(size_t stroke, Ref<tree_control> control, Span<uint32_t> gone) const;
+    bool set_depth(size_t stroke, const Floats<2> &at, float depth, Ref<tree_control> control = nullptr) const;
+    Drawing drawing() const;
+    uint64_t seed() const;
+    SketchParams params() const &;
+    SketchParams params() const && = delete;
+    uint32_t runs(tree_sketch_stage stage) const;
+    Plan plan(Ref<tree_control> control = nullptr) const;
+    Crown crown(Ref<tree_control> control = nullptr) const;
+    size_t choices(Ref<tree_control> control, Span<tree_choice> choices) const;
+    Templates template_taken(Ref<tree_control> control = nullptr) const;
+    Inferred inferred(Ref<tree_control> control = nullptr) const;
+    SketchBranches branches(Ref<tree_control> control = nullptr, tree_sketch_propagate_report *report = nullptr) const;
+    Skeleton wood(Ref<tree_control> control = nullptr) const;
+    Tree tree(Ref<tree_control> control = nullptr, tree_sketch_report *report = nullptr) const;
+    Lines warnings(Ref<tree_control> control = nullptr) const;
 };
 
 class Strokes : public detail::Object<tree_strokes, tree_strokes_free> {
@@ -1682,6 +1815,7 @@ public:
 class Templates : public detail::Object<tree_templates, tree_templates_free> {
 public:
     using Object::Object;
+    SketchOmega omega(size_t index) const;
     std::vector<tree_choice> select(const Plan &plan, Maybe<tree_crown> crown = nullptr, Ref<tree_select_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     bool select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const;
     static Templates builtin();
@@ -1879,6 +2013,7 @@ bool footprint_of(Span<const float> spots, Ref<tree_control> control, Span<float
 float footprint_difference(Span<const float> first, Span<const float> second);
 std::tuple<std::vector<float>, size_t> convex_hull(Span<const float> spots, Ref<tree_control> control = nullptr);
 size_t convex_hull(Span<const float> spots, Ref<tree_control> control, Span<float> corners);
+SketchOmega sketch_omega_of_relations(Span<const tree_sketch_relation> relations, Ref<tree_control> control = nullptr);
 uint32_t abi_version();
 std::string_view version();
 size_t live_objects();
@@ -3682,6 +3817,29 @@ inline Tree Mesh::skeletonize_mesh(Span<const tree_hint> hints, Ref<tree_skeleto
     detail::done(tree_skeletonize_mesh(get(), hints.data(), hints.size(), params, control, report, tree.place()), control);
     return tree;
 }
+inline SketchBranches SketchBranches::from_columns(Ref<tree_sketch_branches_columns> columns, Ref<tree_control> control) {
+    SketchBranches branches;
+    detail::done(tree_sketch_branches_from_columns(columns, control, branches.place()), control);
+    return branches;
+}
+inline SketchBranchesColumns SketchBranches::view() const & {
+    SketchBranchesColumns columns;
+    if (!(detail::done(tree_sketch_branches_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::vector<uint32_t> SketchBranches::orders() const {
+    std::vector<uint32_t> orders(view().n_segments);
+    if (!(detail::done(tree_sketch_branches_orders(get(), orders.data(), orders.size())))) { orders.clear(); }
+    return orders;
+}
+inline bool SketchBranches::orders(Span<uint32_t> orders) const {
+    return detail::done(tree_sketch_branches_orders(get(), orders.data(), orders.size()));
+}
+inline SketchBranches SketchBranches::smooth_depth(uint32_t n_passes) const {
+    SketchBranches smooth;
+    detail::done(tree_sketch_branches_smooth_depth(get(), n_passes, smooth.place()));
+    return smooth;
+}
 inline bool CleanParams::check() const {
     return detail::done(tree_clean_params_check(this));
 }
@@ -3834,6 +3992,17 @@ inline Drawing Drawing::of_tree(const Tree &tree, float yaw, bool with_crown, Re
     detail::done(tree_drawing_of_tree(tree.get(), yaw, with_crown ? 1u : 0u, main, outline, control, drawing.place()), control);
     return drawing;
 }
+inline Skeleton SketchBranches::wood(Ref<tree_sketch_finish_params> params, Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_sketch_branches_wood(get(), params, control, wood.place()), control);
+    return wood;
+}
+inline Tree Skeleton::sketch_grow_crown(Maybe<tree_crown> crown, Ref<tree_sketch_finish_params> params, uint64_t seed, Ref<tree_control> control, tree_sketch_finish_report *report) const {
+    Tree tree;
+    static_cast<void>(detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_grow_crown(get(), crown, params, seed, control, report, tree.place()), control));
+    return tree;
+}
 inline std::vector<float> footprint_of(Span<const float> spots, Ref<tree_control> control) {
     std::vector<float> distances(TREE_FOOTPRINT_DIRECTIONS);
     if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
@@ -3863,6 +4032,51 @@ inline size_t convex_hull(Span<const float> spots, Ref<tree_control> control, Sp
         && detail::done(tree_convex_hull(spots.data(), spots.size() / 2, control, corners.data(), corners.size(), &n_corners), control));
     return n_corners;
 }
+inline bool SketchInferParams::thesis() {
+    return detail::done(tree_sketch_infer_params_thesis(this));
+}
+inline Inferred Plan::sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control) const {
+    Inferred inferred;
+    detail::done(tree_sketch_infer(get(), omega, pins.data(), pins.size(), params, seed, control, inferred.place()), control);
+    return inferred;
+}
+inline InferredColumns Inferred::view() const & {
+    InferredColumns columns;
+    if (!(detail::done(tree_inferred_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline SketchBranches Inferred::branches() const {
+    SketchBranches branches;
+    detail::done(tree_inferred_branches(get(), branches.place()));
+    return branches;
+}
+inline SketchOmega Inferred::omega() const {
+    SketchOmega omega;
+    if (!(detail::done(tree_inferred_omega(get(), &omega)))) { omega.struct_size = 0; }
+    return omega;
+}
+inline FactorGraph FactorGraph::make(const Plan &plan, Ref<tree_sketch_omega> omega, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control) {
+    FactorGraph graph;
+    detail::done(tree_factor_graph_new(plan.get(), omega, params, seed, control, graph.place()), control);
+    return graph;
+}
+inline Span<const uint32_t> FactorGraph::parents() const & {
+    const uint32_t *parents = nullptr;
+    size_t n_segments = 0;
+    detail::done(tree_factor_graph_parents(get(), &parents, &n_segments));
+    return Span<const uint32_t>(parents, n_segments);
+}
+inline double FactorGraph::length(uint32_t segment) const {
+    double metres{};
+    detail::done(tree_factor_graph_length(get(), segment, &metres));
+    return metres;
+}
+inline tree_sketch_posterior FactorGraph::posterior(Ref<tree_sketch_omega> omega, Span<const double> depths, Span<const tree_sketch_label> labels, Ref<tree_control> control) const {
+    tree_sketch_posterior posterior{};
+    static_cast<void>(detail::expect(depths.size() == labels.size(), TREE_ERROR_BUFFER, "depths and labels must be of one length")
+        && detail::done(tree_factor_graph_posterior(get(), omega, depths.data(), labels.data(), depths.size(), control, &posterior), control));
+    return posterior;
+}
 inline Midlines Midlines::of(Ref<tree_strokes_columns> columns, Ref<tree_midline_params> params, Ref<tree_control> control) {
     Midlines midlines;
     detail::done(tree_midlines_of(columns, params, control, midlines.place()), control);
@@ -3878,6 +4092,41 @@ inline Span<const float> Midlines::half_widths() const & {
     size_t n_points = 0;
     detail::done(tree_midlines_half_widths(get(), &half_widths, &n_points));
     return Span<const float>(half_widths, n_points);
+}
+inline bool SketchOmega::check() const {
+    return detail::done(tree_sketch_omega_check(this));
+}
+inline SketchOmega SketchBranches::sketch_omega_fit() const {
+    SketchOmega omega;
+    if (!(detail::done(tree_sketch_omega_fit(get(), &omega)))) { omega.struct_size = 0; }
+    return omega;
+}
+inline SketchOmega Templates::omega(size_t index) const {
+    SketchOmega omega;
+    if (!(detail::done(tree_templates_omega(get(), index, &omega)))) { omega.struct_size = 0; }
+    return omega;
+}
+inline SketchOmega sketch_omega_of_relations(Span<const tree_sketch_relation> relations, Ref<tree_control> control) {
+    SketchOmega omega;
+    if (!(detail::done(tree_sketch_omega_of_relations(relations.data(), relations.size(), control, &omega), control))) { omega.struct_size = 0; }
+    return omega;
+}
+inline SketchOmega SketchOmega::without_orders() const {
+    SketchOmega whole;
+    if (!(detail::done(tree_sketch_omega_without_orders(this, &whole)))) { whole.struct_size = 0; }
+    return whole;
+}
+inline std::tuple<std::vector<tree_sketch_relation>, size_t> SketchBranches::relations() const {
+    std::vector<tree_sketch_relation> relations(view().n_segments);
+    size_t n_relations{};
+    if (!(detail::done(tree_sketch_branches_relations(get(), relations.data(), relations.size(), &n_relations)))) { relations.clear(); }
+    relations.resize(n_relations);
+    return {std::move(relations), std::move(n_relations)};
+}
+inline size_t SketchBranches::relations(Span<tree_sketch_relation> relations) const {
+    size_t n_relations{};
+    detail::done(tree_sketch_branches_relations(get(), relations.data(), relations.size(), &n_relations));
+    return n_relations;
 }
 inline Plan Plan::from_columns(Ref<tree_plan_columns> columns, Ref<tree_control> control) {
     Plan plan;
@@ -3936,6 +4185,13 @@ inline bool Plan::points_from_drawing(Span<const float> spots, Ref<tree_control>
     return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
         && detail::done(tree_plan_points_from_drawing(get(), spots.data(), spots.size() / 2, control, planned.data(), planned.size()), control);
 }
+inline SketchBranches SketchBranches::propagate(Ref<tree_sketch_omega> omega, Maybe<tree_crown> crown, Maybe<tree_volume> obstacles, Ref<tree_sketch_propagate_params> params, uint64_t seed, Ref<tree_control> control, tree_sketch_propagate_report *report) const {
+    SketchBranches grown;
+    static_cast<void>(detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::expect(obstacles.fits(), TREE_ERROR_NULL, "obstacles: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_branches_propagate(get(), omega, crown, obstacles, params, seed, control, report, grown.place()), control));
+    return grown;
+}
 inline bool SelectParams::check() const {
     return detail::done(tree_select_params_check(this));
 }
@@ -3948,6 +4204,124 @@ inline std::vector<tree_choice> Templates::select(const Plan &plan, Maybe<tree_c
 inline bool Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const {
     return detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
         && detail::done(tree_templates_select(get(), plan.get(), crown, params, control, choices.data(), choices.size()), control);
+}
+inline SketchSession SketchSession::make(const Drawing &drawing, Ref<tree_sketch_params> params, uint64_t seed) {
+    SketchSession session;
+    detail::done(tree_sketch_session_new(drawing.get(), params, seed, session.place()));
+    return session;
+}
+inline SketchSession SketchSession::copy() const {
+    SketchSession copy;
+    detail::done(tree_sketch_session_copy(get(), copy.place()));
+    return copy;
+}
+inline bool SketchSession::set_seed(uint64_t seed) const {
+    return detail::done(tree_sketch_session_set_seed(get(), seed));
+}
+inline bool SketchSession::set_params(Ref<tree_sketch_params> params) const {
+    return detail::done(tree_sketch_session_set_params(get(), params));
+}
+inline bool SketchSession::set_templates(Maybe<tree_templates> templates) const {
+    return detail::expect(templates.fits(), TREE_ERROR_NULL, "templates: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_session_set_templates(get(), templates));
+}
+inline bool SketchSession::set_obstacles(Maybe<tree_volume> obstacles) const {
+    return detail::expect(obstacles.fits(), TREE_ERROR_NULL, "obstacles: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_session_set_obstacles(get(), obstacles));
+}
+inline bool SketchSession::infer_anew() const {
+    return detail::done(tree_sketch_session_infer_anew(get()));
+}
+inline bool SketchSession::redo_from(tree_sketch_stage stage) const {
+    return detail::done(tree_sketch_session_redo_from(get(), stage));
+}
+inline size_t SketchSession::add_stroke(Ref<tree_sketch_stroke> stroke, Ref<tree_control> control) const {
+    size_t number{};
+    detail::done(tree_sketch_session_add_stroke(get(), stroke, control, &number), control);
+    return number;
+}
+inline size_t SketchSession::erase_stroke(size_t stroke, Ref<tree_control> control, Span<uint32_t> gone) const {
+    size_t n_gone{};
+    detail::done(tree_sketch_session_erase_stroke(get(), stroke, control, gone.data(), gone.size(), &n_gone), control);
+    return n_gone;
+}
+inline bool SketchSession::set_depth(size_t stroke, const Floats<2> &at, float depth, Ref<tree_control> control) const {
+    return detail::done(tree_sketch_session_set_depth(get(), stroke, at, depth, control), control);
+}
+inline Drawing SketchSession::drawing() const {
+    Drawing drawing;
+    detail::done(tree_sketch_session_drawing(get(), drawing.place()));
+    return drawing;
+}
+inline uint64_t SketchSession::seed() const {
+    uint64_t seed{};
+    detail::done(tree_sketch_session_seed(get(), &seed));
+    return seed;
+}
+inline SketchParams SketchSession::params() const & {
+    SketchParams params;
+    if (!(detail::done(tree_sketch_session_params(get(), &params)))) { params.struct_size = 0; }
+    return params;
+}
+inline uint32_t SketchSession::runs(tree_sketch_stage stage) const {
+    uint32_t n_runs{};
+    detail::done(tree_sketch_session_runs(get(), stage, &n_runs));
+    return n_runs;
+}
+inline Plan SketchSession::plan(Ref<tree_control> control) const {
+    Plan plan;
+    detail::done(tree_sketch_session_plan(get(), control, plan.place()), control);
+    return plan;
+}
+inline Crown SketchSession::crown(Ref<tree_control> control) const {
+    Crown crown;
+    detail::done(tree_sketch_session_crown(get(), control, crown.place()), control);
+    return crown;
+}
+inline size_t SketchSession::choices(Ref<tree_control> control, Span<tree_choice> choices) const {
+    size_t n_choices{};
+    detail::done(tree_sketch_session_choices(get(), control, choices.data(), choices.size(), &n_choices), control);
+    return n_choices;
+}
+inline Templates SketchSession::template_taken(Ref<tree_control> control) const {
+    Templates taken;
+    detail::done(tree_sketch_session_template_taken(get(), control, taken.place()), control);
+    return taken;
+}
+inline Inferred SketchSession::inferred(Ref<tree_control> control) const {
+    Inferred inferred;
+    detail::done(tree_sketch_session_inferred(get(), control, inferred.place()), control);
+    return inferred;
+}
+inline SketchBranches SketchSession::branches(Ref<tree_control> control, tree_sketch_propagate_report *report) const {
+    SketchBranches branches;
+    detail::done(tree_sketch_session_branches(get(), control, report, branches.place()), control);
+    return branches;
+}
+inline Skeleton SketchSession::wood(Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_sketch_session_wood(get(), control, wood.place()), control);
+    return wood;
+}
+inline Tree SketchSession::tree(Ref<tree_control> control, tree_sketch_report *report) const {
+    Tree tree;
+    detail::done(tree_sketch_session_tree(get(), control, report, tree.place()), control);
+    return tree;
+}
+inline Lines SketchSession::warnings(Ref<tree_control> control) const {
+    Lines warnings;
+    detail::done(tree_sketch_session_warnings(get(), control, warnings.place()), control);
+    return warnings;
+}
+inline bool SketchParams::check() const {
+    return detail::done(tree_sketch_params_check(this));
+}
+inline Tree Drawing::from_sketch(Maybe<tree_templates> templates, Maybe<tree_volume> obstacles, Ref<tree_sketch_params> params, uint64_t seed, Ref<tree_control> control, tree_sketch_report *report) const {
+    Tree tree;
+    static_cast<void>(detail::expect(templates.fits(), TREE_ERROR_NULL, "templates: empty; leave it out, or hand over nullptr")
+        && detail::expect(obstacles.fits(), TREE_ERROR_NULL, "obstacles: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_from_sketch(get(), templates, obstacles, params, seed, control, report, tree.place()), control));
+    return tree;
 }
 inline Templates Templates::builtin() {
     Templates templates;

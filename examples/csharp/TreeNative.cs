@@ -83,6 +83,12 @@ namespace TreeFamily.Native
     public struct tree_equations { }
 
     /// <summary>
+    /// The factor graph of a sketch (Neubert 2012, section 4.5.1): what any depths and labels are worth. Segments are
+    /// numbered generation by generation, as in a `tree_inferred` of the same plan.
+    /// </summary>
+    public struct tree_factor_graph { }
+
+    /// <summary>
     /// Leaves found in a mesh, and their kinds.
     /// </summary>
     public struct tree_found_leaves { }
@@ -112,6 +118,11 @@ namespace TreeFamily.Native
     /// optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
     /// </summary>
     public struct tree_grid { }
+
+    /// <summary>
+    /// A sketch in space: what was inferred of it.
+    /// </summary>
+    public struct tree_inferred { }
 
     /// <summary>
     /// The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
@@ -216,6 +227,27 @@ namespace TreeFamily.Native
     /// Branches as a rooted tree of nodes with radii.
     /// </summary>
     public struct tree_skeleton { }
+
+    /// <summary>
+    /// Branch segments from fork to fork, parents first: those of a sketch, or those with what grew on them
+    /// (`tree_sketch_branches_propagate`).
+    /// </summary>
+    public struct tree_sketch_branches { }
+
+    /// <summary>
+    /// A sketch on its way to a tree: a drawing, parameters, templates, and what has been made of them so far.
+    ///
+    /// Every stage can be asked for by itself and is done when its result, or that of a later one, is first asked for.
+    /// Edits keep what does not depend on them: once depths have been inferred, strokes can be added and erased and
+    /// depths moved, and those of all other branches stay, as do scale, template, Ω and what grew on other branches.
+    /// `tree_sketch_session_infer_anew` forgets all of that. A call that fails or is cancelled leaves the session as it
+    /// was, with the stages done by then.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+    /// on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
+    /// and outlives it.
+    /// </summary>
+    public struct tree_sketch_session { }
 
     /// <summary>
     /// Strokes read from a drawing, a session's branches as strokes, or outlines.
@@ -6132,6 +6164,71 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// Columns of branches: as input, or as a view of a `tree_sketch_branches`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_branches_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_branches_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of segments, at least 1.
+        /// </summary>
+        public UIntPtr n_segments;
+        /// <summary>
+        /// Number of points of all segments.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Parent of each segment, which comes before it; `TREE_NO_PARENT` for segment 0.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// Label of each segment; that of segment 0 is `TREE_SKETCH_APICAL`.
+        /// </summary>
+        public uint* labels;
+        /// <summary>
+        /// Where each segment's points begin in `points`, and at last their number: `n_segments + 1` values.
+        /// </summary>
+        public uint* starts;
+        /// <summary>
+        /// Three floats for each point, in metres: seen along -Z, as the sketch was drawn, z is the depth, positive
+        /// towards the viewer. A segment's first point is its parent's last; those that propagation adds may begin on
+        /// the way there.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// A name for each segment that stays when others are drawn or erased: streams of randomness go by it. NULL where
+        /// segments have none. Not read as input.
+        /// </summary>
+        public ulong* names;
+        /// <summary>
+        /// The generation of each segment, 0 for the sketched. Not read as input.
+        /// </summary>
+        public uint* generations;
+        /// <summary>
+        /// Where on its parent each segment begins, counted in the parent's points: 2.25 is a quarter of the way from its
+        /// point 2 to its point 3. Not read as input.
+        /// </summary>
+        public float* forks;
+        /// <summary>
+        /// How many segments are sketched; they come first. Not read as input.
+        /// </summary>
+        public UIntPtr n_sketched;
+        /// <summary>
+        /// Whether segment 0 is not drawn: it stands below a base from which several stems rise, and only says that they
+        /// rise.
+        /// </summary>
+        public uint imagined_root;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
     /// How a drawing is cleaned and joined. Shares are of the drawing's height (or of a tenth of its width, where
     /// that is more). Begin with `tree_clean_params_init`.
     /// </summary>
@@ -6385,6 +6482,382 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How branches become a tree. Begin with `tree_sketch_finish_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_finish_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_finish_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whose twigs and leaves: one of the names that `tree_foliage_species_name` gives. Default "oak", which an empty text
+        /// is too.
+        /// </summary>
+        public tree_str species;
+        /// <summary>
+        /// Whether there are leaves. Default 1.
+        /// </summary>
+        public uint leaves;
+        /// <summary>
+        /// Whether there are twigs. Default 1.
+        /// </summary>
+        public uint twigs;
+        /// <summary>
+        /// Radius of the trunk as a share of the height, 1e-4 to 0.2. Default 0.018.
+        /// </summary>
+        public float slenderness;
+        /// <summary>
+        /// How radii add up at forks: Δ of the pipe model, 1 to 10. Default Murray's.
+        /// </summary>
+        public float exponent;
+        /// <summary>
+        /// Leaves against those of a tree in full leaf, 0 to 10. Default 1.
+        /// </summary>
+        public float fullness;
+        /// <summary>
+        /// Length of twigs against the usual of the species, 0.05 to 20. Default 1.
+        /// </summary>
+        public float twig_length;
+    }
+
+    /// <summary>
+    /// What the finish did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_finish_report
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_finish_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Nodes of branches.
+        /// </summary>
+        public ulong n_wood_nodes;
+        /// <summary>
+        /// Nodes of twigs.
+        /// </summary>
+        public ulong n_twig_nodes;
+        /// <summary>
+        /// Nodes of twigs cut off because they left the crown or entered the ground.
+        /// </summary>
+        public ulong n_twig_nodes_cut;
+        /// <summary>
+        /// Blades that stayed: rows of the foliage.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Blades left out because they left the crown or entered the ground.
+        /// </summary>
+        public ulong n_leaves_outside;
+        /// <summary>
+        /// How much larger leaves are than the species', because there would be too many; a factor.
+        /// </summary>
+        public float leaves_larger;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How depths, labels and Ω are inferred. Begin with `tree_sketch_infer_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_infer_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_infer_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whether Ω stays the template's (Neubert 2012, section 4.6.1) or fits itself to the sketch (section 4.6.2).
+        /// Default 0.
+        /// </summary>
+        public uint keep_omega;
+        /// <summary>
+        /// Rounds of refining depths and, unless `keep_omega`, of estimating Ω, 0 to 100. Default 6; the thesis needed
+        /// fewer than 10.
+        /// </summary>
+        public uint rounds;
+        /// <summary>
+        /// Passes of ICM over all segments in each round, at most, 1 to 1000. Default 8.
+        /// </summary>
+        public uint sweeps;
+        /// <summary>
+        /// ICM ends where the depths of a pass changed by less than this share of the drawing's size altogether, 0 to 1.
+        /// Default 0.0005.
+        /// </summary>
+        public float settled;
+        /// <summary>
+        /// How many half-placed trees bottom-up inference keeps at once, 1 to 4096; 1 is the thesis. Large drawings get
+        /// fewer, so that time stays linear. Default 64.
+        /// </summary>
+        public uint beam;
+        /// <summary>
+        /// How far angles and ratios spread as Ω says, 0 to 1. At 0 each segment aims at the means, as in the thesis, and
+        /// all branches come out alike; at 1 each aims at a draw from Ω of its own. Default 1.
+        /// </summary>
+        public float spread;
+        /// <summary>
+        /// How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 5.
+        /// </summary>
+        public float competition;
+        /// <summary>
+        /// How much likelier, as the logarithm of a ratio, a stroke goes on as the same axis than as a lateral, 0 (the
+        /// thesis) to 100. Default 3.
+        /// </summary>
+        public float follow;
+        /// <summary>
+        /// Standard deviation in radians by which a stroke bends towards or away from the viewer from one segment to the
+        /// next, 0.01 to 10. Small keeps curvy strokes in their plane. Default 0.3.
+        /// </summary>
+        public float bending;
+        /// <summary>
+        /// Ω counts with so many imagined segments of the template when it is estimated, 0.1 to 1e6. Default 8.
+        /// </summary>
+        public float template_weight;
+        /// <summary>
+        /// Branches that cross in the drawing keep this multiple of their thickness apart, 0 (off) to 10. Default 1.3.
+        /// </summary>
+        public float clearance;
+        /// <summary>
+        /// Radius of the trunk as a share of the height, for the branches' thickness, 1e-4 to 0.2. Default 0.02.
+        /// </summary>
+        public float slenderness;
+    }
+
+    /// <summary>
+    /// A normal distribution.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_normal
+    {
+        /// <summary>
+        /// Its mean μ.
+        /// </summary>
+        public float mean;
+        /// <summary>
+        /// Its standard deviation σ, 1e-4 to 10.
+        /// </summary>
+        public float deviation;
+    }
+
+    /// <summary>
+    /// How axes of one order go on and branch. Angles in radians.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_habit
+    {
+        /// <summary>
+        /// Natural logarithm of the length of the apical segment over that of the segment below. The mean is -10 to 10.
+        /// </summary>
+        public tree_sketch_normal scale;
+        /// <summary>
+        /// Natural logarithm of the length of a lateral's first segment over that of the segment below. The mean is -10
+        /// to 10.
+        /// </summary>
+        public tree_sketch_normal lateral_scale;
+        /// <summary>
+        /// α: the angle between the apical segment and the segment below. The mean is 0 to π.
+        /// </summary>
+        public tree_sketch_normal alpha;
+        /// <summary>
+        /// β: the angle between a lateral and the segment below. The mean is 0 to π.
+        /// </summary>
+        public tree_sketch_normal beta;
+        /// <summary>
+        /// γ: the turn about the axis from one lateral to the next. The mean is -2π to 2π.
+        /// </summary>
+        public tree_sketch_normal gamma;
+    }
+
+    /// <summary>
+    /// Ω, the global parameters of a tree: a habit for axes of order 0 (the trunk), 1 and so on. Begin with
+    /// `tree_sketch_omega_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_omega
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_omega)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How many orders have a habit of their own, 1 to `TREE_SKETCH_ORDERS`; the last one holds for all higher
+        /// orders too. Default 1. Of a template with more of them the first are given.
+        /// </summary>
+        public uint n_orders;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// The habits; rows from `n_orders` on do not count. Default: a broad-leaved tree's, with nearly straight axes
+        /// and laterals at half a right angle in a golden spiral.
+        /// </summary>
+        public tree_sketch_habit orders_0, orders_1, orders_2, orders_3, orders_4, orders_5, orders_6, orders_7;
+    }
+
+    /// <summary>
+    /// A depth that is known: of the end of the segment that ends at a node of the plan.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_pin
+    {
+        /// <summary>
+        /// Node of the plan: a tip or a fork.
+        /// </summary>
+        public uint node;
+        /// <summary>
+        /// Its depth in metres; positive is towards the viewer.
+        /// </summary>
+        public float depth;
+    }
+
+    /// <summary>
+    /// The posterior's logarithm, part by part.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_posterior
+    {
+        /// <summary>
+        /// The whole: the sum of the others.
+        /// </summary>
+        public double total;
+        /// <summary>
+        /// Sum of the factors between segments and their parents (Eq. 4.17).
+        /// </summary>
+        public double branches;
+        /// <summary>
+        /// Competition for space (Eq. 4.22).
+        /// </summary>
+        public double competition;
+        /// <summary>
+        /// Branches that cross without room, 0 where none does.
+        /// </summary>
+        public double crossings;
+        /// <summary>
+        /// Ω, seen from the template.
+        /// </summary>
+        public double omega;
+    }
+
+    /// <summary>
+    /// The posterior after a step.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_trace_row
+    {
+        /// <summary>
+        /// The step.
+        /// </summary>
+        public uint step; // tree_sketch_step
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// The posterior after it.
+        /// </summary>
+        public tree_sketch_posterior posterior;
+    }
+
+    /// <summary>
+    /// The factor of one segment, part by part, as logarithms.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_factor_row
+    {
+        /// <summary>
+        /// The segment.
+        /// </summary>
+        public uint segment;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// ln p(s | Ω).
+        /// </summary>
+        public double scale;
+        /// <summary>
+        /// ln p(α | Ω) or ln p(β | Ω).
+        /// </summary>
+        public double divergence;
+        /// <summary>
+        /// ln p(γ | Ω); 0 where there is no roll.
+        /// </summary>
+        public double roll;
+        /// <summary>
+        /// What the factors along strokes add.
+        /// </summary>
+        public double stroke;
+        /// <summary>
+        /// Competition and crossings that change with this segment's depth.
+        /// </summary>
+        public double shared;
+    }
+
+    /// <summary>
+    /// A view of what was inferred.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_inferred_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_inferred_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of segments; `tree_inferred_branches` has their points and labels.
+        /// </summary>
+        public UIntPtr n_segments;
+        /// <summary>
+        /// Where the nodes of each segment begin in `nodes`, and at last their number: `n_segments + 1` values.
+        /// </summary>
+        public uint* node_starts;
+        /// <summary>
+        /// The plan's nodes that the points of each segment are, in their order; for an imagined root the base alone.
+        /// </summary>
+        public uint* nodes;
+        /// <summary>
+        /// Number of nodes in `nodes`.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// The posterior after each step. It never falls.
+        /// </summary>
+        public tree_sketch_trace_row* trace;
+        /// <summary>
+        /// Number of steps.
+        /// </summary>
+        public UIntPtr n_trace;
+        /// <summary>
+        /// The factor of each segment but the root.
+        /// </summary>
+        public tree_sketch_factor_row* factors;
+        /// <summary>
+        /// Number of factors.
+        /// </summary>
+        public UIntPtr n_factors;
+        /// <summary>
+        /// The posterior.
+        /// </summary>
+        public tree_sketch_posterior posterior;
+        /// <summary>
+        /// Crossings in the drawing of branches that could not be given room.
+        /// </summary>
+        public uint n_interpenetrations;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
     /// How middle lines are found. Begin with `tree_midline_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -6402,6 +6875,43 @@ namespace TreeFamily.Native
         /// What lies inside. Default `TREE_FILL_NON_ZERO`.
         /// </summary>
         public uint rule; // tree_fill_rule
+    }
+
+    /// <summary>
+    /// How a segment lies to its parent.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_relation
+    {
+        /// <summary>
+        /// The segment.
+        /// </summary>
+        public uint segment;
+        /// <summary>
+        /// Its label.
+        /// </summary>
+        public uint label; // tree_sketch_label
+        /// <summary>
+        /// Gravelius order of its parent's axis: the order whose habit it follows.
+        /// </summary>
+        public uint order;
+        /// <summary>
+        /// 1 where `roll` counts: not for apical segments, nor for the first lateral of an axis.
+        /// </summary>
+        public uint has_roll;
+        /// <summary>
+        /// Natural logarithm of its length over its parent's.
+        /// </summary>
+        public double scale;
+        /// <summary>
+        /// Angle to its parent in radians: α of an apical segment, β of a lateral.
+        /// </summary>
+        public double divergence;
+        /// <summary>
+        /// For a lateral, the turn about the axis from the last lateral's side, less what its place in the fork's whorl
+        /// gives, -π to π. 0 where there is none.
+        /// </summary>
+        public double roll;
     }
 
     /// <summary>
@@ -6478,6 +6988,142 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How a sketch is filled up with branches. Begin with `tree_sketch_propagate_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_propagate_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_propagate_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Generations of new segments where no crown is drawn, 0 (none) to 32. Default 5, as in the thesis.
+        /// </summary>
+        public uint generations;
+        /// <summary>
+        /// Most generations where a crown is drawn: its surface mostly ends growth before, 0 to 32. Default 7.
+        /// </summary>
+        public uint generations_in_crown;
+        /// <summary>
+        /// A sketched segment longer than this many times its natural length gets new laterals, 1 to 1e6. Default 1.5;
+        /// 1e6 for none.
+        /// </summary>
+        public float long_from;
+        /// <summary>
+        /// Longest natural length of a segment from fork to fork, as a share of the tree's height, 1e-3 to 1. Default
+        /// 0.045. Smaller gives more laterals along sketched branches.
+        /// </summary>
+        public float internode;
+        /// <summary>
+        /// Segments shorter than this share of the tree's height do not grow, 1e-4 to 1. Default 0.009.
+        /// </summary>
+        public float shortest;
+        /// <summary>
+        /// Share of a trunk without drawn branches that stays bare where no crown is drawn, 0 to 1. Default 0.25.
+        /// </summary>
+        public float bare;
+        /// <summary>
+        /// Whether a trunk with drawn branches gets new laterals below the first of them too. Default 0.
+        /// </summary>
+        public uint below_first;
+        /// <summary>
+        /// Highest Gravelius order of new axes, 0 to 32. Default 8. A palm has 1: its fronds do not branch.
+        /// </summary>
+        public uint orders;
+        /// <summary>
+        /// Most segments, sketched and new, 1 to 100 million. Default 20,000. The last generation is thinned evenly where
+        /// there would be more.
+        /// </summary>
+        public uint max_segments;
+        /// <summary>
+        /// How far each new segment turns down: so many times straight down is added to its direction, -1 to 1. Negative
+        /// turns up. Default 0.
+        /// </summary>
+        public float gravitropism;
+        /// <summary>
+        /// Random deviation of angles from those of the block, in radians, 0 to π. Default 0.12.
+        /// </summary>
+        public float jitter;
+        /// <summary>
+        /// Distance in metres that new segments keep from obstacles, 0 to 1e6. Default 0.1.
+        /// </summary>
+        public float clearance;
+    }
+
+    /// <summary>
+    /// What propagation did. Numbers count segments unless they say otherwise.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_propagate_report
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_propagate_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// New ones.
+        /// </summary>
+        public ulong n_new;
+        /// <summary>
+        /// Sketched ones so long that they got new laterals.
+        /// </summary>
+        public ulong n_long;
+        /// <summary>
+        /// New forks along those.
+        /// </summary>
+        public ulong n_forks;
+        /// <summary>
+        /// Open ends and forks of the sketch that lie outside the crown, where nothing grew.
+        /// </summary>
+        public ulong n_ends_outside;
+        /// <summary>
+        /// Those that end at the crown's surface.
+        /// </summary>
+        public ulong n_touched;
+        /// <summary>
+        /// Left out because the surface left too little of them.
+        /// </summary>
+        public ulong n_outside;
+        /// <summary>
+        /// Left out because they would have been shorter than `shortest`.
+        /// </summary>
+        public ulong n_too_short;
+        /// <summary>
+        /// Turned aside from an obstacle or the ground.
+        /// </summary>
+        public ulong n_turned_aside;
+        /// <summary>
+        /// Shortened because of an obstacle or the ground.
+        /// </summary>
+        public ulong n_shortened;
+        /// <summary>
+        /// Left out because of an obstacle or the ground.
+        /// </summary>
+        public ulong n_blocked;
+        /// <summary>
+        /// Left out because there would have been more than `max_segments`.
+        /// </summary>
+        public ulong n_over_cap;
+        /// <summary>
+        /// The last generation in which any grew.
+        /// </summary>
+        public uint generations;
+        /// <summary>
+        /// Replication blocks taken from the sketch.
+        /// </summary>
+        public uint n_blocks;
+        /// <summary>
+        /// Replication blocks drawn from Ω because the sketch has few of their order.
+        /// </summary>
+        public uint n_blocks_from_omega;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
     /// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -6547,6 +7193,190 @@ namespace TreeFamily.Native
         /// The directions' part, weighted.
         /// </summary>
         public float directions;
+    }
+
+    /// <summary>
+    /// All parameters of the way from a drawing to a tree. A part that is NULL, as all are after
+    /// `tree_sketch_params_init`, is its default.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the template. Empty, the default: the one that suits the drawing best.
+        /// </summary>
+        public tree_str template_name;
+        /// <summary>
+        /// Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_species_name` gives. Empty,
+        /// the default: the template's.
+        /// </summary>
+        public tree_str species;
+        /// <summary>
+        /// How strokes are cleaned and joined. Its `height` is not used here.
+        /// </summary>
+        public tree_clean_params* clean;
+        /// <summary>
+        /// How the crown is closed.
+        /// </summary>
+        public tree_crown_params* crown;
+        /// <summary>
+        /// How templates are compared with the drawing.
+        /// </summary>
+        public tree_select_params* select;
+        /// <summary>
+        /// How depths are inferred. Its `slenderness` is not used here.
+        /// </summary>
+        public tree_sketch_infer_params* infer;
+        /// <summary>
+        /// How branches are propagated.
+        /// </summary>
+        public tree_sketch_propagate_params* propagate;
+        /// <summary>
+        /// How branches become a tree. Its `species` is not used here, its `slenderness` counts relative to the default:
+        /// the template has its own.
+        /// </summary>
+        public tree_sketch_finish_params* finish;
+        /// <summary>
+        /// Height of the drawing, branches and crown, in metres, 0.01 to 1000. 0, the default: the template's.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What became of a drawing on the way to a tree. Numbers of propagation count segments unless they say otherwise.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_report
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Repairs of strokes.
+        /// </summary>
+        public ulong n_stroke_repairs;
+        /// <summary>
+        /// Repairs of the crown; 0 where none is drawn.
+        /// </summary>
+        public ulong n_crown_repairs;
+        /// <summary>
+        /// The posterior's logarithm.
+        /// </summary>
+        public double posterior;
+        /// <summary>
+        /// New segments of propagation.
+        /// </summary>
+        public ulong grown_new;
+        /// <summary>
+        /// Sketched ones so long that they got new laterals.
+        /// </summary>
+        public ulong grown_long;
+        /// <summary>
+        /// New forks along those.
+        /// </summary>
+        public ulong grown_forks;
+        /// <summary>
+        /// Open ends and forks of the sketch that lie outside the crown, where nothing grew.
+        /// </summary>
+        public ulong grown_ends_outside;
+        /// <summary>
+        /// Those that end at the crown's surface.
+        /// </summary>
+        public ulong grown_touched;
+        /// <summary>
+        /// Left out because the surface left too little of them.
+        /// </summary>
+        public ulong grown_outside;
+        /// <summary>
+        /// Left out because they would have been too short.
+        /// </summary>
+        public ulong grown_too_short;
+        /// <summary>
+        /// Turned aside from an obstacle or the ground.
+        /// </summary>
+        public ulong grown_turned_aside;
+        /// <summary>
+        /// Shortened because of an obstacle or the ground.
+        /// </summary>
+        public ulong grown_shortened;
+        /// <summary>
+        /// Left out because of an obstacle or the ground.
+        /// </summary>
+        public ulong grown_blocked;
+        /// <summary>
+        /// Left out because there would have been too many.
+        /// </summary>
+        public ulong grown_over_cap;
+        /// <summary>
+        /// Nodes of branches.
+        /// </summary>
+        public ulong finish_wood_nodes;
+        /// <summary>
+        /// Nodes of twigs.
+        /// </summary>
+        public ulong finish_twig_nodes;
+        /// <summary>
+        /// Nodes of twigs cut off because they left the crown or entered the ground.
+        /// </summary>
+        public ulong finish_twig_nodes_cut;
+        /// <summary>
+        /// Blades that stayed: rows of the foliage.
+        /// </summary>
+        public ulong finish_leaves;
+        /// <summary>
+        /// Blades left out because they left the crown or entered the ground.
+        /// </summary>
+        public ulong finish_leaves_outside;
+        /// <summary>
+        /// How much larger leaves are than the species', because there would be too many; a factor.
+        /// </summary>
+        public float finish_leaves_larger;
+        /// <summary>
+        /// How well the template suits the drawing, 0 for a perfect match, else below; 0 where it was taken by name or kept
+        /// through an edit.
+        /// </summary>
+        public float score;
+        /// <summary>
+        /// 1 where `score` counts.
+        /// </summary>
+        public uint has_score;
+        /// <summary>
+        /// 1 where a crown is drawn, and the fields of the crown count.
+        /// </summary>
+        public uint has_crown;
+        /// <summary>
+        /// Share of branch points outside the drawn crown, 0 to 1.
+        /// </summary>
+        public float crown_outside;
+        /// <summary>
+        /// Segments that were drawn, from fork to fork.
+        /// </summary>
+        public uint n_segments;
+        /// <summary>
+        /// Crossings of branches in the drawing that could not be given room.
+        /// </summary>
+        public uint n_interpenetrations;
+        /// <summary>
+        /// The last generation of propagation in which any grew.
+        /// </summary>
+        public uint grown_generations;
+        /// <summary>
+        /// Replication blocks taken from the sketch.
+        /// </summary>
+        public uint grown_blocks;
+        /// <summary>
+        /// Replication blocks drawn from Ω because the sketch has few of their order.
+        /// </summary>
+        public uint grown_blocks_from_omega;
     }
 
     /// <summary>
@@ -7668,6 +8498,11 @@ namespace TreeFamily.Native
         public const int TREE_CLASS_IGNORED = 3;
 
         /// <summary>
+        /// The segment continues its parent's axis.
+        /// </summary>
+        public const uint TREE_SKETCH_APICAL = 4294967295;
+
+        /// <summary>
         /// A straight line joins them, however far they are.
         /// </summary>
         public const int TREE_ISOLATED_BRIDGE = 0;
@@ -7888,6 +8723,31 @@ namespace TreeFamily.Native
         public const int TREE_FOOTPRINT_DIRECTIONS = 64;
 
         /// <summary>
+        /// Bottom-up inference.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_BOTTOM_UP = 0;
+
+        /// <summary>
+        /// Passes of ICM.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_ICM = 1;
+
+        /// <summary>
+        /// Branches swung to the other side.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_SWING = 2;
+
+        /// <summary>
+        /// Crossing branches were moved apart.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_SEPARATE = 3;
+
+        /// <summary>
+        /// Ω was estimated.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_OMEGA = 4;
+
+        /// <summary>
         /// What is wound round. The default, as in SVG.
         /// </summary>
         public const int TREE_FILL_NON_ZERO = 0;
@@ -7896,6 +8756,41 @@ namespace TreeFamily.Native
         /// What is wound round an odd number of times.
         /// </summary>
         public const int TREE_FILL_EVEN_ODD = 1;
+
+        /// <summary>
+        /// Orders of axes that a `tree_sketch_omega` tells apart.
+        /// </summary>
+        public const int TREE_SKETCH_ORDERS = 8;
+
+        /// <summary>
+        /// Strokes joined, the crown closed.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_CLEAN = 0;
+
+        /// <summary>
+        /// Templates compared.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_SELECT = 1;
+
+        /// <summary>
+        /// Depths inferred.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_INFER = 2;
+
+        /// <summary>
+        /// Branches propagated.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_PROPAGATE = 3;
+
+        /// <summary>
+        /// Wood with radii.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_WOOD = 4;
+
+        /// <summary>
+        /// Twigs and leaves.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_TREE = 5;
 
         /// <summary>
         /// Number of shares in `directions` of a `tree_template_side`.
@@ -10977,6 +11872,43 @@ namespace TreeFamily.Native
         public static extern int tree_skeletonize_mesh(tree_mesh* mesh, uint* hints, UIntPtr n_hints, tree_skeletonize_params* @params, tree_control* control, tree_skeletonize_report* report, tree_tree** tree);
 
         /// <summary>
+        /// Makes branches of columns, which are copied: segments of a sketch, or measured elsewhere, on which nothing grew
+        /// yet. Every segment but the first must begin where its parent ends. `control` may be NULL; `nodes` of its limits
+        /// caps the points. Free them with `tree_sketch_branches_free`. `TREE_ERROR_INVALID` says which columns or which
+        /// segment do not fit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_from_columns(tree_sketch_branches_columns* columns, tree_control* control, tree_sketch_branches** branches);
+
+        /// <summary>
+        /// Views branches. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_view(tree_sketch_branches* branches, tree_sketch_branches_columns* columns);
+
+        /// <summary>
+        /// Writes the Gravelius order of each segment's axis: 0 for stems, one more than its parent's for a lateral.
+        /// `orders` has room for `capacity` values, at least as many as there are segments.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_orders(tree_sketch_branches* branches, uint* orders, UIntPtr capacity);
+
+        /// <summary>
+        /// The same branches with their depths smoothed along axes, `n_passes` times, 0 to 1000: inference gives a depth for
+        /// each fork, and branches that bend there sharply as seen from the side. x and y stay to the bit, and so do the
+        /// base and all tips. To be done before propagation, which `TREE_ERROR_INVALID` reminds of. Free them with
+        /// `tree_sketch_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_smooth_depth(tree_sketch_branches* branches, uint n_passes, tree_sketch_branches** smooth);
+
+        /// <summary>
+        /// Frees branches. What was made of them lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_free(tree_sketch_branches* branches);
+
+        /// <summary>
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -11237,6 +12169,28 @@ namespace TreeFamily.Native
         public static extern int tree_drawing_of_tree(tree_tree* tree, float yaw, uint with_crown, tree_main_branches* main, tree_outline_params* outline, tree_control* control, tree_drawing** drawing);
 
         /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_finish_params_init(tree_sketch_finish_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The branches as a skeleton with radii by the pipe model. Every point stays where it is: seen from the front,
+        /// sketched branches are the strokes. `params` and `control` may be NULL. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_wood(tree_sketch_branches* branches, tree_sketch_finish_params* @params, tree_control* control, tree_skeleton** wood);
+
+        /// <summary>
+        /// Grows twigs and leaves of a species on wood, as many leaves as cover its crown like those of a tree in full leaf;
+        /// with a `crown`, which may be NULL, both stay in it but for half a leaf. `params`, `control` and `report` may be
+        /// NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of range,
+        /// `TREE_ERROR_UNKNOWN_NAME` a species that is none.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_grow_crown(tree_skeleton* wood, tree_crown* crown, tree_sketch_finish_params* @params, ulong seed, tree_control* control, tree_sketch_finish_report* report, tree_tree** tree);
+
+        /// <summary>
         /// The footprint of `n_spots` points, two floats each: the distances from the centre of their convex hull to the hull in
         /// `TREE_FOOTPRINT_DIRECTIONS` directions, as shares of the longer side of its bounding box, into `distances`, which has
         /// room for `capacity`. Points that are not finite do not count. `control` may be NULL; `nodes` of the limits caps the
@@ -11261,6 +12215,89 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_convex_hull(float* spots, UIntPtr n_spots, tree_control* control, float* corners, UIntPtr capacity, UIntPtr* n_corners);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_infer_params_init(tree_sketch_infer_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params` those of the thesis alone: no beam, no spread, no preference for a stroke's own continuation, no
+        /// bending prior. Set `params-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_infer_params_thesis(tree_sketch_infer_params* @params);
+
+        /// <summary>
+        /// Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's, by inference in a Markov
+        /// random field (Neubert 2012, sections 4.4 to 4.6): a sketch is seen from the front, x and y of every branch are
+        /// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay.
+        ///
+        /// `omega`, `params` and `control` may be NULL. Free the result with `tree_inferred_free`. `TREE_ERROR_PARAMETER`
+        /// names what is out of range, `TREE_ERROR_INVALID` a pin that is at no fork or tip of the plan.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_infer(tree_plan* plan, tree_sketch_omega* omega, tree_sketch_pin* pins, UIntPtr n_pins, tree_sketch_infer_params* @params, ulong seed, tree_control* control, tree_inferred** inferred);
+
+        /// <summary>
+        /// Views what was inferred. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_view(tree_inferred* inferred, tree_inferred_columns* columns);
+
+        /// <summary>
+        /// The segments, with labels and points in space; seen along -Z their points are those of the plan. Free them with
+        /// `tree_sketch_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_branches(tree_inferred* inferred, tree_sketch_branches** branches);
+
+        /// <summary>
+        /// Ω of the sketch: the template's, or estimated. Set `omega-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_omega(tree_inferred* inferred, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Frees what was inferred. Branches of it live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_free(tree_inferred* inferred);
+
+        /// <summary>
+        /// Builds the graph that `tree_sketch_infer` with the same arguments and no pins works on. `omega`, `params` and
+        /// `control` may be NULL. Free it with `tree_factor_graph_free`. `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_new(tree_plan* plan, tree_sketch_omega* omega, tree_sketch_infer_params* @params, ulong seed, tree_control* control, tree_factor_graph** graph);
+
+        /// <summary>
+        /// Parent of each segment, `TREE_NO_PARENT` for segment 0: where they begin and how many there are. Valid until
+        /// `tree_factor_graph_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_parents(tree_factor_graph* graph, uint** parents, UIntPtr* n_segments);
+
+        /// <summary>
+        /// Length of a segment in the plane, from end to end, in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_length(tree_factor_graph* graph, uint segment, double* metres);
+
+        /// <summary>
+        /// The posterior of depths, of the segments' ends in metres, and labels: `n_segments` of each. `omega` and `control`
+        /// may be NULL. `TREE_ERROR_INVALID` where there are not as many as segments, `TREE_ERROR_PARAMETER` for a depth
+        /// that is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_posterior(tree_factor_graph* graph, tree_sketch_omega* omega, double* depths, uint* labels, UIntPtr n_segments, tree_control* control, tree_sketch_posterior* posterior);
+
+        /// <summary>
+        /// Frees a factor graph.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_free(tree_factor_graph* graph);
 
         /// <summary>
         /// Makes `params`, of `size` bytes, the default.
@@ -11294,6 +12331,56 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_midlines_free(tree_midlines* midlines);
+
+        /// <summary>
+        /// Makes `omega`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_init(tree_sketch_omega* omega, UIntPtr size);
+
+        /// <summary>
+        /// Whether all numbers are in range: `TREE_OK`, or the error that their use would give, which names order and
+        /// field.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_check(tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Ω of branches. Orders with few segments borrow from all orders together; what the branches do not show at all
+        /// is the default's. Set `omega-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_fit(tree_sketch_branches* branches, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Ω of template `index`, which is below `tree_templates_count`: that of its exemplar's main branches. Set
+        /// `omega-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_omega(tree_templates* templates, UIntPtr index, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Ω of `n_relations` relations, of one tree or of many: those of `tree_sketch_branches_relations`, joined.
+        /// `control` may be NULL; `nodes` of its limits caps the relations. Set `omega-&gt;struct_size` first.
+        /// `TREE_ERROR_PARAMETER` names the row with a number that is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_of_relations(tree_sketch_relation* relations, UIntPtr n_relations, tree_control* control, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// The same parameters for the whole tree, as in the thesis: those of the orders of `omega`, averaged. `omega` may
+        /// be NULL for the default. Set `whole-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_without_orders(tree_sketch_omega* omega, tree_sketch_omega* whole);
+
+        /// <summary>
+        /// How each segment lies to its parent, in the order of segments; none for segments without length and those of an
+        /// imagined root. Their number goes into `n_relations`, they themselves into `relations`, which has room for
+        /// `capacity` rows; with NULL they are only counted. There are fewer than segments.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_relations(tree_sketch_branches* branches, tree_sketch_relation* relations, UIntPtr capacity, UIntPtr* n_relations);
 
         /// <summary>
         /// Makes a plan of columns, which are copied: without crown and without repairs. `control` may be NULL; `nodes`
@@ -11366,6 +12453,26 @@ namespace TreeFamily.Native
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_propagate_params_init(tree_sketch_propagate_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Fills a sketch up with branches after the pattern of its own (Neubert 2012, section 4.7): its forks are taken as
+        /// replication blocks, which are attached to its open ends generation by generation, and along branches that are
+        /// long without forks.
+        ///
+        /// With a `crown` growth stays inside it; with NULL it goes on for `generations`. New segments keep `clearance` away
+        /// from `obstacles`, a volume or NULL for none; sketched ones stay as they are. `omega`, `params`, `control` and
+        /// `report` may be NULL. The sketched segments keep their numbers, the new follow. Free them with
+        /// `tree_sketch_branches_free`. `TREE_ERROR_PARAMETER` names what is out of range, `TREE_ERROR_INVALID` says so for
+        /// branches that have grown already.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_propagate(tree_sketch_branches* branches, tree_sketch_omega* omega, tree_crown* crown, tree_volume* obstacles, tree_sketch_propagate_params* @params, ulong seed, tree_control* control, tree_sketch_propagate_report* report, tree_sketch_branches** grown);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_select_params_init(tree_select_params* @params, UIntPtr size);
 
         /// <summary>
@@ -11381,6 +12488,208 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_templates_select(tree_templates* templates, tree_plan* plan, tree_crown* crown, tree_select_params* @params, tree_control* control, tree_choice* choices, UIntPtr capacity);
+
+        /// <summary>
+        /// Begins with a drawing, which is copied. `params` may be NULL for the defaults. No work is done yet: what is wrong
+        /// with the drawing comes to light with the first stage. Templates and obstacles are set with
+        /// `tree_sketch_session_set_templates` and `tree_sketch_session_set_obstacles`. Free the session with
+        /// `tree_sketch_session_free`. `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_new(tree_drawing* drawing, tree_sketch_params* @params, ulong seed, tree_sketch_session** session);
+
+        /// <summary>
+        /// A second session in the state of the first, with all that has been made so far: to try something, and
+        /// go back. Free it too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_copy(tree_sketch_session* session, tree_sketch_session** copy);
+
+        /// <summary>
+        /// Frees a session. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a
+        /// progress callback for instance: it lives on then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_free(tree_sketch_session* session);
+
+        /// <summary>
+        /// Another seed: other depths within Ω, another growth. Depths that edits kept are forgotten.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_seed(tree_sketch_session* session, ulong seed);
+
+        /// <summary>
+        /// Other parameters, NULL for the defaults; only stages whose parameters differ are done again. Where those of
+        /// inference, the template or the height differ, depths that edits kept are forgotten.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_params(tree_sketch_session* session, tree_sketch_params* @params);
+
+        /// <summary>
+        /// Templates of one's own, which are copied, instead of those built in; NULL for these again. Depths that edits kept
+        /// are forgotten.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_templates(tree_sketch_session* session, tree_templates* templates);
+
+        /// <summary>
+        /// What new branches are to keep out of: a volume in the tree's metres, its base at the origin, or NULL for nothing.
+        /// Sketched branches stay as they are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_obstacles(tree_sketch_session* session, tree_volume* obstacles);
+
+        /// <summary>
+        /// Forgets depths, Ω, scale and the choice of template that edits keep, so that all are found anew.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_infer_anew(tree_sketch_session* session);
+
+        /// <summary>
+        /// Forgets the results of a stage and of all later ones, so that they are done again; what edits keep stays.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_redo_from(tree_sketch_session* session, uint stage);
+
+        /// <summary>
+        /// Draws one more stroke, which is copied; its number in the drawing goes into `number`. Depths of all other branches
+        /// stay. `control` may be NULL; `nodes` of its limits caps the points. What is wrong with the stroke comes to light
+        /// with the next stage; erase it then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_add_stroke(tree_sketch_session* session, tree_sketch_stroke* stroke, tree_control* control, UIntPtr* number);
+
+        /// <summary>
+        /// Erases a stroke, and with a branch all that it bears. Depths of all other branches stay, and so do the numbers of
+        /// their strokes. Numbers of those that are gone go into `gone`, which has room for `capacity` of them, at least as
+        /// many as there are strokes (`tree_drawing_count` of `tree_sketch_session_drawing`), and how many they are into
+        /// `n_gone`. Both may be NULL where they are not wanted. `TREE_ERROR_INVALID` for a stroke that is not there or was
+        /// erased before.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_erase_stroke(tree_sketch_session* session, UIntPtr stroke, tree_control* control, uint* gone, UIntPtr capacity, UIntPtr* n_gone);
+
+        /// <summary>
+        /// Moves the tip or fork of a stroke that is nearest to `at`, two floats in the drawing's units, to `depth` in metres,
+        /// positive towards the viewer. What it bears is inferred anew; the rest stays. The end of the root segment stays in
+        /// the plane. `TREE_ERROR_INVALID` for a stroke that is not there, was erased, or has no tip or fork to move;
+        /// `TREE_ERROR_PARAMETER` for numbers that are not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_depth(tree_sketch_session* session, UIntPtr stroke, float* at, float depth, tree_control* control);
+
+        /// <summary>
+        /// The drawing as it is after all edits; erased strokes are there without points. Free it with `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_drawing(tree_sketch_session* session, tree_drawing** drawing);
+
+        /// <summary>
+        /// The seed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_seed(tree_sketch_session* session, ulong* seed);
+
+        /// <summary>
+        /// The parameters, all parts given. What they point at belongs to the session and stays until
+        /// `tree_sketch_session_set_params` or `tree_sketch_session_free`. Set `params-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_params(tree_sketch_session* session, tree_sketch_params* @params);
+
+        /// <summary>
+        /// How often a stage has been done so far.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_runs(tree_sketch_session* session, uint stage, uint* n_runs);
+
+        /// <summary>
+        /// The strokes as a tree in the plane, in metres, with what was done to them. Free it with `tree_plan_free`.
+        /// `TREE_ERROR_INVALID` says which stroke is of no use, or why the drawing is.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_plan(tree_sketch_session* session, tree_control* control, tree_plan** plan);
+
+        /// <summary>
+        /// The closed crown. What was repaired of it is among `tree_sketch_session_warnings`. Free it with `tree_crown_free`.
+        /// `TREE_ERROR_NO_RESULT` where none is drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_crown(tree_sketch_session* session, tree_control* control, tree_crown** crown);
+
+        /// <summary>
+        /// The templates compared with the drawing, best first: indices count in the session's templates, or in those built
+        /// in. Their number goes into `n_choices`, they themselves into `choices`, which has room for `capacity` rows; with
+        /// NULL they are only counted. There are none where the template was taken by name, or kept through an edit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_choices(tree_sketch_session* session, tree_control* control, tree_choice* choices, UIntPtr capacity, UIntPtr* n_choices);
+
+        /// <summary>
+        /// The template taken: templates of one row. Free them with `tree_templates_free`. `TREE_ERROR_UNKNOWN_NAME` lists
+        /// the names there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_template_taken(tree_sketch_session* session, tree_control* control, tree_templates** taken);
+
+        /// <summary>
+        /// Depths, labels and Ω. Free them with `tree_inferred_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_inferred(tree_sketch_session* session, tree_control* control, tree_inferred** inferred);
+
+        /// <summary>
+        /// The sketched branches with what grew on them. `report` may be NULL. Free them with `tree_sketch_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_branches(tree_sketch_session* session, tree_control* control, tree_sketch_propagate_report* report, tree_sketch_branches** branches);
+
+        /// <summary>
+        /// The branches as a skeleton with radii. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_wood(tree_sketch_session* session, tree_control* control, tree_skeleton** wood);
+
+        /// <summary>
+        /// The tree. The same drawing, parameters and seed give the same bits for any number of threads. `control` and `report`
+        /// may be NULL. Free the tree with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_tree(tree_sketch_session* session, tree_control* control, tree_sketch_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// All that was repaired or fell short, a line each, for a person to read; none where all went well. The tree is made
+        /// first where it is not there. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_warnings(tree_sketch_session* session, tree_control* control, tree_lines** warnings);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_params_init(tree_sketch_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give. The name of the
+        /// template is looked up when it is needed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_params_check(tree_sketch_params* @params);
+
+        /// <summary>
+        /// Makes a tree of a drawing: a session (`tree_sketch_session`) that is asked for its tree, in one call. Of
+        /// `templates`, which may be NULL for those built in, the one that suits best guides it, or the one that `params`
+        /// names; new branches keep out of `obstacles`, which may be NULL. `params`, `control` and `report` may be NULL too.
+        /// The tree's species is called by the template's name, unless `params` has a species. Free the tree with
+        /// `tree_tree_free`.
+        ///
+        /// `TREE_ERROR_PARAMETER` names what is out of range, `TREE_ERROR_UNKNOWN_NAME` a template or species that there is
+        /// not; `TREE_ERROR_INVALID` says why a drawing, and which stroke of it, is of no use; `TREE_ERROR_LIMIT` comes before
+        /// the memory is asked for.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_from_sketch(tree_drawing* drawing, tree_templates* templates, tree_volume* obstacles, tree_sketch_params* @params, ulong seed, tree_control* control, tree_sketch_report* report, tree_tree** tree);
 
         /// <summary>
         /// The templates shipped: twenty trees of different habit. Free them with `tree_templates_free`.

@@ -1,6 +1,8 @@
 //! Ω: how the axes of a tree go on and branch.
 
 use super::branches::{label, label_number, tree_sketch_branches, tree_sketch_label};
+use super::drawing::at;
+use super::tree_templates;
 use crate::border::{
     Failure, Result, TREE_ERROR_PARAMETER, Versioned, call, fill, foresee, get, init, out_value,
     read, slice, tree_status, write,
@@ -161,6 +163,21 @@ pub unsafe extern "C" fn tree_sketch_omega_fit(
         unsafe { foresee(omega, "omega") }?;
         let found = Omega::fit(&branches.branches);
         unsafe { write(omega, "omega", &tree_sketch_omega::of(&found)) }
+    })
+}
+
+/// Ω of template `index`, which is below `tree_templates_count`: that of its exemplar's main branches. Set
+/// `omega->struct_size` first.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_templates_omega(
+    templates: *const tree_templates,
+    index: usize,
+    omega: *mut tree_sketch_omega,
+) -> tree_status {
+    call(|| {
+        let templates = unsafe { get(templates, "templates") }?.rust();
+        let found = &at(templates, index, "templates")?.omega;
+        unsafe { write(omega, "omega", &tree_sketch_omega::of(found)) }
     })
 }
 

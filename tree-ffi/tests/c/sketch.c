@@ -106,6 +106,10 @@ static void test_in_one_call(void) {
     tree_templates *templates = NULL;
     tree_sketch_params params = *small();
     OK(tree_templates_builtin(&templates));
+    tree_sketch_omega omega = {.struct_size = sizeof omega};
+    OK(tree_templates_omega(templates, 0, &omega));
+    OK(tree_sketch_omega_check(&omega));
+    FAILS(TREE_ERROR_PARAMETER, "index is 1000", tree_templates_omega(templates, 1000, &omega));
     params.template_name = (tree_str){"no such tree", TREE_NUL_TERMINATED};
     FAILS(TREE_ERROR_UNKNOWN_NAME, "no such tree",
           tree_from_sketch(drawing, templates, NULL, &params, 5, NULL, NULL, &tree));
