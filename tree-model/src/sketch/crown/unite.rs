@@ -1,5 +1,6 @@
 //! Loops become simple polygons that lie apart.
 
+use super::arrange;
 use super::fill::{self, Fill, FillRule, Frame};
 use super::{CrownRepair, CrownReport};
 use glam::{DVec2, Vec2};
@@ -25,7 +26,7 @@ pub(super) fn unite(loops: Vec<Vec<Vec2>>, report: &mut CrownReport) -> Vec<Vec<
     // Thinned only where there was too much: a scribble.
     let corners: usize = thinned.iter().map(Vec::len).sum();
     let loops = if corners > MOST_CORNERS
-        || fill::crossings(&thinned, MOST_CROSSINGS) >= MOST_CROSSINGS
+        || arrange::crossings(&thinned, MOST_CROSSINGS) >= MOST_CROSSINGS
         || loops.iter().map(Vec::len).sum::<usize>() > fill::MOST_CORNERS
     {
         let back = |contour: &Vec<DVec2>| contour.iter().map(|&p| frame.to_drawing(p)).collect();
@@ -77,7 +78,7 @@ fn undo_crossings(
             continue;
         }
         let framed: Vec<Vec<DVec2>> = vec![points.iter().map(|&p| frame.to_frame(p)).collect()];
-        if fill::crossings(&framed, 1) == 0 {
+        if arrange::crossings(&framed, 1) == 0 {
             if area(&points) < 0.0 {
                 points.reverse();
             }
@@ -109,7 +110,7 @@ fn merge(parts: &[Vec<Vec2>], frame: &Frame, report: &mut CrownReport) -> Vec<Ve
     }
     let framed: Vec<Vec<DVec2>> =
         kept.iter().map(|part| part.iter().map(|&p| frame.to_frame(p)).collect()).collect();
-    if kept.len() < 2 || fill::crossings(&framed, 1) == 0 {
+    if kept.len() < 2 || arrange::crossings(&framed, 1) == 0 {
         return kept;
     }
     let united = outer_only(filled(&framed, frame));
