@@ -38,7 +38,7 @@ pub struct tree_sketch_infer_params {
     /// How far angles and ratios spread as Ω says, 0 to 1. At 0 each segment aims at the means, as in the thesis, and
     /// all branches come out alike; at 1 each aims at a draw from Ω of its own. Default 1.
     pub spread: f32,
-    /// How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 5.
+    /// How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 0.2.
     pub competition: f32,
     /// How much likelier, as the logarithm of a ratio, a stroke goes on as the same axis than as a lateral, 0 (the
     /// thesis) to 100. Default 3.

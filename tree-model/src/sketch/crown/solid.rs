@@ -159,7 +159,7 @@ impl Solid {
             }
             t = end.max(t);
             band = if way.y > 0.0 { band + 1 } else { band.wrapping_sub(1) };
-            if band + 1 >= self.heights.len() {
+            if band >= self.heights.len().saturating_sub(1) {
                 return Some(t as f32);
             }
         }
