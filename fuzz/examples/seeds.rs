@@ -54,6 +54,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     save("svg", "closed", svg.as_bytes())?;
     let svg = r#"<svg viewBox="0 0 64 48"><path d="M32 46 L32 20 L20 8"/><polyline points="32,24 44,9"/></svg>"#;
     save("svg", "strokes", svg.as_bytes())?;
+    let svg = r##"<svg><g id="crown"><circle cx="5" cy="3" r="4" fill="none" stroke="#0a0"/></g><path id="trunk" d="M5 10 L5 3 M5 6 L8 2"/></svg>"##;
+    save("sketch", "svg", svg.as_bytes())?;
+    let json = r#"{"strokes":[{"points":[[5,10],[5,2]],"role":"trunk"},{"points":[[5,6],[8,3]]}]}"#;
+    save("sketch", "json", json.as_bytes())?;
+    save("sketch", "bare", b"[[[5,10],[5,2]],[[5,6],[8,3]]]")?;
+    save("sketch", "quickdraw", br#"{"word":"tree","drawing":[[[5,5],[10,2]],[[1,9,9],[3,0,3]]]}"#)?;
     Ok(())
 }
 

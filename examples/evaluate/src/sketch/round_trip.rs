@@ -35,6 +35,8 @@ struct Trip {
     apical: Values,
     lateral: Values,
     ratio: Values,
+    apical_ratio: Values,
+    lateral_ratio: Values,
 }
 
 pub(super) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
@@ -118,6 +120,23 @@ impl Trip {
         seed: Seed,
     ) -> Result<(), Box<dyn Error>> {
         let params = InferParams { slenderness: template.slenderness, ..InferParams::default() };
+        let mut params = params;
+        for pair in std::env::var("PROBE").unwrap_or_default().split(',') {
+            if let Some((k, v)) = pair.split_once('=') {
+                let v: f32 = v.parse()?;
+                match k {
+                    "comp" => params.competition = v,
+                    "spread" => params.spread = v,
+                    "keep" => params.keep_omega = v > 0.0,
+                    "rounds" => params.rounds = v as u32,
+                    "follow" => params.follow = v,
+                    "bend" => params.bending = v,
+                    "weight" => params.template_weight = v,
+                    "clear" => params.clearance = v,
+                    _ => return Err("probe".into()),
+                }
+            }
+        }
         let inferred = infer(plan, &template.omega, &params, seed, &Control::default())?;
         let ours = &inferred.branches;
         let mut rng = seed.stream("random depth").rng();
@@ -163,7 +182,9 @@ impl Trip {
             let angle = f64::from(v.angle_between(below)).to_degrees();
             let apical = branches.labels()[i] == Label::Apical;
             list(if apical { &mut self.apical } else { &mut self.lateral }).push(angle);
-            list(&mut self.ratio).push(f64::from(v.length() / below.length()));
+            let ratio = f64::from(v.length() / below.length());
+            list(&mut self.ratio).push(ratio);
+            list(if apical { &mut self.apical_ratio } else { &mut self.lateral_ratio }).push(ratio);
         }
     }
 
@@ -172,9 +193,26 @@ impl Trip {
             ("apical angle", &mut self.apical, "°"),
             ("lateral angle", &mut self.lateral, "°"),
             ("length ratio", &mut self.ratio, "%"),
+            ("apical ratio", &mut self.apical_ratio, "%"),
+            ("lateral ratio", &mut self.lateral_ratio, "%"),
         ] {
             if values.exemplar.len() < 8 || values.ours.len() < 8 {
                 continue;
+            }
+            if std::env::var("DUMP").is_ok_and(|d| d == name) {
+                let q = |v: &[f64]| {
+                    let mut v = v.to_vec();
+                    v.sort_by(f64::total_cmp);
+                    [0.05, 0.25, 0.5, 0.75, 0.95]
+                        .map(|s| (v[(s * (v.len() - 1) as f64) as usize] * 100.0).round() / 100.0)
+                };
+                eprintln!(
+                    "{name} {what} n {} exemplar {:?} ours {:?} flat {:?}",
+                    values.exemplar.len(),
+                    q(&values.exemplar),
+                    q(&values.ours),
+                    q(&values.flat)
+                );
             }
             let right = median(&values.exemplar);
             let off = |found: &[f64]| {

@@ -86,10 +86,10 @@ impl Ways {
         let last = if a.max(b) <= snap { lower } else { b < a };
         let (host, place) = self.ends[usize::from(last)]?;
         let gap = place.distance;
-        if let Some((distance, host, host_last, point)) = self.inside {
-            if distance < MIDDLE * gap {
-                return Some((distance, Way::Inside(host, host_last, point)));
-            }
+        if let Some((distance, host, host_last, point)) = self.inside
+            && distance < MIDDLE * gap
+        {
+            return Some((distance, Way::Inside(host, host_last, point)));
         }
         match self.ground {
             Some((last, distance)) if gap > snap => Some((distance, Way::Ground(last))),
@@ -135,10 +135,10 @@ impl Join<'_> {
             let mut best: Option<(f32, usize, Way)> = None;
             for (i, way) in ways.iter_mut().enumerate().filter(|(_, way)| !way.joined) {
                 way.offer(&self.lines[i], new, &self.lines[new]);
-                if let Some((gap, how)) = way.best(&self.lines[i], snap) {
-                    if best.is_none_or(|best| gap < best.0) {
-                        best = Some((gap, i, how));
-                    }
+                if let Some((gap, how)) = way.best(&self.lines[i], snap)
+                    && best.is_none_or(|best| gap < best.0)
+                {
+                    best = Some((gap, i, how));
                 }
             }
             let Some((gap, next, how)) = best else { break };

@@ -19,6 +19,9 @@ const ALONG: f32 = 0.9;
 /// A run is longer than so many merging distances: two strokes that merely cross or fork are close for a shorter way.
 const RUN: f32 = 4.0;
 
+/// What is left between runs or beyond them stays if it is longer than so many merging distances.
+const REST: f32 = 2.5;
+
 /// Segments by the cell that their middle is in.
 struct Grid {
     cell: f32,
@@ -152,6 +155,7 @@ fn remaining(
     let is_run = |&&(over, from, to): &&(bool, usize, usize)| {
         over && (long(from, to) || (from == 0 && to == last))
     };
+    let stays = |from: usize, to: usize| length(&points[from..=to]) >= REST * within;
     let covered: Vec<(usize, usize)> = runs.iter().filter(is_run).map(|r| (r.1, r.2)).collect();
     if covered.is_empty() {
         return vec![ink.clone()];
@@ -160,12 +164,12 @@ fn remaining(
     let mut pieces = Vec::new();
     let mut from = 0;
     for &(start, end) in &covered {
-        if start > from && long(from, start) {
+        if start > from && stays(from, start) {
             pieces.push((from, start));
         }
         from = end;
     }
-    if last > from && long(from, last) {
+    if last > from && stays(from, last) {
         pieces.push((from, last));
     }
     let into = covered.iter().find_map(|&(start, _)| along[start]).unwrap_or(ink.stroke);

@@ -110,7 +110,10 @@ pub(super) fn branches(drawing: &Drawing, inks: &mut Vec<Ink>, report: &mut Clea
 /// The middle lines of the area within outlines.
 fn middle_lines(group: &[Ink]) -> Vec<Vec<Vec2>> {
     let outlines: Vec<Vec<Vec2>> = group.iter().map(|ink| ink.points.clone()).collect();
-    let lines = midlines_of(&outlines, &MidlineParams::default());
+    // A loop that was not filled and crosses itself is a scribble: what is inside it nobody can say.
+    let scribble = group.iter().any(|ink| !ink.filled && crosses_itself(&ink.points));
+    let lines =
+        if scribble { Vec::new() } else { midlines_of(&outlines, &MidlineParams::default()) };
     if lines.is_empty() {
         // Too thin for an area: a line drawn there and back.
         return outlines
@@ -120,6 +123,19 @@ fn middle_lines(group: &[Ink]) -> Vec<Vec<Vec2>> {
             .collect();
     }
     lines.into_iter().map(|line| line.points).collect()
+}
+
+/// Whether two segments of a polyline that are no neighbours cross; so it is said of a very long one, too.
+fn crosses_itself(points: &[Vec2]) -> bool {
+    const LONGEST: usize = 2000;
+    let n = points.len().saturating_sub(1);
+    let side = |a: Vec2, b: Vec2, p: Vec2| (b - a).perp_dot(p - a);
+    let cross = |i: usize, k: usize| {
+        let (a, b, c, d) = (points[i], points[i + 1], points[k], points[k + 1]);
+        let apart = a.min(b).cmpgt(c.max(d)).any() || c.min(d).cmpgt(a.max(b)).any();
+        !apart && side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+    };
+    n > LONGEST || (0..n).any(|i| (i + 2..n).any(|k| cross(i, k)))
 }
 
 /// The middle line of a simple loop: between its two halves from one of its farthest points to the other.

@@ -56,8 +56,10 @@ const SPECK: f32 = 0.06;
 const MARK: f32 = 0.15;
 /// Ends closer than this share of the height go on from one another.
 const GOES_ON: f32 = 0.08;
+/// What stands on the ground below another crown is a bush if it is larger and wider than this share of the drawing.
+const BUSH_WIDTH: f32 = 0.6;
 /// The crown reaches beyond the trunk's side by at least this share of its width on either side: a bush does not.
-const INSET: f32 = 0.1;
+const INSET: f32 = 0.08;
 /// The least turn of a corner between trunk and crown, in radians.
 const CORNER: f32 = 1.0;
 
@@ -82,8 +84,14 @@ pub(super) fn decide(inks: &mut Vec<Ink>, report: &mut CleanReport) -> Option<f3
     let is_crown = |i: usize| looks[i] || inks[i].role == Some(Role::Crown);
     let above = (0..inks.len()).filter(|&i| is_crown(i) && aloft(&shapes[i]));
     let largest_aloft = above.map(|i| shapes[i].area).fold(0.0, f32::max);
+    let any_given = inks.iter().any(|ink| ink.role == Some(Role::Crown));
+    let is_bush = |shape: &Shape| {
+        let alone = largest_aloft <= 0.0 && !any_given;
+        let wide = shape.extent.size().x > BUSH_WIDTH * size.x;
+        alone || (wide && shape.area > largest_aloft && !any_given)
+    };
     for (i, ink) in inks.iter_mut().enumerate() {
-        if looks[i] && (aloft(&shapes[i]) || shapes[i].area > largest_aloft) {
+        if looks[i] && (aloft(&shapes[i]) || is_bush(&shapes[i])) {
             ink.role = Some(Role::Crown);
         }
     }
@@ -95,7 +103,12 @@ pub(super) fn decide(inks: &mut Vec<Ink>, report: &mut CleanReport) -> Option<f3
             && rise > STEEP * first.distance(last)
     };
     let mut open: Vec<usize> = (0..inks.len()).filter(|&i| !stands(i)).collect();
-    while let Some(at) = open.iter().position(|&i| is_arc_or_goes_on(inks, &shapes, i, unit)) {
+    // Arcs are pieces of a crown that has no outline in one piece.
+    let arcs = !inks.iter().zip(&shapes).any(|(ink, shape)| {
+        ink.role == Some(Role::Crown) && shape.area > CROWN_AREA * size.x * size.y
+    });
+    while let Some(at) = open.iter().position(|&i| is_arc_or_goes_on(inks, &shapes, i, unit, arcs))
+    {
         inks[open.remove(at)].role = Some(Role::Crown);
     }
     for ink in inks.iter().filter(|ink| !ink.marked && ink.role.is_some()) {
@@ -152,7 +165,7 @@ fn looks_like_crown(ink: &Ink, shape: &Shape, drawing: Vec2, unit: f32) -> bool 
 }
 
 /// Whether a stroke without a role is an arc of the crown, or goes on from the end of a crown's line.
-fn is_arc_or_goes_on(inks: &[Ink], shapes: &[Shape], index: usize, unit: f32) -> bool {
+fn is_arc_or_goes_on(inks: &[Ink], shapes: &[Shape], index: usize, unit: f32, arcs: bool) -> bool {
     let ink = &inks[index];
     if ink.role.is_some() || ink.closed || ink.filled {
         return false;
@@ -171,6 +184,9 @@ fn is_arc_or_goes_on(inks: &[Ink], shapes: &[Shape], index: usize, unit: f32) ->
     };
     if (goes_on(first) && free(last)) || (goes_on(last) && free(first)) {
         return true;
+    }
+    if !arcs {
+        return false;
     }
     let chord = 0.5 * (first + last);
     let bulge = |p: &Vec2| closest(*p, first, last).1;
@@ -245,7 +261,7 @@ fn cut_at_corners(
         let (corner, rest) = (even[at], even[at..].to_vec());
         let rest = Ink { points: rest, ..ink.clone() };
         let shape = Shape::of(&rest, unit);
-        let middle = even[..at].iter().map(|p| p.x).sum::<f32>() / at.max(1) as f32;
+        let middle = even[at / 2..=at].iter().map(|p| p.x).sum::<f32>() / (at - at / 2 + 1) as f32;
         let inset = INSET * shape.extent.size().x;
         let inside = middle > shape.extent.low.x + inset && middle < shape.extent.high.x - inset;
         if shape.turning < CORNER * 4.0 || shape.length < 0.5 * unit || !inside {

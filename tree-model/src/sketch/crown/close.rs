@@ -8,6 +8,9 @@ use std::f32::consts::{PI, TAU};
 /// With more open strokes than this, ends are not joined pair by pair: they are ordered round the crown at once.
 const MOST_STROKES: usize = 500;
 
+/// Ends closer than this share of a loop's length are one point.
+const SAME_PLACE: f32 = 1e-5;
+
 /// Angles that differ by less are the same.
 const SAME_ANGLE: f32 = 1e-4;
 
@@ -82,10 +85,13 @@ fn part(
             open.push(line);
             continue;
         }
-        if gap > 0.0 {
+        let mut points = line.points;
+        if gap <= SAME_PLACE * length {
+            points.pop();
+        } else {
             report.repairs.push(CrownRepair::Closed { stroke: line.stroke, gap });
         }
-        closed.push(line.points);
+        closed.push(points);
     }
     (closed, open)
 }

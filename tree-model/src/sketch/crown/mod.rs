@@ -21,7 +21,7 @@ mod report;
 mod solid;
 mod unite;
 
-use super::midline::fill;
+use super::midline::{arrange, fill};
 use crate::error::{ModelError, Result, check};
 use glam::{Vec2, Vec3};
 use solid::Solid;

@@ -34,7 +34,7 @@ fn keeps(crown: &Crown, stroke: &[Vec2]) -> bool {
 #[test]
 fn a_complete_convex_crown_stays_as_drawn() {
     let drawn = arc(3.0, 0.0, 0.98);
-    let (crown, report) = close(&[drawn.clone()], &[]);
+    let (crown, report) = close(std::slice::from_ref(&drawn), &[]);
     assert!(keeps(&crown, &drawn));
     assert!(matches!(report.repairs[..], [CrownRepair::Closed { stroke: 0, .. }]), "{report}");
     assert!((crown.area() - 28.2).abs() < 0.3, "{}", crown.area());
@@ -44,7 +44,7 @@ fn a_complete_convex_crown_stays_as_drawn() {
 fn an_incomplete_crown_is_closed_round_the_branches_in_its_gap() {
     let drawn = arc(3.0, 0.9, 1.6);
     let branches = points(&[(0.0, 5.0), (-1.5, 2.2), (1.0, 1.5)]);
-    let (crown, report) = close(&[drawn.clone()], &branches);
+    let (crown, report) = close(std::slice::from_ref(&drawn), &branches);
     assert!(keeps(&crown, &drawn));
     assert!(crown.corners().contains(&Vec2::new(1.0, 1.5)));
     let closed = CrownRepair::GapClosed { gap: drawn[0].distance(drawn[40]), round_branches: true };

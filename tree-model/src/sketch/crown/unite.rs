@@ -1,5 +1,6 @@
 //! Loops become simple polygons that lie apart.
 
+use super::arrange;
 use super::fill::{self, Fill, FillRule, Frame};
 use super::{CrownRepair, CrownReport};
 use glam::{DVec2, Vec2};
@@ -10,6 +11,9 @@ const CRUMB: f64 = 0.003;
 /// Loops with more corners than this together are simplified: far more than a hand draws on purpose.
 const MOST_CORNERS: usize = 1024;
 
+/// Loops that cross more often than this are taken thinned.
+const MOST_CROSSINGS: usize = 2000;
+
 /// How far they may then move at first, as a share of half the size; doubled until there are few enough.
 const TOLERANCE: f64 = 2e-4;
 
@@ -18,10 +22,21 @@ const LEAST_AREA: f64 = 1e-6;
 
 /// Simple polygons against the clock, the largest first.
 pub(super) fn unite(loops: Vec<Vec<Vec2>>, report: &mut CrownReport) -> Vec<Vec<Vec2>> {
-    let Some((frame, _)) = Frame::of(&loops) else { return Vec::new() };
+    let Some((frame, thinned)) = Frame::of(&loops) else { return Vec::new() };
+    // Thinned only where there was too much: a scribble.
+    let corners: usize = thinned.iter().map(Vec::len).sum();
+    let loops = if corners > MOST_CORNERS
+        || arrange::crossings(&thinned, MOST_CROSSINGS) >= MOST_CROSSINGS
+        || loops.iter().map(Vec::len).sum::<usize>() > fill::MOST_CORNERS
+    {
+        let back = |contour: &Vec<DVec2>| contour.iter().map(|&p| frame.to_drawing(p)).collect();
+        thinned.iter().map(back).collect()
+    } else {
+        loops
+    };
     let loops = simplify(loops, &frame);
     let parts = undo_crossings(loops, &frame, report);
-    let mut polygons = merge(parts, &frame, report);
+    let mut polygons = merge(&parts, &frame, report);
     polygons.sort_by(|a, b| area(b).total_cmp(&area(a)));
     let least = polygons.first().map_or(0.0, |largest| CRUMB * area(largest));
     let before = polygons.len();
@@ -40,7 +55,7 @@ fn simplify(mut loops: Vec<Vec<Vec2>>, frame: &Frame) -> Vec<Vec<Vec2>> {
         for points in &mut loops {
             let framed: Vec<DVec2> = points.iter().map(|&p| frame.to_frame(p)).collect();
             *points =
-                fill::simplify(&framed, tolerance).iter().map(|&p| frame.from_frame(p)).collect();
+                fill::simplify(&framed, tolerance).iter().map(|&p| frame.to_drawing(p)).collect();
         }
         tolerance *= 2.0;
     }
@@ -63,7 +78,7 @@ fn undo_crossings(
             continue;
         }
         let framed: Vec<Vec<DVec2>> = vec![points.iter().map(|&p| frame.to_frame(p)).collect()];
-        if fill::crossings(&framed, 1) == 0 {
+        if arrange::crossings(&framed, 1) == 0 {
             if area(&points) < 0.0 {
                 points.reverse();
             }
@@ -80,14 +95,14 @@ fn undo_crossings(
 fn filled(loops: &[Vec<DVec2>], frame: &Frame) -> Vec<Vec<Vec2>> {
     let Some(fill) = Fill::of(loops, FillRule::NonZero) else { return Vec::new() };
     let outer = fill.border().into_iter().filter(|contour| fill::area(contour) > 0.0);
-    outer.map(|contour| contour.iter().map(|&p| frame.from_frame(p)).collect()).collect()
+    outer.map(|contour| contour.iter().map(|&p| frame.to_drawing(p)).collect()).collect()
 }
 
 /// Leaves out loops inside others and unites those that overlap.
-fn merge(parts: Vec<Vec<Vec2>>, frame: &Frame, report: &mut CrownReport) -> Vec<Vec<Vec2>> {
+fn merge(parts: &[Vec<Vec2>], frame: &Frame, report: &mut CrownReport) -> Vec<Vec<Vec2>> {
     let before = parts.len();
     let kept: Vec<Vec<Vec2>> = (0..before)
-        .filter(|&i| !(0..before).any(|j| is_within(&parts, i, j)))
+        .filter(|&i| !(0..before).any(|j| is_within(parts, i, j)))
         .map(|i| parts[i].clone())
         .collect();
     if kept.len() < before {
@@ -95,7 +110,7 @@ fn merge(parts: Vec<Vec<Vec2>>, frame: &Frame, report: &mut CrownReport) -> Vec<
     }
     let framed: Vec<Vec<DVec2>> =
         kept.iter().map(|part| part.iter().map(|&p| frame.to_frame(p)).collect()).collect();
-    if kept.len() < 2 || fill::crossings(&framed, 1) == 0 {
+    if kept.len() < 2 || arrange::crossings(&framed, 1) == 0 {
         return kept;
     }
     let united = outer_only(filled(&framed, frame));

@@ -4,7 +4,7 @@ use super::params::SketchFinish;
 use super::spread::Cells;
 use crate::error::Result;
 use crate::foliage::{DENSITY_CAP, LeafParams, TwigParams, grow_leaves_in, grow_twigs_in, refine};
-use crate::sketch::propagate::Surface;
+use crate::sketch::crown::Crown;
 use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::{
@@ -67,9 +67,9 @@ pub struct FinishReport {
 ///
 /// # Complexity
 /// O(nodes + leaves).
-pub fn grow_crown_in(
+pub fn grow_crown(
     wood: &Skeleton,
-    crown: Option<&dyn Surface>,
+    crown: Option<&Crown>,
     params: &SketchFinish,
     seed: Seed,
     control: &Control,
@@ -203,7 +203,7 @@ fn places(skeleton: &Skeleton, leaves: &LeafParams) -> Cells {
 }
 
 struct Finisher<'a> {
-    crown: Option<&'a dyn Surface>,
+    crown: Option<&'a Crown>,
     ground: f32,
     seed: Seed,
     control: &'a Control,
@@ -212,7 +212,7 @@ struct Finisher<'a> {
 impl Finisher<'_> {
     /// Whether something may be here: in the crown and above the ground.
     fn may_be(&self, point: Vec3) -> bool {
-        point.y >= self.ground && self.crown.is_none_or(|crown| crown.contains(point))
+        point.y >= self.ground && self.crown.is_none_or(|crown| crown.contains_3d(point))
     }
 
     /// Grows twigs, and cuts off what leaves the crown.

@@ -21,13 +21,13 @@ pub fn smooth_depth(branches: &Branches, passes: u32) -> Branches {
         let span = |segment: usize| {
             branches.starts[segment] as usize..branches.starts[segment + 1] as usize
         };
-        for segment in 0..branches.parents.len() {
+        for (segment, &heir) in heirs.iter().enumerate() {
             let run = span(segment);
             for at in run.start + 1..run.end {
                 let above = if at + 1 < run.end {
                     at + 1
                 } else {
-                    match heirs[segment] {
+                    match heir {
                         NO_PARENT => continue,
                         heir => span(heir as usize).start + 1,
                     }

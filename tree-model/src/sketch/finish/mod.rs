@@ -19,7 +19,7 @@ mod spread;
 mod tests;
 mod wood;
 
-pub use crown::{FinishReport, grow_crown_in};
+pub use crown::{FinishReport, grow_crown};
 pub use depth::smooth_depth;
 pub use params::SketchFinish;
 pub use wood::grow_wood;

@@ -3,18 +3,19 @@
 use super::*;
 use crate::foliage::SPECIES;
 use crate::sketch::propagate::fixtures::{
-    Builder, CROWN, omega, one_stroke, palm, palm_omega, sketch,
+    Builder, crown, omega, one_stroke, palm, palm_omega, sketch,
 };
-use crate::sketch::propagate::{PropagateParams, Propagated, Surface, propagate_in};
+use crate::sketch::propagate::{PropagateParams, Propagated, propagate};
 use crate::sketch::{Branches, Label};
 use glam::Vec3;
 use proptest::prelude::*;
 use tree_core::{Control, Seed, Skeleton, Tree};
 
 fn grown(branches: &Branches, crown: bool) -> Propagated {
-    let crown = crown.then_some(&CROWN as &dyn Surface);
+    let shape = crate::sketch::propagate::fixtures::crown();
+    let crown = crown.then_some(&shape);
     let (params, control) = (PropagateParams::default(), Control::default());
-    propagate_in(branches, &omega(), crown, None, &params, Seed(1), &control).unwrap()
+    propagate(branches, &omega(), crown, None, &params, Seed(1), &control).unwrap()
 }
 
 fn wood(grown: &Propagated) -> Skeleton {
@@ -23,8 +24,9 @@ fn wood(grown: &Propagated) -> Skeleton {
 
 fn finished(crown: bool, params: &SketchFinish) -> (Tree, FinishReport) {
     let wood = wood(&grown(&sketch(), crown));
-    let crown = crown.then_some(&CROWN as &dyn Surface);
-    grow_crown_in(&wood, crown, params, Seed(1), &Control::default()).unwrap()
+    let shape = crate::sketch::propagate::fixtures::crown();
+    let crown = crown.then_some(&shape);
+    grow_crown(&wood, crown, params, Seed(1), &Control::default()).unwrap()
 }
 
 fn of(species: &str) -> SketchFinish {
@@ -100,10 +102,8 @@ fn a_tree_in_leaf_has_a_sensible_number_of_leaves() {
 #[test]
 fn twigs_and_leaves_stay_in_the_crown() {
     let (tree, report) = finished(true, &of("oak"));
-    let wood = wood(&grown(&sketch(), true));
-    let mut drawn = wood.positions().to_vec();
-    drawn.sort_by(|a, b| a.y.total_cmp(&b.y));
-    let in_crown = |point: Vec3| CROWN.contains(point);
+    let shape = crown();
+    let in_crown = |point: Vec3| shape.contains_3d(point);
     assert!(tree.foliage().positions().iter().all(|&leaf| in_crown(leaf)));
     assert!(report.leaves_outside > 0 && report.twig_nodes_cut > 0, "{report:?}");
     let twigs = &tree.skeleton().positions()[tree.skeleton().len() - report.twig_nodes as usize..];
@@ -126,11 +126,10 @@ fn a_bare_tree_has_twigs_and_no_leaves() {
 #[test]
 fn fronds_bear_leaflets_and_no_twigs() {
     let (params, control) = (PropagateParams::default(), Control::default());
-    let fronds =
-        propagate_in(&palm(), &palm_omega(), None, None, &params, Seed(1), &control).unwrap();
+    let fronds = propagate(&palm(), &palm_omega(), None, None, &params, Seed(1), &control).unwrap();
     for (what, n) in [(fronds, 300..5_000), (Propagated::bare(one_stroke()), 1_000..20_000)] {
         let (tree, report) =
-            grow_crown_in(&wood(&what), None, &of("palm"), Seed(1), &control).unwrap();
+            grow_crown(&wood(&what), None, &of("palm"), Seed(1), &control).unwrap();
         assert!(n.contains(&tree.foliage().len()) && report.twig_nodes == 0, "{report:?}");
     }
 }
@@ -139,7 +138,7 @@ fn fronds_bear_leaflets_and_no_twigs() {
 fn all_species_can_be_had() {
     let wood = wood(&grown(&sketch(), false));
     for species in SPECIES {
-        let tree = grow_crown_in(&wood, None, &of(species.name), Seed(1), &Control::default());
+        let tree = grow_crown(&wood, None, &of(species.name), Seed(1), &Control::default());
         let n = tree.unwrap().0.foliage().len();
         assert!((500..200_000).contains(&n), "{}: {n}", species.name);
     }
@@ -185,10 +184,10 @@ proptest! {
         let control = Control::default();
         let params = PropagateParams { max_segments: 1000, ..Default::default() };
         let grown =
-            propagate_in(&b.build(), &omega(), None, None, &params, Seed(seed), &control).unwrap();
+            propagate(&b.build(), &omega(), None, None, &params, Seed(seed), &control).unwrap();
         let wood = wood(&grown);
         prop_assert!(wood.check().is_ok());
-        let (tree, _) = grow_crown_in(&wood, None, &of("oak"), Seed(seed), &control).unwrap();
+        let (tree, _) = grow_crown(&wood, None, &of("oak"), Seed(seed), &control).unwrap();
         prop_assert!(tree.skeleton().check().is_ok());
     }
 }

@@ -29,6 +29,14 @@ impl Density {
     }
 }
 
+impl Density {
+    /// ln of the density.
+    pub(super) fn ln(&self, value: f64) -> f64 {
+        let residual = (value - self.mean) * self.narrowness;
+        self.top - 0.5 * residual * residual
+    }
+}
+
 /// Ω with the densities of all its parameters.
 #[derive(Clone, Debug)]
 pub(super) struct Densities {

@@ -78,11 +78,13 @@ impl Factors {
         params: &InferParams,
         seed: Seed,
     ) -> Self {
+        let shortest = SHORTEST * segments.extent;
+        let how = (params.spread.into(), params.bending.into(), shortest);
         Self {
-            aims: Aims::draw(&segments, template, params.spread.into(), seed),
+            aims: Aims::draw(&segments, template, how, seed),
             follow: params.follow.into(),
             bending: params.bending.into(),
-            shortest: SHORTEST * segments.extent,
+            shortest,
             phase: Aims::phase(seed),
             segments,
         }
@@ -183,7 +185,7 @@ impl Factors {
                 None,
                 Density::of(STEMS),
                 angle(fork.along, v),
-                self.aims.of(i, Quantity::Beta, 0),
+                self.aims.of(i, Quantity::Beta),
             );
             if let Label::Lateral(place) = label {
                 let turn = TAU * (self.phase + f64::from(place) / fork.n_laterals as f64);
@@ -197,11 +199,8 @@ impl Factors {
             return (list.rows, list.n);
         }
         let density = |quantity| omega.get(fork.order, quantity);
-        let (scale, divergence) = match label {
-            Label::Apical => (Quantity::Scale, Quantity::Alpha),
-            Label::Lateral(_) => (Quantity::LateralScale, Quantity::Beta),
-        };
-        let aim = |quantity| self.aims.of(i, quantity, fork.order);
+        let (scale, divergence) = Quantity::under(label);
+        let aim = |quantity| self.aims.of(i, quantity);
         let length = v.length().max(self.shortest) / fork.along.length().max(self.shortest);
         list.put(Some(scale), density(scale), libm::log(length), aim(scale));
         list.put(Some(divergence), density(divergence), angle(fork.along, v), aim(divergence));

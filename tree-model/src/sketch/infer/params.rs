@@ -22,7 +22,7 @@ pub struct InferParams {
     /// How far angles and ratios spread as Ω says, 0 to 1. At 0 each segment aims at the means, as in the thesis, and all
     /// branches come out alike; at 1 each aims at a draw from Ω of its own. Default 1.
     pub spread: f32,
-    /// `k_e` of Eq. 4.22: how strongly branches keep out of each other's space, 0 to 1000. Default 5.
+    /// `k_e` of Eq. 4.22: how strongly branches keep out of each other's space, 0 to 1000. Default 0.2.
     pub competition: f32,
     /// How much likelier, as the logarithm of a ratio, a stroke goes on as the same axis than as a lateral, 0 (the
     /// thesis) to 100. Default 3.
@@ -47,7 +47,7 @@ impl Default for InferParams {
             settled: 5e-4,
             beam: 64,
             spread: 1.0,
-            competition: 5.0,
+            competition: 0.2,
             follow: 3.0,
             bending: 0.3,
             template_weight: 8.0,

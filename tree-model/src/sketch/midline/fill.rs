@@ -4,6 +4,7 @@
 //! Coordinates are brought to whole numbers in a frame of ±2²² first, so that what nearly touches touches. That moves
 //! points by 1 / 8,000,000 of the drawing's size, less than an `f32` resolves.
 
+use super::arrange::{arrange, crossings};
 use glam::{DVec2, Vec2};
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
 
@@ -73,7 +74,7 @@ impl Frame {
         ((point.as_dvec2() - self.centre) / self.scale).round()
     }
 
-    pub(in crate::sketch) fn from_frame(&self, point: DVec2) -> Vec2 {
+    pub(in crate::sketch) fn to_drawing(&self, point: DVec2) -> Vec2 {
         (self.centre + point * self.scale).as_vec2()
     }
 
@@ -83,7 +84,7 @@ impl Frame {
 }
 
 /// Drops repeated points, and the last where it is the first again.
-fn tidy(points: &mut Vec<DVec2>) {
+pub(super) fn tidy(points: &mut Vec<DVec2>) {
     points.dedup();
     while points.len() > 1 && points.first() == points.last() {
         points.pop();
@@ -132,62 +133,6 @@ pub(in crate::sketch) fn sides(contour: &[DVec2]) -> impl Iterator<Item = (DVec2
 /// Area of a contour, above 0 where it runs against the clock.
 pub(in crate::sketch) fn area(contour: &[DVec2]) -> f64 {
     0.5 * sides(contour).map(|(a, b)| a.perp_dot(b)).sum::<f64>()
-}
-
-/// Number of pairs of sides that have a point in common although they do not follow each other, counted to `most`.
-pub(in crate::sketch) fn crossings(contours: &[Vec<DVec2>], most: usize) -> usize {
-    struct Side {
-        a: DVec2,
-        b: DVec2,
-        /// The contour, the number in it, and how many there are.
-        place: (usize, usize, usize),
-    }
-    let mut all: Vec<Side> = Vec::new();
-    for (which, contour) in contours.iter().enumerate() {
-        let n = contour.len();
-        let places = (0..n).map(|i| (which, i, n));
-        all.extend(sides(contour).zip(places).map(|((a, b), place)| Side { a, b, place }));
-    }
-    all.sort_by(|s, t| s.a.x.min(s.b.x).total_cmp(&t.a.x.min(t.b.x)));
-    let mut count = 0;
-    for (i, s) in all.iter().enumerate() {
-        let (right, low, high) = (s.a.x.max(s.b.x), s.a.y.min(s.b.y), s.a.y.max(s.b.y));
-        for t in all[i + 1..].iter().take_while(|t| t.a.x.min(t.b.x) <= right) {
-            if t.a.y.min(t.b.y) > high || t.a.y.max(t.b.y) < low {
-                continue;
-            }
-            let met = if follow(s.place, t.place) {
-                fold_back(s.a, s.b, t.a, t.b)
-            } else {
-                meet(s.a, s.b, t.a, t.b)
-            };
-            count += usize::from(met);
-            if count >= most {
-                return count;
-            }
-        }
-    }
-    count
-}
-
-fn follow(s: (usize, usize, usize), t: (usize, usize, usize)) -> bool {
-    s.0 == t.0 && ((s.1 + 1) % s.2 == t.1 || (t.1 + 1) % t.2 == s.1)
-}
-
-/// Whether two sides with a common end lie on one another.
-fn fold_back(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
-    let (common, one, other) = if b == c { (b, a, d) } else { (a, b, c) };
-    let (u, v) = (one - common, other - common);
-    u.perp_dot(v) == 0.0 && u.dot(v) > 0.0
-}
-
-/// Whether two closed segments have a point in common.
-fn meet(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
-    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
-    let (c1, d1) = (side(a, b, c), side(a, b, d));
-    let (a2, b2) = (side(c, d, a), side(c, d, b));
-    // The boxes overlap: whoever asks has looked.
-    c1 * d1 <= 0.0 && a2 * b2 <= 0.0
 }
 
 /// The contour without points that lie within `tolerance` of the line between those kept (Douglas & Peucker 1973).
@@ -256,17 +201,22 @@ impl HasPosition for Corner {
 impl Fill {
     /// Triangulates what lies inside contours in a [`Frame`]; `None` where nothing does.
     pub(in crate::sketch) fn of(contours: &[Vec<DVec2>], rule: FillRule) -> Option<Self> {
+        let contours = arrange(contours);
         let mut cdt = ConstrainedDelaunayTriangulation::<Corner>::new();
-        for contour in contours {
+        // All corners come before the sides: a corner put on a side would have to cut it.
+        let mut rings = Vec::new();
+        for contour in &contours {
             let insert = |p: &DVec2| cdt.insert(Corner(Point2::new(p.x, p.y)));
-            let corners = contour.iter().map(insert).collect::<Result<Vec<_>, _>>().ok()?;
-            for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-                if from != to {
-                    cdt.add_constraint_and_split(from, to, Corner);
-                }
+            rings.push(contour.iter().map(insert).collect::<Result<Vec<_>, _>>().ok()?);
+        }
+        for ring in &rings {
+            for (&from, &to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                // Leaves a side out that crosses another, as `add_constraint` panics and `add_constraint_and_split`
+                // may (spade 2.15.1): none does but after the last round of cutting.
+                cdt.try_add_constraint(from, to);
             }
         }
-        let winding = Winding::of(contours);
+        let winding = Winding::of(&contours);
         let points: Vec<DVec2> =
             cdt.vertices().map(|v| DVec2::new(v.position().x, v.position().y)).collect();
         // Rows of the inner triangles by face.

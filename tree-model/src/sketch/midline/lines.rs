@@ -215,7 +215,7 @@ fn finish(axis: &Axis, line: &[u32], frame: &Frame) -> Midline {
         let is_far = before.is_none_or(|b| b.distance(at(i)) >= CLOSE * widths[i]);
         if is_far || is_fork || i == 0 || i == last {
             before = Some(at(i));
-            out.points.push(frame.from_frame(at(i)));
+            out.points.push(frame.to_drawing(at(i)));
             out.half_widths.push(frame.length(widths[i]));
         }
     }

@@ -3,8 +3,9 @@
 //! Many drawings show the trunk and its branches as one outline. The strokes meant are the area's middle lines: here
 //! the chordal axis (Prasad 1997; Igarashi, Matsuoka & Tanaka 1999 use it for freehand outlines).
 //!
-//! 1. [`fill`](self::fill): the outline is made simple: a constrained Delaunay triangulation, split where lines cross,
-//!    whose triangles are in or out by winding; their border is the outline that counts.
+//! 1. [`fill`](self::fill): the outline is made simple: sides are cut where they cross ([`arrange`](self::arrange)), and
+//!    of a constrained Delaunay triangulation the triangles are in or out by winding; their border is the outline that
+//!    counts.
 //! 2. [`axis`](self::axis): the border is drawn anew with even spacing and triangulated. An edge between two inner
 //!    triangles is a chord across the area; the chords' middles are joined through every triangle. A triangle with one
 //!    chord is a tip, with two a sleeve, with three a fork.
@@ -18,6 +19,7 @@
 //! O(n log n) for n points on the border, about 4,000 at most, and O(spurs · n) for the pruning: 1 ms for a
 //! trunk with twenty branches.
 
+pub(in crate::sketch) mod arrange;
 mod axis;
 pub(in crate::sketch) mod fill;
 mod lines;
@@ -98,7 +100,7 @@ pub fn midlines_of(outlines: &[Vec<Vec2>], params: &MidlineParams) -> Vec<Midlin
     let Some(area) = Fill::of(&contours, params.rule) else { return Vec::new() };
     let border = area.border();
     let size: f64 = border.iter().map(|contour| fill::area(contour)).sum();
-    if size < LEAST_AREA * (2.0 * fill::HALF).powi(2) {
+    if size < LEAST_AREA * (4.0 * fill::HALF * fill::HALF) {
         return Vec::new();
     }
     let Some(even) = even(&border, size) else { return Vec::new() };

@@ -7,28 +7,10 @@ use glam::Vec3;
 /// A branch that reaches the surface ends this share of its last piece before it: rounding must not carry it out.
 const BACK: f32 = 1e-3;
 
-/// The surface that growth stays in.
-pub trait Surface: Sync {
-    /// Whether a point lies inside.
-    fn contains(&self, point: Vec3) -> bool;
-    /// The first share of the way from `from` to `to` where it leaves; `None` where it does not.
-    fn exit(&self, from: Vec3, to: Vec3) -> Option<f32>;
-}
-
-impl Surface for Crown {
-    fn contains(&self, point: Vec3) -> bool {
-        self.contains_3d(point)
-    }
-
-    fn exit(&self, from: Vec3, to: Vec3) -> Option<f32> {
-        Self::exit(self, from, to)
-    }
-}
-
 /// All that growth heeds.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds<'a> {
-    pub(super) crown: Option<&'a dyn Surface>,
+    pub(super) crown: Option<&'a Crown>,
     pub(super) obstacle: Option<&'a Obstacle>,
     /// Height that nothing grows below.
     pub(super) ground: f32,
@@ -46,20 +28,20 @@ pub(super) enum Cut {
 impl Bounds<'_> {
     /// Whether a point lies in the crown, where there is one.
     pub(super) fn inside(&self, point: Vec3) -> bool {
-        self.crown.is_none_or(|crown| crown.contains(point))
+        self.crown.is_none_or(|crown| crown.contains_3d(point))
     }
 
     /// Scales a line of points that begins inside back to the surface.
     pub(super) fn cut(&self, points: &[Vec3]) -> Cut {
         let Some(crown) = self.crown else { return Cut::Whole };
         for (i, pair) in points.windows(2).enumerate() {
-            if crown.contains(pair[1]) {
+            if crown.contains_3d(pair[1]) {
                 continue;
             }
             let share = crown.exit(pair[0], pair[1]).unwrap_or(1.0) - BACK;
             let touch = pair[0].lerp(pair[1], share.clamp(0.0, 1.0));
             // Where exit and inside do not agree by a rounding error, the point before is safe.
-            return Cut::At(i + 2, if crown.contains(touch) { touch } else { pair[0] });
+            return Cut::At(i + 2, if crown.contains_3d(touch) { touch } else { pair[0] });
         }
         Cut::Whole
     }

@@ -1,8 +1,8 @@
 //! Sketches and crowns by hand, for tests.
 
-use super::bound::Surface;
+use crate::sketch::crown::Crown;
 use crate::sketch::{Branches, Habit, Label, Normal, Omega};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// Segments by hand.
 #[derive(Default)]
@@ -88,30 +88,19 @@ pub(in crate::sketch) fn one_stroke() -> Branches {
     b.build()
 }
 
-/// An ellipsoid for a crown.
-pub(in crate::sketch) struct Ellipsoid {
-    pub(in crate::sketch) center: Vec3,
-    pub(in crate::sketch) radii: Vec3,
+/// The crown of an ellipse, as far as a polygon is one.
+pub(in crate::sketch) fn ellipse(center: [f32; 2], radii: [f32; 2]) -> Crown {
+    let corner = |i: u8| {
+        let (sin, cos) = libm::sincosf(f32::from(i) * std::f32::consts::TAU / 64.0);
+        Vec2::from(center) + Vec2::from(radii) * Vec2::new(cos, sin)
+    };
+    Crown::from_polygons(&[(0..64).map(corner).collect()], 1.0).unwrap()
 }
 
-impl Surface for Ellipsoid {
-    fn contains(&self, point: Vec3) -> bool {
-        ((point - self.center) / self.radii).length_squared() <= 1.0
-    }
-
-    fn exit(&self, from: Vec3, to: Vec3) -> Option<f32> {
-        let [a, b] = [from, to].map(|p| (p - self.center) / self.radii);
-        let d = b - a;
-        let (p, q) =
-            (a.dot(d) / d.length_squared(), (a.length_squared() - 1.0) / d.length_squared());
-        let root = p * p - q;
-        let t = -p + root.max(0.0).sqrt();
-        (root >= 0.0 && (0.0..=1.0).contains(&t)).then_some(t)
-    }
+/// A crown for [`sketch`].
+pub(in crate::sketch) fn crown() -> Crown {
+    ellipse([0.0, 6.5], [4.0, 4.2])
 }
-
-pub(in crate::sketch) const CROWN: Ellipsoid =
-    Ellipsoid { center: Vec3::new(0.0, 6.5, 0.0), radii: Vec3::new(4.0, 4.2, 4.0) };
 
 /// A palm whose apical segment is a frond as the others are.
 pub(in crate::sketch) fn palm() -> Branches {

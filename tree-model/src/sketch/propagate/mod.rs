@@ -33,12 +33,12 @@ mod tests;
 pub(super) use frame::point_at;
 pub use params::PropagateParams;
 
+use super::crown::Crown;
 use super::{Branches, Omega};
 use crate::error::Result;
 use crate::path::Obstacle;
 use block::Pools;
 use bound::Bounds;
-pub use bound::Surface;
 use drawn::Drawn;
 use grow::{Grower, Open, Part, Tally};
 use rayon::prelude::*;
@@ -129,10 +129,10 @@ fn last_place(branches: &Branches, segment: u32) -> f32 {
 ///
 /// # Complexity
 /// O(segments × blocks of an order).
-pub fn propagate_in(
+pub fn propagate(
     branches: &Branches,
     omega: &Omega,
-    crown: Option<&dyn Surface>,
+    crown: Option<&Crown>,
     obstacles: Option<&Volume>,
     params: &PropagateParams,
     seed: Seed,

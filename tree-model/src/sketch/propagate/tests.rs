@@ -1,19 +1,18 @@
 //! Propagation, told by what it does.
 
-use super::fixtures::{Builder, CROWN, Ellipsoid, omega, one_stroke, palm, palm_omega, sketch};
+use super::fixtures::{Builder, crown, ellipse, omega, one_stroke, palm, palm_omega, sketch};
 use super::*;
 use crate::sketch::Label;
 use glam::Vec3;
 use proptest::prelude::*;
 use tree_core::Limits;
 
-fn grown(branches: &Branches, crown: Option<&Ellipsoid>, params: &PropagateParams) -> Propagated {
-    let crown = crown.map(|crown| crown as &dyn Surface);
-    propagate_in(branches, &omega(), crown, None, params, Seed(1), &Control::default()).unwrap()
+fn grown(branches: &Branches, crown: Option<&Crown>, params: &PropagateParams) -> Propagated {
+    propagate(branches, &omega(), crown, None, params, Seed(1), &Control::default()).unwrap()
 }
 
 /// Length of all new segments, and of their pieces whose middle lies in the crown.
-fn lengths(grown: &Propagated, crown: &Ellipsoid) -> (f32, f32) {
+fn lengths(grown: &Propagated, crown: &Crown) -> (f32, f32) {
     let (mut all, mut inside) = (0.0, 0.0);
     for segment in grown.n_sketched..grown.branches.len() {
         for pair in grown.branches.points(segment).windows(2) {
@@ -21,7 +20,7 @@ fn lengths(grown: &Propagated, crown: &Ellipsoid) -> (f32, f32) {
                 let piece = pair[0].distance(pair[1]) / 8.0;
                 all += piece;
                 let middle = pair[0].lerp(pair[1], (i as f32 + 0.5) / 8.0);
-                inside += if crown.contains(middle) { piece } else { 0.0 };
+                inside += if crown.contains_3d(middle) { piece } else { 0.0 };
             }
         }
     }
@@ -50,7 +49,7 @@ fn a_sketch_of_eight_strokes_becomes_a_full_tree() {
 
 #[test]
 fn every_new_segment_begins_on_its_parent() {
-    let grown = grown(&sketch(), Some(&CROWN), &PropagateParams::default());
+    let grown = grown(&sketch(), Some(&crown()), &PropagateParams::default());
     for segment in 1..grown.branches.len() {
         let parent = grown.branches.parents()[segment] as usize;
         assert!(parent < segment);
@@ -61,15 +60,26 @@ fn every_new_segment_begins_on_its_parent() {
 
 #[test]
 fn what_grows_stays_in_the_crown() {
-    let grown = grown(&sketch(), Some(&CROWN), &PropagateParams::default());
-    let (all, inside) = lengths(&grown, &CROWN);
+    let grown = grown(&sketch(), Some(&crown()), &PropagateParams::default());
+    let (all, inside) = lengths(&grown, &crown());
     assert!(all > 100.0 && inside >= 0.995 * all, "{inside} of {all}");
     assert!(grown.report.touched > 20, "{:?}", grown.report);
 }
 
 #[test]
+fn what_grows_stays_in_a_crown_with_deep_bays() {
+    let corners = [[4.0, 3.0], [0.6, 5.0], [3.5, 6.0], [0.8, 7.5], [2.0, 9.0], [0.0, 10.5]];
+    let mirrored = corners.iter().rev().map(|[x, y]| [-x, *y]);
+    let corners = corners.iter().copied().chain(mirrored).map(glam::Vec2::from).collect();
+    let crown = Crown::from_polygons(&[corners], 1.0).unwrap();
+    let grown = grown(&sketch(), Some(&crown), &PropagateParams::default());
+    let (all, inside) = lengths(&grown, &crown);
+    assert!(all > 50.0 && inside >= 0.995 * all, "{inside} of {all}");
+}
+
+#[test]
 fn a_crown_without_any_branch_lets_nothing_grow() {
-    let far = Ellipsoid { center: Vec3::new(50.0, 0.0, 0.0), radii: Vec3::ONE };
+    let far = ellipse([50.0, 5.0], [1.0, 1.0]);
     let grown = grown(&sketch(), Some(&far), &PropagateParams::default());
     assert_eq!(grown.report.n_new, 0);
     assert!(grown.report.ends_outside > 0);
@@ -77,10 +87,8 @@ fn a_crown_without_any_branch_lets_nothing_grow() {
 
 #[test]
 fn one_stroke_becomes_a_tree() {
-    for crown in
-        [None, Some(&Ellipsoid { center: Vec3::new(0.0, 5.5, 0.0), radii: Vec3::splat(3.0) })]
-    {
-        let grown = grown(&one_stroke(), crown, &PropagateParams::default());
+    for crown in [None, Some(ellipse([0.0, 5.5], [3.0, 3.0]))] {
+        let grown = grown(&one_stroke(), crown.as_ref(), &PropagateParams::default());
         assert!(grown.report.n_new > 200, "{:?}", grown.report);
     }
 }
@@ -89,7 +97,7 @@ fn one_stroke_becomes_a_tree() {
 fn the_number_of_threads_changes_nothing() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| grown(&sketch(), Some(&CROWN), &PropagateParams::default()))
+        pool.install(|| grown(&sketch(), Some(&crown()), &PropagateParams::default()))
     };
     assert_eq!(run(1), run(3));
 }
@@ -106,8 +114,7 @@ fn there_are_never_more_segments_than_allowed() {
 fn limits_are_asked_before_memory_is_taken() {
     let control = Control::default().with_limits(Limits { nodes: 100, ..Limits::default() });
     let params = PropagateParams::default();
-    let error =
-        propagate_in(&sketch(), &omega(), None, None, &params, Seed(1), &control).unwrap_err();
+    let error = propagate(&sketch(), &omega(), None, None, &params, Seed(1), &control).unwrap_err();
     assert!(error.to_string().contains("limit `nodes`"), "{error}");
 }
 
@@ -116,7 +123,7 @@ fn no_new_segment_enters_an_obstacle() {
     let wall = Volume::box_solid(Vec3::new(1.0, 0.0, -9.0), Vec3::new(1.3, 20.0, 9.0)).unwrap();
     let params = PropagateParams::default();
     let run = |obstacle| {
-        propagate_in(&sketch(), &omega(), None, obstacle, &params, Seed(1), &Control::default())
+        propagate(&sketch(), &omega(), None, obstacle, &params, Seed(1), &Control::default())
             .unwrap()
     };
     let grown = run(Some(&wall));
@@ -158,7 +165,7 @@ fn drawing_on_at_one_branch_leaves_what_grew_on_others() {
 #[test]
 fn fronds_do_not_branch() {
     let (control, params) = (Control::default(), PropagateParams::default());
-    let grown = propagate_in(&palm(), &palm_omega(), None, None, &params, Seed(1), &control);
+    let grown = propagate(&palm(), &palm_omega(), None, None, &params, Seed(1), &control);
     assert_eq!(grown.unwrap().report.n_new, 0);
 }
 
@@ -184,9 +191,7 @@ fn no_generation_grows_nothing() {
 fn bad_parameters_are_named() {
     let run = |omega: &Omega, params: &PropagateParams| {
         let control = Control::default();
-        propagate_in(&sketch(), omega, None, None, params, Seed(1), &control)
-            .unwrap_err()
-            .to_string()
+        propagate(&sketch(), omega, None, None, params, Seed(1), &control).unwrap_err().to_string()
     };
     let params = PropagateParams { long: 0.5, ..Default::default() };
     assert!(run(&omega(), &params).starts_with("propagate.long is 0.5"));
@@ -202,15 +207,8 @@ fn points_beyond_all_measure_are_refused() {
     let mut b = Builder::default();
     b.add(None, Label::Apical, [0.0, 1e9, 0.0]);
     let (branches, control) = (b.build(), Control::default());
-    let error = propagate_in(
-        &branches,
-        &omega(),
-        None,
-        None,
-        &PropagateParams::default(),
-        Seed(1),
-        &control,
-    );
+    let error =
+        propagate(&branches, &omega(), None, None, &PropagateParams::default(), Seed(1), &control);
     assert!(error.unwrap_err().to_string().contains("give metres"));
 }
 
@@ -235,7 +233,7 @@ proptest! {
         let params = PropagateParams { max_segments: 2000, ..Default::default() };
         let control = Control::default();
         let grown =
-            propagate_in(&b.build(), &omega, Some(&CROWN), None, &params, Seed(seed), &control).unwrap();
+            propagate(&b.build(), &omega, Some(&crown()), None, &params, Seed(seed), &control).unwrap();
         let branches = &grown.branches;
         prop_assert_eq!(branches.starts.len(), branches.len() + 1);
         for segment in 1..branches.len() {

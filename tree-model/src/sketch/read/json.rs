@@ -8,6 +8,9 @@ use serde_json::Value;
 /// Longest text read: a parsed text takes about thirty times its bytes.
 const MAX_BYTES: usize = 32 << 20;
 
+/// Reads one stroke in one of the forms, or says what is wrong with it.
+type ReadStroke = fn(&Value) -> Result<Stroke, String>;
+
 /// Reads a drawing from JSON, in any of these forms, y downwards:
 ///
 /// * `{"strokes": [{"points": [[x, y], …], "role": "branch", "closed": false, "filled": false, "name": ""}, …]}`,
@@ -32,7 +35,7 @@ pub fn from_json(text: &str) -> Result<Drawing> {
     let wanted = || {
         sketch("a list of lines, or an object with a list 'strokes' or 'drawing' is wanted".into())
     };
-    let (list, read): (_, fn(&Value) -> Result<Stroke, String>) = match &value {
+    let (list, read): (_, ReadStroke) = match &value {
         Value::Array(list) => (list, bare),
         Value::Object(object) => match (object.get("strokes"), object.get("drawing")) {
             (Some(Value::Array(list)), _) => (list, full),

@@ -6,10 +6,10 @@ use super::report::{SketchReport, SketchTree};
 use crate::error::{ModelError, Result};
 use crate::sketch::clean::{Cleaned, clean};
 use crate::sketch::crown::{Crown, CrownReport};
-use crate::sketch::finish::{SketchFinish, grow_crown_in, grow_wood};
+use crate::sketch::finish::{SketchFinish, grow_crown, grow_wood};
 use crate::sketch::infer::{InferParams, Inferred, Pin, infer_with};
 use crate::sketch::omega::Omega;
-use crate::sketch::propagate::{Propagated, Surface, propagate_in};
+use crate::sketch::propagate::{Propagated, propagate};
 use crate::sketch::template::{Choice, DrawnShape, Template, select};
 use crate::sketch::{Drawing, Plan};
 use tree_core::{Control, Seed, Skeleton, Volume};
@@ -230,10 +230,8 @@ impl Session {
                 .map(|(crown, _)| crown);
             let (params, obstacles) = (&self.params.propagate, self.obstacles.as_ref());
             let control = control.part(0.5, 0.7);
-            let crown = crown.map(|crown| crown as &dyn Surface);
             let (branches, omega) = (&inferred.branches, &inferred.omega);
-            let grown =
-                propagate_in(branches, omega, crown, obstacles, params, self.seed, &control)?;
+            let grown = propagate(branches, omega, crown, obstacles, params, self.seed, &control)?;
             self.propagated = Some(grown);
             self.runs[Stage::Propagate as usize] += 1;
         }
@@ -265,10 +263,10 @@ impl Session {
             self.wood(control)?;
             let params = self.finish_params()?;
             let clean = missing(self.cleaned.as_ref())?;
-            let crown = clean.crown.as_ref().map(|(crown, _)| crown as &dyn Surface);
+            let crown = clean.crown.as_ref().map(|(crown, _)| crown);
             let wood = missing(self.wood.as_ref())?;
             let (mut tree, finish) =
-                grow_crown_in(wood, crown, &params, self.seed, &control.part(0.75, 1.0))?;
+                grow_crown(wood, crown, &params, self.seed, &control.part(0.75, 1.0))?;
             let index = self.template_index()?;
             let template = &self.templates()?[index];
             if self.params.species.is_none() {

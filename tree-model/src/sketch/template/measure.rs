@@ -17,10 +17,14 @@ use super::project::{flat, seen_from};
 use super::shape::{BranchShape, Directions, Flat};
 use super::{Template, TemplateView};
 use crate::error::{ModelError, Result, check};
+use crate::sketch::crown::{OutlineParams, outline_of};
 use crate::sketch::{Branches, Footprint, Omega, Plan, convex_hull};
 use glam::Vec2;
 use std::f32::consts::PI;
 use tree_core::{Control, Tree};
+
+/// Most corners of a view's silhouette: enough to know the tree by, few enough to ship.
+const SILHOUETTE_CORNERS: u32 = 28;
 
 /// How a template is measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,7 +74,7 @@ impl Template {
         let branches = main_branches(tree.skeleton(), &params.main)?;
         let base = tree.skeleton().positions()[0].y;
         let height = tree.skeleton().bounds().max.y - base;
-        if !(height > 0.0) {
+        if height.is_nan() || height <= 0.0 {
             let problem = format!("'{name}' does not rise above its base: trees grow along +Y");
             return Err(ModelError::Template { problem });
         }
@@ -109,8 +113,20 @@ fn view(name: &str, tree: &Tree, branches: &Branches, yaw: f32) -> Result<Templa
         directions: Directions::of(&flat),
         crown: Footprint::of(&crown).unwrap_or_else(|| all.clone()),
         branches: all,
-        silhouette: convex_hull(&crown),
+        silhouette: silhouette(tree, &crown),
     })
+}
+
+/// The outline of a crown as a person would draw it round: of leaves its [outline](outline_of), of bare branches their
+/// hull.
+fn silhouette(tree: &Tree, crown: &[Vec2]) -> Vec<Vec2> {
+    let params = OutlineParams { corners: SILHOUETTE_CORNERS, ..OutlineParams::default() };
+    let outlines = if tree.foliage().is_empty() {
+        None
+    } else {
+        outline_of(crown, &params).into_iter().next()
+    };
+    outlines.unwrap_or_else(|| convex_hull(crown))
 }
 
 /// Where a tree's leaves show from `yaw`; empty for bare trees.

@@ -1,16 +1,16 @@
 //! Which template suits a drawing (Neubert 2012, section 4.8).
 //!
 //! Every template is compared with the drawing view by view and by the views' mirror images; its best view counts:
-//! * L_c = −‖f_S − f_E‖ for the footprints of the crown (equation 4.26), where a crown is drawn;
-//! * L_b = −Σ (μ_S − μ_E)² / (σ_S² + σ_E²) for length ratio and angles of the branching shape;
-//! * L = L_c + L_b (equation 4.27).
+//! * `L_c` = −‖f − f'‖ for the footprints of the crown (equation 4.26), where a crown is drawn;
+//! * `L_b` = −Σ (μ − μ')² / (σ² + σ'²) for length ratio and angles of the branching shape;
+//! * L = `L_c` + `L_b` (equation 4.27).
 //!
 //! Departures: the terms have weights, since one counts in footprints' distances and the other in deviations. The
 //! footprint of the branches counts as a third term, and without a crown it takes the crown's place, where the thesis has
-//! L_b alone. A fourth compares which way the branches go. Each of L_b's three parts is bounded: one odd fork cannot rule a template out. Norms are root mean
-//! squares, so that weights do not depend on K_f.
+//! `L_b` alone. A fourth compares which way the branches go. Each of `L_b`'s three parts is bounded: one odd fork cannot rule a template out. Norms are root mean
+//! squares, so that weights do not depend on `K_f`.
 //!
-//! O(templates · views · K_f): about 50 µs for the built-in ones.
+//! O(templates · views · `K_f`): about 50 µs for the built-in ones.
 
 use super::measure::DrawnShape;
 use super::shape::BranchShape;
@@ -71,7 +71,7 @@ pub struct Choice {
     pub crown: f32,
     /// The part of the branches' footprint, weighted.
     pub branches: f32,
-    /// The branching shape's part, weighted: L_b.
+    /// The branching shape's part, weighted: `L_b`.
     pub shape: f32,
     /// The directions' part, weighted.
     pub directions: f32,
@@ -143,7 +143,7 @@ fn distance(drawn: &Footprint, of: &Footprint, mirrored: bool) -> f32 {
     (squares.sum::<f32>() / n as f32).sqrt()
 }
 
-/// L_b.
+/// `L_b`.
 fn shape_score(drawn: &BranchShape, of: &BranchShape, params: &SelectParams) -> f32 {
     let part = |drawn: Option<Normal>, of: Option<Normal>| {
         let Some((a, b)) = drawn.zip(of) else { return 0.0 };

@@ -26,7 +26,7 @@ fn simple() -> Skeleton {
         ([0.0, 14.0, 0.0], 2),
         ([3.0, 6.0, 0.0], 1),
         ([3.0, 9.0, 1.0], 2),
-        ([0.1, 12.0, 0.1], 3),
+        ([0.5, 7.5, 0.1], 2),
     ])
 }
 
@@ -160,7 +160,7 @@ fn a_trunk_and_its_branches_become_segments_from_fork_to_fork() {
 
 #[test]
 fn forks_close_together_are_one() {
-    let wide = MainBranches { gather: 0.3, ..MainBranches::default() };
+    let wide = MainBranches { gather: 0.25, ..MainBranches::default() };
     let branches = main_branches(&simple(), &wide).unwrap();
     assert_eq!(branches.parents(), [NO_PARENT, 0, 0, 0]);
     // The upper branch now leaves where the lower one does.

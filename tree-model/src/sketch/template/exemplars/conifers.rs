@@ -202,7 +202,6 @@ pub(super) const ARAUCARIA: Row = Row {
     low: 0.6,
     smoothing: 6,
     leaves: Some(("spruce-needles", LeafParams { size: 0.55, spacing: 0.05, ..NEEDLES })),
-    ..ROW
 };
 
 pub(super) const PALM: Row = Row {
@@ -242,5 +241,4 @@ pub(super) const PALM: Row = Row {
             ..LeafParams::DEFAULT
         },
     )),
-    ..ROW
 };
