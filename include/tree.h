@@ -12,6 +12,11 @@
 // an engine uploads; `tree_mesh_write_glb` writes a file. `tree_mesh_free` and `tree_tree_free` at the end.
 // `examples/c/oak.c` does this.
 //
+// From a sketch: `tree_drawing_new`, `tree_drawing_from_svg` or `tree_drawing_from_json` takes its strokes;
+// `tree_drawing_clean` joins them to a `tree_plan` and tells what it repaired; `tree_crown_close` makes a solid of
+// its crown; `tree_templates_select` says which kind of tree it looks like. A sketch session does this and all that
+// follows.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -4423,7 +4428,7 @@ typedef struct tree_sketch_infer_params {
     // How far angles and ratios spread as Ω says, 0 to 1. At 0 each segment aims at the means, as in the thesis, and
     // all branches come out alike; at 1 each aims at a draw from Ω of its own. Default 1.
     float spread;
-    // How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 5.
+    // How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 0.2.
     float competition;
     // How much likelier, as the logarithm of a ratio, a stroke goes on as the same axis than as a lateral, 0 (the
     // thesis) to 100. Default 3.

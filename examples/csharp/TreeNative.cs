@@ -6602,7 +6602,7 @@ namespace TreeFamily.Native
         /// </summary>
         public float spread;
         /// <summary>
-        /// How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 5.
+        /// How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 0.2.
         /// </summary>
         public float competition;
         /// <summary>
@@ -7570,6 +7570,11 @@ namespace TreeFamily.Native
         /// a `tree_tree` of them, `tree_mesh_build` a `tree_mesh` of that, `tree_mesh_surface` shows its columns, which
         /// an engine uploads; `tree_mesh_write_glb` writes a file. `tree_mesh_free` and `tree_tree_free` at the end.
         /// `examples/c/oak.c` does this.
+        ///
+        /// From a sketch: `tree_drawing_new`, `tree_drawing_from_svg` or `tree_drawing_from_json` takes its strokes;
+        /// `tree_drawing_clean` joins them to a `tree_plan` and tells what it repaired; `tree_crown_close` makes a solid of
+        /// its crown; `tree_templates_select` says which kind of tree it looks like. A sketch session does this and all that
+        /// follows.
         ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
