@@ -14,8 +14,10 @@
 //
 // From a sketch: `tree_drawing_new`, `tree_drawing_from_svg` or `tree_drawing_from_json` takes its strokes;
 // `tree_drawing_clean` joins them to a `tree_plan` and tells what it repaired; `tree_crown_close` makes a solid of
-// its crown; `tree_templates_select` says which kind of tree it looks like. A sketch session does this and all that
-// follows.
+// its crown; `tree_templates_select` says which kind of tree it looks like. `tree_sketch_infer` finds
+// depths, `tree_sketch_branches_propagate` what was left out, `tree_sketch_branches_wood` and `tree_sketch_grow_crown`
+// make the tree. A `tree_sketch_session` does all that and lets strokes and depths be changed; `tree_from_sketch` does
+// it in one call.
 //
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
@@ -24,8 +26,8 @@
 // * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-//   its kind). Handles keep alive what they are made of. One kind changes, `tree_photo_session`: one thread at
-//   a time.
+//   its kind). Handles keep alive what they are made of. Two kinds change, `tree_photo_session` and
+//   `tree_sketch_session`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -934,7 +936,7 @@ typedef struct tree_photo tree_photo;
 // after it: painting density keeps the branches found in the pictures, another seed keeps density and
 // fields. A call that fails or is cancelled leaves the session as it was, with the stages done by then.
 //
-// It is the only object of the library that changes: do not use it from two threads at once. A call that
+// It is an object that changes: do not use it from two threads at once. A call that
 // comes while another is at work on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands
 // out is copied, does not change with it, and outlives it.
 typedef struct tree_photo_session tree_photo_session;
