@@ -116,6 +116,11 @@ unsafe fn answers<P: Sync, T: Send>(
     ask: impl Fn(&P) -> T + Sync + Send,
 ) -> Result<Vec<T>> {
     let body = |control: &Control| {
+        control.check()?;
+        // A few points are not worth waking other threads.
+        if rows.len() <= CHUNK {
+            return Ok(rows.iter().map(&ask).collect());
+        }
         let chunks: Vec<Vec<T>> = rows
             .par_chunks(CHUNK)
             .map(|rows| {
