@@ -12,6 +12,13 @@
 // an engine uploads; `tree_mesh_write_glb` writes a file. `tree_mesh_free` and `tree_tree_free` at the end.
 // `examples/c/oak.c` does this.
 //
+// From a sketch: `tree_drawing_new`, `tree_drawing_from_svg` or `tree_drawing_from_json` takes its strokes;
+// `tree_drawing_clean` joins them to a `tree_plan` and tells what it repaired; `tree_crown_close` makes a solid of
+// its crown; `tree_templates_select` says which kind of tree it looks like. `tree_sketch_infer` finds
+// depths, `tree_sketch_branches_propagate` what was left out, `tree_sketch_branches_wood` and `tree_sketch_grow_crown`
+// make the tree. A `tree_sketch_session` does all that and lets strokes and depths be changed; `tree_from_sketch` does
+// it in one call.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -19,8 +26,8 @@
 // * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-//   its kind). Handles keep alive what they are made of. One kind changes, `tree_photo_session`: one thread at
-//   a time.
+//   its kind). Handles keep alive what they are made of. Two kinds change, `tree_photo_session` and
+//   `tree_sketch_session`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -598,6 +605,186 @@
 // Not looked at.
 #define TREE_CLASS_IGNORED 3
 
+// The segment continues its parent's axis.
+#define TREE_SKETCH_APICAL 4294967295u
+
+// A straight line joins them, however far they are.
+#define TREE_ISOLATED_BRIDGE 0
+
+// Those beyond the reach are left out.
+#define TREE_ISOLATED_DROP 1
+
+// Those beyond the reach are an error.
+#define TREE_ISOLATED_REFUSE 2
+
+// `count` points that are not finite, or absurdly far away, were left out.
+#define TREE_REPAIR_BAD_POINTS 0
+
+// It has no length worth speaking of, and was left out.
+#define TREE_REPAIR_EMPTY 1
+
+// It was taken for the ground, and left out.
+#define TREE_REPAIR_GROUND 2
+
+// It was taken for a mark on the trunk's bark, and left out.
+#define TREE_REPAIR_BARK_MARK 3
+
+// It is a small mark that touches nothing, and was left out.
+#define TREE_REPAIR_SPECK 4
+
+// It shows roots below the ground: what is below was left out.
+#define TREE_REPAIR_BELOW_GROUND 5
+
+// It runs along the crown's outline, stroke `other`: that part is its ink, and was left out.
+#define TREE_REPAIR_CROWN_INK 6
+
+// It was not marked, and was taken to show `role`.
+#define TREE_REPAIR_TAKEN_AS 7
+
+// It shows the trunk and the crown in one go, and was cut at the corner between them.
+#define TREE_REPAIR_CUT_AT_CORNER 8
+
+// It is one side of the trunk and stroke `other` the other side: the line between them was taken.
+#define TREE_REPAIR_MIDDLE_OF_SIDES 9
+
+// It is an outline: its middle line was taken.
+#define TREE_REPAIR_MIDDLE_OF_OUTLINE 10
+
+// All of it runs along stroke `other`, and was merged into that.
+#define TREE_REPAIR_MERGED 11
+
+// A part of it runs along stroke `other`, and was merged into that.
+#define TREE_REPAIR_MERGED_PARTLY 12
+
+// It was drawn towards the base, and was turned round.
+#define TREE_REPAIR_TURNED_ROUND 13
+
+// It passes through where it joins, and was split there in two.
+#define TREE_REPAIR_SPLIT 14
+
+// It crosses stroke `other` a little: the end beyond it, `share` long, was cut off.
+#define TREE_REPAIR_TRIMMED 15
+
+// Its end was joined over a small gap of `share`.
+#define TREE_REPAIR_SNAPPED 16
+
+// It was joined by a straight line over a gap of `share`.
+#define TREE_REPAIR_BRIDGED 17
+
+// It begins on the ground beside the base, `share` away, and was joined to the base.
+#define TREE_REPAIR_SECOND_ROOT 18
+
+// It is `share` away from the rest, and was left out.
+#define TREE_REPAIR_ISOLATED 19
+
+// There are no branches: a straight trunk was imagined below this crown.
+#define TREE_REPAIR_IMAGINED_TRUNK 20
+
+// Something else: `tree_plan_repairs_text` says what.
+#define TREE_REPAIR_OTHER 21
+
+// Of stroke `stroke`, `count` points were not finite or absurdly far away, and were left out.
+#define TREE_CROWN_POINTS_DROPPED 0
+
+// Stroke `stroke` has no length, and was left out.
+#define TREE_CROWN_STROKE_DROPPED 1
+
+// Stroke `stroke` is open and lies inside a closed one: it is a detail, and was left out.
+#define TREE_CROWN_DETAIL_DROPPED 2
+
+// Stroke `stroke`, or several joined ones of which it is the first, was closed straight over `gap` metres.
+#define TREE_CROWN_CLOSED 3
+
+// Strokes were joined at `count` places where their ends were close.
+#define TREE_CROWN_JOINED 4
+
+// A wide gap of `gap` metres between ends was closed; `round_branches` says whether round branches in it.
+#define TREE_CROWN_GAP_CLOSED 5
+
+// Loop `stroke`, in the order they were closed, crossed itself; what it winds round was kept.
+#define TREE_CROWN_CROSSING_UNDONE 6
+
+// `count` loops that overlap were united, and `after` polygons are left of them.
+#define TREE_CROWN_UNITED 7
+
+// `count` loops inside others are details, and were left out.
+#define TREE_CROWN_NESTED_DROPPED 8
+
+// `count` tiny parts were left out.
+#define TREE_CROWN_CRUMBS_DROPPED 9
+
+// A `share` of the branches' points lies outside.
+#define TREE_CROWN_BRANCHES_OUTSIDE 10
+
+// No branch touches the crown.
+#define TREE_CROWN_NO_BRANCH_INSIDE 11
+
+// Something else: `tree_crown_repairs_text` says what.
+#define TREE_CROWN_OTHER 12
+
+// Not said: cleaning is to find out.
+#define TREE_ROLE_UNKNOWN 0
+
+// The trunk. It begins the tree.
+#define TREE_ROLE_TRUNK 1
+
+// A branch.
+#define TREE_ROLE_BRANCH 2
+
+// The crown's outline, or a piece of it.
+#define TREE_ROLE_CROWN 3
+
+// The seed of the trees that the built-in templates were measured by.
+#define TREE_EXEMPLAR_SEED 1
+
+// Number of distances in a footprint. Direction 0 is +x, then they turn against the clock where y goes up.
+#define TREE_FOOTPRINT_DIRECTIONS 64
+
+// Bottom-up inference.
+#define TREE_SKETCH_STEP_BOTTOM_UP 0
+
+// Passes of ICM.
+#define TREE_SKETCH_STEP_ICM 1
+
+// Branches swung to the other side.
+#define TREE_SKETCH_STEP_SWING 2
+
+// Crossing branches were moved apart.
+#define TREE_SKETCH_STEP_SEPARATE 3
+
+// Ω was estimated.
+#define TREE_SKETCH_STEP_OMEGA 4
+
+// What is wound round. The default, as in SVG.
+#define TREE_FILL_NON_ZERO 0
+
+// What is wound round an odd number of times.
+#define TREE_FILL_EVEN_ODD 1
+
+// Orders of axes that a `tree_sketch_omega` tells apart.
+#define TREE_SKETCH_ORDERS 8
+
+// Strokes joined, the crown closed.
+#define TREE_SKETCH_STAGE_CLEAN 0
+
+// Templates compared.
+#define TREE_SKETCH_STAGE_SELECT 1
+
+// Depths inferred.
+#define TREE_SKETCH_STAGE_INFER 2
+
+// Branches propagated.
+#define TREE_SKETCH_STAGE_PROPAGATE 3
+
+// Wood with radii.
+#define TREE_SKETCH_STAGE_WOOD 4
+
+// Twigs and leaves.
+#define TREE_SKETCH_STAGE_TREE 5
+
+// Number of shares in `directions` of a `tree_template_side`.
+#define TREE_DIRECTION_BINS 12
+
 // Version of the ABI that this header describes. A library with the same number has every function and
 // struct of this header; additions do not change it.
 #define TREE_ABI_VERSION 1
@@ -671,13 +858,27 @@ typedef struct tree_carved tree_carved;
 // Triangles of a surface that cross each other.
 typedef struct tree_crossings tree_crossings;
 
+// A crown: polygons in the plan, and the solid they stand for. At every height each stretch of the inside is swept to
+// a circle (or an ellipse, by the depth) about its own middle.
+typedef struct tree_crown tree_crown;
+
 // Directions on a grid of cells over a picture.
 typedef struct tree_direction_field tree_direction_field;
+
+// A drawing: strokes in the order they were drawn, in any units, y downwards as on screens and in SVG.
+typedef struct tree_drawing tree_drawing;
+
+// Drawings of one file.
+typedef struct tree_drawings tree_drawings;
 
 // The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
 // them in metres, add up to -ln of the transparency seen. Wanted is the x >= 0 with the least
 // |A x - b|^2 + lambda^2 |x / weights|^2.
 typedef struct tree_equations tree_equations;
+
+// The factor graph of a sketch (Neubert 2012, section 4.5.1): what any depths and labels are worth. Segments are
+// numbered generation by generation, as in a `tree_inferred` of the same plan.
+typedef struct tree_factor_graph tree_factor_graph;
 
 // Leaves found in a mesh, and their kinds.
 typedef struct tree_found_leaves tree_found_leaves;
@@ -698,6 +899,9 @@ typedef struct tree_graph_nodes tree_graph_nodes;
 // optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
 typedef struct tree_grid tree_grid;
 
+// A sketch in space: what was inferred of it.
+typedef struct tree_inferred tree_inferred;
+
 // The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
 // see how much of its triangles is visible.
 typedef struct tree_leaf_model tree_leaf_model;
@@ -717,6 +921,9 @@ typedef struct tree_matte tree_matte;
 // Surfaces with their materials, and the branches that move in the wind.
 typedef struct tree_mesh tree_mesh;
 
+// The middle lines of a filled area.
+typedef struct tree_midlines tree_midlines;
+
 // A surface in the axes and the layout of an engine.
 typedef struct tree_packed tree_packed;
 
@@ -729,7 +936,7 @@ typedef struct tree_photo tree_photo;
 // after it: painting density keeps the branches found in the pictures, another seed keeps density and
 // fields. A call that fails or is cancelled leaves the session as it was, with the stages done by then.
 //
-// It is the only object of the library that changes: do not use it from two threads at once. A call that
+// It is an object that changes: do not use it from two threads at once. A call that
 // comes while another is at work on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands
 // out is copied, does not change with it, and outlives it.
 typedef struct tree_photo_session tree_photo_session;
@@ -739,6 +946,10 @@ typedef struct tree_picture tree_picture;
 
 // Connected pieces of wood, each followed from its base.
 typedef struct tree_pieces tree_pieces;
+
+// A cleaned drawing: its branches as one tree in the plane, the lines of its crown, and what was done to its
+// strokes.
+typedef struct tree_plan tree_plan;
 
 // Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
 // depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
@@ -759,11 +970,31 @@ typedef struct tree_separation tree_separation;
 // Branches as a rooted tree of nodes with radii.
 typedef struct tree_skeleton tree_skeleton;
 
-// Strokes read from a drawing, or a session's branches as strokes.
+// Branch segments from fork to fork, parents first: those of a sketch, or those with what grew on them
+// (`tree_sketch_branches_propagate`).
+typedef struct tree_sketch_branches tree_sketch_branches;
+
+// A sketch on its way to a tree: a drawing, parameters, templates, and what has been made of them so far.
+//
+// Every stage can be asked for by itself and is done when its result, or that of a later one, is first asked for.
+// Edits keep what does not depend on them: once depths have been inferred, strokes can be added and erased and
+// depths moved, and those of all other branches stay, as do scale, template, Ω and what grew on other branches.
+// `tree_sketch_session_infer_anew` forgets all of that. A call that fails or is cancelled leaves the session as it
+// was, with the stages done by then.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+// on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
+// and outlives it.
+typedef struct tree_sketch_session tree_sketch_session;
+
+// Strokes read from a drawing, a session's branches as strokes, or outlines.
 typedef struct tree_strokes tree_strokes;
 
 // What an SWC file held: a skeleton, and what a skeleton has no column for.
 typedef struct tree_swc tree_swc;
+
+// Kinds of tree to guide a reconstruction by.
+typedef struct tree_templates tree_templates;
 
 // A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
 typedef struct tree_texture tree_texture;
@@ -2697,8 +2928,8 @@ typedef struct tree_photo_placing {
     uint32_t reserved;
 } tree_photo_placing;
 
-// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
-// `starts[i + 1]`. Set `struct_size` first.
+// Strokes over a picture, or other lines of the plane. The points of stroke `i` are rows `starts[i]` up to,
+// but not including, `starts[i + 1]`. Set `struct_size` first.
 typedef struct tree_strokes_columns {
     // `sizeof(tree_strokes_columns)`.
     size_t struct_size;
@@ -2708,7 +2939,7 @@ typedef struct tree_strokes_columns {
     const uint64_t *starts;
     // Number of points of all strokes.
     size_t n_points;
-    // Two floats for each point, in pixels from the top left of the picture.
+    // Two floats for each point, in pixels from the top left of the picture where nothing else is said.
     const float *points;
 } tree_strokes_columns;
 
@@ -3957,6 +4188,714 @@ typedef struct tree_skeletonize_report {
     // 0.
     uint32_t reserved;
 } tree_skeletonize_report;
+
+// Which part a segment plays where its parent ends: `TREE_SKETCH_APICAL`, or the number of a lateral from 0 to
+// 65,535.
+typedef uint32_t tree_sketch_label;
+
+// Columns of branches: as input, or as a view of a `tree_sketch_branches`.
+typedef struct tree_sketch_branches_columns {
+    // `sizeof(tree_sketch_branches_columns)`.
+    size_t struct_size;
+    // Number of segments, at least 1.
+    size_t n_segments;
+    // Number of points of all segments.
+    size_t n_points;
+    // Parent of each segment, which comes before it; `TREE_NO_PARENT` for segment 0.
+    const uint32_t *parents;
+    // Label of each segment; that of segment 0 is `TREE_SKETCH_APICAL`.
+    const tree_sketch_label *labels;
+    // Where each segment's points begin in `points`, and at last their number: `n_segments + 1` values.
+    const uint32_t *starts;
+    // Three floats for each point, in metres: seen along -Z, as the sketch was drawn, z is the depth, positive
+    // towards the viewer. A segment's first point is its parent's last; those that propagation adds may begin on
+    // the way there.
+    const float *points;
+    // A name for each segment that stays when others are drawn or erased: streams of randomness go by it. NULL where
+    // segments have none. Not read as input.
+    const uint64_t *names;
+    // The generation of each segment, 0 for the sketched. Not read as input.
+    const uint32_t *generations;
+    // Where on its parent each segment begins, counted in the parent's points: 2.25 is a quarter of the way from its
+    // point 2 to its point 3. Not read as input.
+    const float *forks;
+    // How many segments are sketched; they come first. Not read as input.
+    size_t n_sketched;
+    // Whether segment 0 is not drawn: it stands below a base from which several stems rise, and only says that they
+    // rise.
+    uint32_t imagined_root;
+    // 0.
+    uint32_t reserved;
+} tree_sketch_branches_columns;
+
+// What becomes of strokes that lie far from the rest: a `TREE_ISOLATED_` constant.
+typedef uint32_t tree_isolated;
+
+// How a drawing is cleaned and joined. Shares are of the drawing's height (or of a tenth of its width, where
+// that is more). Begin with `tree_clean_params_init`.
+typedef struct tree_clean_params {
+    // `sizeof(tree_clean_params)`.
+    size_t struct_size;
+    // Height of branches and crown together in metres, 0.01 to 1000. Default 10.
+    float height;
+    // Distance between nodes, a share, 0.001 to 0.2. Default 0.01. Corners get nodes of their own. Very long
+    // drawings are sampled more coarsely.
+    float spacing;
+    // Gaps up to this share count as drawn to touch, 0 to 0.2. Default 0.03. Ends that stick out beyond the
+    // stroke they join by up to this share are cut off.
+    float snap;
+    // A stroke that runs along another within this share is the same, 0 to 0.1. Default 0.012. 0: nothing is
+    // merged.
+    float merge;
+    // How far a stroke may be from the rest, a share, 0 to 10. Default 0.25.
+    float reach;
+    // What becomes of strokes beyond the reach. Default `TREE_ISOLATED_BRIDGE`.
+    tree_isolated isolated;
+    // Whether `root` says where the tree's base is. Default no: it is found.
+    uint32_t has_root;
+    // Where the tree's base is, in units of the drawing.
+    float root[2];
+    // Whether strokes without a role may be taken for a crown, the ground, sides of a trunk or marks on its
+    // bark. Default yes; no: what is not marked is a branch.
+    uint32_t guess;
+} tree_clean_params;
+
+// How a drawn crown is understood. Begin with `tree_crown_params_init`.
+typedef struct tree_crown_params {
+    // `sizeof(tree_crown_params)`.
+    size_t struct_size;
+    // A stroke whose ends are closer than this share of its length is a loop of its own, 0 to 1. Default 0.15.
+    float gap;
+    // Ends of strokes closer than this share of the crown's size are joined, 0 to 1. Default 0.05.
+    float join;
+    // Depth of the crown, along the view, over its width, 0.05 to 20. Default 1: circles.
+    float depth;
+    // Whether a crown that no branch touches is an error. Default no: it is kept and reported.
+    uint32_t refuse;
+} tree_crown_params;
+
+// How large a crown is.
+typedef struct tree_crown_measures {
+    // `sizeof(tree_crown_measures)`.
+    size_t struct_size;
+    // Lowest coordinates of the polygons in metres.
+    float low[2];
+    // Highest coordinates of the polygons in metres.
+    float high[2];
+    // Area of the polygons in square metres.
+    float area;
+    // Volume of the solid in cubic metres.
+    float volume;
+    // Share of the branches' points that lay outside when it was closed, 0 to 1.
+    float outside;
+    // 0.
+    uint32_t reserved;
+} tree_crown_measures;
+
+// What was repaired or noticed of a drawn crown: a `TREE_CROWN_` constant. New ones may be added.
+typedef uint32_t tree_crown_repair_kind;
+
+// One thing that was repaired or noticed of a drawn crown. Fields that its kind does not name are 0.
+typedef struct tree_crown_repair {
+    // What it was.
+    tree_crown_repair_kind kind;
+    // Number of a stroke of the crown, or of a loop.
+    uint32_t stroke;
+    // How many there were.
+    uint32_t count;
+    // How many there are now.
+    uint32_t after;
+    // A length in metres.
+    float gap;
+    // A share, 0 to 1.
+    float share;
+    // 1 or 0.
+    uint32_t round_branches;
+} tree_crown_repair;
+
+// How outlines are drawn. Begin with `tree_outline_params_init`.
+typedef struct tree_outline_params {
+    // `sizeof(tree_outline_params)`.
+    size_t struct_size;
+    // Bays narrower than twice this share of the size are drawn across, 0.01 to 0.5. Default 0.06.
+    float closing;
+    // Most corners of all outlines together, 12 to 10,000. Default 120.
+    uint32_t corners;
+} tree_outline_params;
+
+// What a stroke shows: a `TREE_ROLE_` constant.
+typedef uint32_t tree_role;
+
+// One line of a drawing: as input, or as a view of a `tree_drawing`. Zeros are its defaults. Set `struct_size`
+// first.
+typedef struct tree_sketch_stroke {
+    // `sizeof(tree_sketch_stroke)`.
+    size_t struct_size;
+    // Number of points.
+    size_t n_points;
+    // Two floats for each point, in the drawing's own units, y downwards as on screens. Points that are not
+    // finite are taken: cleaning leaves them out and says so.
+    const float *points;
+    // What messages call it besides its number. Default empty.
+    struct tree_str name;
+    // What it shows. Default `TREE_ROLE_UNKNOWN`.
+    tree_role role;
+    // Whether its end is joined to its beginning.
+    uint32_t closed;
+    // Whether it is the outline of a filled area rather than a line: of a branch so drawn the middle line is
+    // meant.
+    uint32_t filled;
+    // 0.
+    uint32_t reserved;
+} tree_sketch_stroke;
+
+// Which branches of a tree a person would draw. Begin with `tree_main_branches_init`.
+typedef struct tree_main_branches {
+    // `sizeof(tree_main_branches)`.
+    size_t struct_size;
+    // Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
+    float least;
+    // Least length of axes of order 2 as a share of their parent's, 0 to 1. Default 0.35.
+    float least_second;
+    // Most axes, 1 to 1000. Default 36.
+    uint32_t most;
+    // Forks closer than this on an axis, as a share of the tree's extent, are taken for one, 0 to 0.5. Default
+    // 0.025.
+    float gather;
+    // What continues an axis at a fork. Default `TREE_CONTINUATION_THICKEST`.
+    tree_continuation continuation;
+    // 0.
+    uint32_t reserved;
+} tree_main_branches;
+
+// How branches become a tree. Begin with `tree_sketch_finish_params_init`.
+typedef struct tree_sketch_finish_params {
+    // `sizeof(tree_sketch_finish_params)`.
+    size_t struct_size;
+    // Whose twigs and leaves: one of the names that `tree_foliage_species_name` gives. Default "oak", which an empty text
+    // is too.
+    struct tree_str species;
+    // Whether there are leaves. Default 1.
+    uint32_t leaves;
+    // Whether there are twigs. Default 1.
+    uint32_t twigs;
+    // Radius of the trunk as a share of the height, 1e-4 to 0.2. Default 0.018.
+    float slenderness;
+    // How radii add up at forks: Δ of the pipe model, 1 to 10. Default Murray's.
+    float exponent;
+    // Leaves against those of a tree in full leaf, 0 to 10. Default 1.
+    float fullness;
+    // Length of twigs against the usual of the species, 0.05 to 20. Default 1.
+    float twig_length;
+} tree_sketch_finish_params;
+
+// What the finish did.
+typedef struct tree_sketch_finish_report {
+    // `sizeof(tree_sketch_finish_report)`.
+    size_t struct_size;
+    // Nodes of branches.
+    uint64_t n_wood_nodes;
+    // Nodes of twigs.
+    uint64_t n_twig_nodes;
+    // Nodes of twigs cut off because they left the crown or entered the ground.
+    uint64_t n_twig_nodes_cut;
+    // Blades that stayed: rows of the foliage.
+    uint64_t n_leaves;
+    // Blades left out because they left the crown or entered the ground.
+    uint64_t n_leaves_outside;
+    // How much larger leaves are than the species', because there would be too many; a factor.
+    float leaves_larger;
+    // 0.
+    uint32_t reserved;
+} tree_sketch_finish_report;
+
+// How depths, labels and Ω are inferred. Begin with `tree_sketch_infer_params_init`.
+typedef struct tree_sketch_infer_params {
+    // `sizeof(tree_sketch_infer_params)`.
+    size_t struct_size;
+    // Whether Ω stays the template's (Neubert 2012, section 4.6.1) or fits itself to the sketch (section 4.6.2).
+    // Default 0.
+    uint32_t keep_omega;
+    // Rounds of refining depths and, unless `keep_omega`, of estimating Ω, 0 to 100. Default 6; the thesis needed
+    // fewer than 10.
+    uint32_t rounds;
+    // Passes of ICM over all segments in each round, at most, 1 to 1000. Default 8.
+    uint32_t sweeps;
+    // ICM ends where the depths of a pass changed by less than this share of the drawing's size altogether, 0 to 1.
+    // Default 0.0005.
+    float settled;
+    // How many half-placed trees bottom-up inference keeps at once, 1 to 4096; 1 is the thesis. Large drawings get
+    // fewer, so that time stays linear. Default 64.
+    uint32_t beam;
+    // How far angles and ratios spread as Ω says, 0 to 1. At 0 each segment aims at the means, as in the thesis, and
+    // all branches come out alike; at 1 each aims at a draw from Ω of its own. Default 1.
+    float spread;
+    // How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 0.2.
+    float competition;
+    // How much likelier, as the logarithm of a ratio, a stroke goes on as the same axis than as a lateral, 0 (the
+    // thesis) to 100. Default 3.
+    float follow;
+    // Standard deviation in radians by which a stroke bends towards or away from the viewer from one segment to the
+    // next, 0.01 to 10. Small keeps curvy strokes in their plane. Default 0.3.
+    float bending;
+    // Ω counts with so many imagined segments of the template when it is estimated, 0.1 to 1e6. Default 8.
+    float template_weight;
+    // Branches that cross in the drawing keep this multiple of their thickness apart, 0 (off) to 10. Default 1.3.
+    float clearance;
+    // Radius of the trunk as a share of the height, for the branches' thickness, 1e-4 to 0.2. Default 0.02.
+    float slenderness;
+} tree_sketch_infer_params;
+
+// A normal distribution.
+typedef struct tree_sketch_normal {
+    // Its mean μ.
+    float mean;
+    // Its standard deviation σ, 1e-4 to 10.
+    float deviation;
+} tree_sketch_normal;
+
+// How axes of one order go on and branch. Angles in radians.
+typedef struct tree_sketch_habit {
+    // Natural logarithm of the length of the apical segment over that of the segment below. The mean is -10 to 10.
+    struct tree_sketch_normal scale;
+    // Natural logarithm of the length of a lateral's first segment over that of the segment below. The mean is -10
+    // to 10.
+    struct tree_sketch_normal lateral_scale;
+    // α: the angle between the apical segment and the segment below. The mean is 0 to π.
+    struct tree_sketch_normal alpha;
+    // β: the angle between a lateral and the segment below. The mean is 0 to π.
+    struct tree_sketch_normal beta;
+    // γ: the turn about the axis from one lateral to the next. The mean is -2π to 2π.
+    struct tree_sketch_normal gamma;
+} tree_sketch_habit;
+
+// Ω, the global parameters of a tree: a habit for axes of order 0 (the trunk), 1 and so on. Begin with
+// `tree_sketch_omega_init`.
+typedef struct tree_sketch_omega {
+    // `sizeof(tree_sketch_omega)`.
+    size_t struct_size;
+    // How many orders have a habit of their own, 1 to `TREE_SKETCH_ORDERS`; the last one holds for all higher
+    // orders too. Default 1. Of a template with more of them the first are given.
+    uint32_t n_orders;
+    // 0.
+    uint32_t reserved;
+    // The habits; rows from `n_orders` on do not count. Default: a broad-leaved tree's, with nearly straight axes
+    // and laterals at half a right angle in a golden spiral.
+    struct tree_sketch_habit orders[TREE_SKETCH_ORDERS];
+} tree_sketch_omega;
+
+// A depth that is known: of the end of the segment that ends at a node of the plan.
+typedef struct tree_sketch_pin {
+    // Node of the plan: a tip or a fork.
+    uint32_t node;
+    // Its depth in metres; positive is towards the viewer.
+    float depth;
+} tree_sketch_pin;
+
+// A step of inference: one of the `TREE_SKETCH_STEP_` constants.
+typedef uint32_t tree_sketch_step;
+
+// The posterior's logarithm, part by part.
+typedef struct tree_sketch_posterior {
+    // The whole: the sum of the others.
+    double total;
+    // Sum of the factors between segments and their parents (Eq. 4.17).
+    double branches;
+    // Competition for space (Eq. 4.22).
+    double competition;
+    // Branches that cross without room, 0 where none does.
+    double crossings;
+    // Ω, seen from the template.
+    double omega;
+} tree_sketch_posterior;
+
+// The posterior after a step.
+typedef struct tree_sketch_trace_row {
+    // The step.
+    tree_sketch_step step;
+    // 0.
+    uint32_t reserved;
+    // The posterior after it.
+    struct tree_sketch_posterior posterior;
+} tree_sketch_trace_row;
+
+// The factor of one segment, part by part, as logarithms.
+typedef struct tree_sketch_factor_row {
+    // The segment.
+    uint32_t segment;
+    // 0.
+    uint32_t reserved;
+    // ln p(s | Ω).
+    double scale;
+    // ln p(α | Ω) or ln p(β | Ω).
+    double divergence;
+    // ln p(γ | Ω); 0 where there is no roll.
+    double roll;
+    // What the factors along strokes add.
+    double stroke;
+    // Competition and crossings that change with this segment's depth.
+    double shared;
+} tree_sketch_factor_row;
+
+// A view of what was inferred.
+typedef struct tree_inferred_columns {
+    // `sizeof(tree_inferred_columns)`.
+    size_t struct_size;
+    // Number of segments; `tree_inferred_branches` has their points and labels.
+    size_t n_segments;
+    // Where the nodes of each segment begin in `nodes`, and at last their number: `n_segments + 1` values.
+    const uint32_t *node_starts;
+    // The plan's nodes that the points of each segment are, in their order; for an imagined root the base alone.
+    const uint32_t *nodes;
+    // Number of nodes in `nodes`.
+    size_t n_nodes;
+    // The posterior after each step. It never falls.
+    const struct tree_sketch_trace_row *trace;
+    // Number of steps.
+    size_t n_trace;
+    // The factor of each segment but the root.
+    const struct tree_sketch_factor_row *factors;
+    // Number of factors.
+    size_t n_factors;
+    // The posterior.
+    struct tree_sketch_posterior posterior;
+    // Crossings in the drawing of branches that could not be given room.
+    uint32_t n_interpenetrations;
+    // 0.
+    uint32_t reserved;
+} tree_inferred_columns;
+
+// What lies inside where contours cross or nest: a `TREE_FILL_` constant.
+typedef uint32_t tree_fill_rule;
+
+// How middle lines are found. Begin with `tree_midline_params_init`.
+typedef struct tree_midline_params {
+    // `sizeof(tree_midline_params)`.
+    size_t struct_size;
+    // Side lines shorter than this share of the area's width where they leave are no branches, 0 to 10. Default 1.
+    float spur;
+    // What lies inside. Default `TREE_FILL_NON_ZERO`.
+    tree_fill_rule rule;
+} tree_midline_params;
+
+// How a segment lies to its parent.
+typedef struct tree_sketch_relation {
+    // The segment.
+    uint32_t segment;
+    // Its label.
+    tree_sketch_label label;
+    // Gravelius order of its parent's axis: the order whose habit it follows.
+    uint32_t order;
+    // 1 where `roll` counts: not for apical segments, nor for the first lateral of an axis.
+    uint32_t has_roll;
+    // Natural logarithm of its length over its parent's.
+    double scale;
+    // Angle to its parent in radians: α of an apical segment, β of a lateral.
+    double divergence;
+    // For a lateral, the turn about the axis from the last lateral's side, less what its place in the fork's whorl
+    // gives, -π to π. 0 where there is none.
+    double roll;
+} tree_sketch_relation;
+
+// The columns of a plan: as input, or as a view of a `tree_plan`. Set `struct_size` first.
+typedef struct tree_plan_columns {
+    // `sizeof(tree_plan_columns)`.
+    size_t struct_size;
+    // Number of nodes, at least 1. Node 0 is the base.
+    size_t n_nodes;
+    // Two floats for each node, in metres: x to the right, y up, the base at the origin.
+    const float *positions;
+    // Parent of each node, which comes before it; `TREE_NO_PARENT` for node 0.
+    const uint32_t *parents;
+    // The drawing's stroke that each node lies on. Where two meet, the node belongs to the one that bears the
+    // other.
+    const uint32_t *strokes;
+    // Where the base is in the drawing.
+    float base[2];
+    // Metres for one unit of the drawing, above 0.
+    float scale;
+    // 0.
+    uint32_t reserved;
+} tree_plan_columns;
+
+// What was done to a stroke: a `TREE_REPAIR_` constant. New ones may be added.
+typedef uint32_t tree_repair_kind;
+
+// One thing that was done to one stroke of a drawing. Fields that its kind does not name are 0.
+typedef struct tree_clean_repair {
+    // Index of the stroke in the drawing.
+    uint32_t stroke;
+    // What was done. New ones may be added.
+    tree_repair_kind kind;
+    // Index of another stroke.
+    uint32_t other;
+    // A number of points.
+    uint32_t count;
+    // What it was taken to show.
+    tree_role role;
+    // A length, as a share of the drawing's height.
+    float share;
+} tree_clean_repair;
+
+// How a sketch is filled up with branches. Begin with `tree_sketch_propagate_params_init`.
+typedef struct tree_sketch_propagate_params {
+    // `sizeof(tree_sketch_propagate_params)`.
+    size_t struct_size;
+    // Generations of new segments where no crown is drawn, 0 (none) to 32. Default 5, as in the thesis.
+    uint32_t generations;
+    // Most generations where a crown is drawn: its surface mostly ends growth before, 0 to 32. Default 7.
+    uint32_t generations_in_crown;
+    // A sketched segment longer than this many times its natural length gets new laterals, 1 to 1e6. Default 1.5;
+    // 1e6 for none.
+    float long_from;
+    // Longest natural length of a segment from fork to fork, as a share of the tree's height, 1e-3 to 1. Default
+    // 0.045. Smaller gives more laterals along sketched branches.
+    float internode;
+    // Segments shorter than this share of the tree's height do not grow, 1e-4 to 1. Default 0.009.
+    float shortest;
+    // Share of a trunk without drawn branches that stays bare where no crown is drawn, 0 to 1. Default 0.25.
+    float bare;
+    // Whether a trunk with drawn branches gets new laterals below the first of them too. Default 0.
+    uint32_t below_first;
+    // Highest Gravelius order of new axes, 0 to 32. Default 8. A palm has 1: its fronds do not branch.
+    uint32_t orders;
+    // Most segments, sketched and new, 1 to 100 million. Default 20,000. The last generation is thinned evenly where
+    // there would be more.
+    uint32_t max_segments;
+    // How far each new segment turns down: so many times straight down is added to its direction, -1 to 1. Negative
+    // turns up. Default 0.
+    float gravitropism;
+    // Random deviation of angles from those of the block, in radians, 0 to π. Default 0.12.
+    float jitter;
+    // Distance in metres that new segments keep from obstacles, 0 to 1e6. Default 0.1.
+    float clearance;
+} tree_sketch_propagate_params;
+
+// What propagation did. Numbers count segments unless they say otherwise.
+typedef struct tree_sketch_propagate_report {
+    // `sizeof(tree_sketch_propagate_report)`.
+    size_t struct_size;
+    // New ones.
+    uint64_t n_new;
+    // Sketched ones so long that they got new laterals.
+    uint64_t n_long;
+    // New forks along those.
+    uint64_t n_forks;
+    // Open ends and forks of the sketch that lie outside the crown, where nothing grew.
+    uint64_t n_ends_outside;
+    // Those that end at the crown's surface.
+    uint64_t n_touched;
+    // Left out because the surface left too little of them.
+    uint64_t n_outside;
+    // Left out because they would have been shorter than `shortest`.
+    uint64_t n_too_short;
+    // Turned aside from an obstacle or the ground.
+    uint64_t n_turned_aside;
+    // Shortened because of an obstacle or the ground.
+    uint64_t n_shortened;
+    // Left out because of an obstacle or the ground.
+    uint64_t n_blocked;
+    // Left out because there would have been more than `max_segments`.
+    uint64_t n_over_cap;
+    // The last generation in which any grew.
+    uint32_t generations;
+    // Replication blocks taken from the sketch.
+    uint32_t n_blocks;
+    // Replication blocks drawn from Ω because the sketch has few of their order.
+    uint32_t n_blocks_from_omega;
+    // 0.
+    uint32_t reserved;
+} tree_sketch_propagate_report;
+
+// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
+typedef struct tree_select_params {
+    // `sizeof(tree_select_params)`.
+    size_t struct_size;
+    // Weight of the crown's footprint, 0 to 1000. Default 40.
+    float crown;
+    // Weight of the branches' footprint, 0 to 1000. Default 40.
+    float branches;
+    // Weight of the branching shape, 0 to 1000. Default 1.
+    float shape;
+    // Weight of the directions of branches, 0 to 1000. Default 15.
+    float directions;
+    // Added to every deviation of the branching shape, 0.001 to 10: what the hand adds. Default 0.3.
+    float hand;
+    // What one of the branching shape's three parts can take away at most, 0 to 1000. Default 2.
+    float most;
+} tree_select_params;
+
+// A template, and how well it suits a drawing.
+typedef struct tree_choice {
+    // Index of the template.
+    uint32_t index;
+    // Where the eye stands round the template in the view that suits best, in radians, 0 to 2π.
+    float yaw;
+    // 0 for a perfect match, else below: the sum of the four parts.
+    float score;
+    // The crown's part, weighted; 0 where no crown is drawn.
+    float crown;
+    // The part of the branches' footprint, weighted.
+    float branches;
+    // The branching shape's part, weighted.
+    float shape;
+    // The directions' part, weighted.
+    float directions;
+} tree_choice;
+
+// All parameters of the way from a drawing to a tree. A part that is NULL, as all are after
+// `tree_sketch_params_init`, is its default.
+typedef struct tree_sketch_params {
+    // `sizeof(tree_sketch_params)`.
+    size_t struct_size;
+    // Name of the template. Empty, the default: the one that suits the drawing best.
+    struct tree_str template_name;
+    // Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_species_name` gives. Empty,
+    // the default: the template's.
+    struct tree_str species;
+    // How strokes are cleaned and joined. Its `height` is not used here.
+    const struct tree_clean_params *clean;
+    // How the crown is closed.
+    const struct tree_crown_params *crown;
+    // How templates are compared with the drawing.
+    const struct tree_select_params *select;
+    // How depths are inferred. Its `slenderness` is not used here.
+    const struct tree_sketch_infer_params *infer;
+    // How branches are propagated.
+    const struct tree_sketch_propagate_params *propagate;
+    // How branches become a tree. Its `species` is not used here, its `slenderness` counts relative to the default:
+    // the template has its own.
+    const struct tree_sketch_finish_params *finish;
+    // Height of the drawing, branches and crown, in metres, 0.01 to 1000. 0, the default: the template's.
+    float height;
+    // 0.
+    uint32_t reserved;
+} tree_sketch_params;
+
+// A stage of a session: one of the `TREE_SKETCH_STAGE_` constants, in the order in which they are done.
+typedef uint32_t tree_sketch_stage;
+
+// What became of a drawing on the way to a tree. Numbers of propagation count segments unless they say otherwise.
+typedef struct tree_sketch_report {
+    // `sizeof(tree_sketch_report)`.
+    size_t struct_size;
+    // Repairs of strokes.
+    uint64_t n_stroke_repairs;
+    // Repairs of the crown; 0 where none is drawn.
+    uint64_t n_crown_repairs;
+    // The posterior's logarithm.
+    double posterior;
+    // New segments of propagation.
+    uint64_t grown_new;
+    // Sketched ones so long that they got new laterals.
+    uint64_t grown_long;
+    // New forks along those.
+    uint64_t grown_forks;
+    // Open ends and forks of the sketch that lie outside the crown, where nothing grew.
+    uint64_t grown_ends_outside;
+    // Those that end at the crown's surface.
+    uint64_t grown_touched;
+    // Left out because the surface left too little of them.
+    uint64_t grown_outside;
+    // Left out because they would have been too short.
+    uint64_t grown_too_short;
+    // Turned aside from an obstacle or the ground.
+    uint64_t grown_turned_aside;
+    // Shortened because of an obstacle or the ground.
+    uint64_t grown_shortened;
+    // Left out because of an obstacle or the ground.
+    uint64_t grown_blocked;
+    // Left out because there would have been too many.
+    uint64_t grown_over_cap;
+    // Nodes of branches.
+    uint64_t finish_wood_nodes;
+    // Nodes of twigs.
+    uint64_t finish_twig_nodes;
+    // Nodes of twigs cut off because they left the crown or entered the ground.
+    uint64_t finish_twig_nodes_cut;
+    // Blades that stayed: rows of the foliage.
+    uint64_t finish_leaves;
+    // Blades left out because they left the crown or entered the ground.
+    uint64_t finish_leaves_outside;
+    // How much larger leaves are than the species', because there would be too many; a factor.
+    float finish_leaves_larger;
+    // How well the template suits the drawing, 0 for a perfect match, else below; 0 where it was taken by name or kept
+    // through an edit.
+    float score;
+    // 1 where `score` counts.
+    uint32_t has_score;
+    // 1 where a crown is drawn, and the fields of the crown count.
+    uint32_t has_crown;
+    // Share of branch points outside the drawn crown, 0 to 1.
+    float crown_outside;
+    // Segments that were drawn, from fork to fork.
+    uint32_t n_segments;
+    // Crossings of branches in the drawing that could not be given room.
+    uint32_t n_interpenetrations;
+    // The last generation of propagation in which any grew.
+    uint32_t grown_generations;
+    // Replication blocks taken from the sketch.
+    uint32_t grown_blocks;
+    // Replication blocks drawn from Ω because the sketch has few of their order.
+    uint32_t grown_blocks_from_omega;
+} tree_sketch_report;
+
+// How a template is measured. Begin with `tree_template_params_init`.
+typedef struct tree_template_params {
+    // `sizeof(tree_template_params)`.
+    size_t struct_size;
+    // Which branches are main ones; NULL for the default.
+    const struct tree_main_branches *main;
+    // Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
+    uint32_t views;
+    // 0.
+    uint32_t reserved;
+} tree_template_params;
+
+// A template.
+typedef struct tree_template_view {
+    // `sizeof(tree_template_view)`.
+    size_t struct_size;
+    // What it is called.
+    struct tree_str name;
+    // The species whose leaves it bears, as `tree_finish_params_find` takes it where it is built in.
+    struct tree_str species;
+    // Height of the exemplar in metres: what a drawing is scaled to unless its height is given.
+    float height;
+    // Radius of the trunk's base over the height, 0 to 1.
+    float slenderness;
+    // Number of orders of axes that have parameters of their own.
+    size_t n_orders;
+    // Number of views; see `tree_templates_side`.
+    size_t n_views;
+} tree_template_view;
+
+// What a template looks like from one side.
+typedef struct tree_template_side {
+    // `sizeof(tree_template_side)`.
+    size_t struct_size;
+    // Where the eye stands round the trunk, in radians, 0 to 2π: 0 on +Z, a quarter turn on +X.
+    float yaw;
+    // Mean and standard deviation of the natural logarithm of a segment's length over that of the one below. NaN where
+    // there are no forks.
+    float scale[2];
+    // The same of the angle in radians at which the branch that bends least leaves the segment below.
+    float alpha[2];
+    // The same of all other branches.
+    float beta[2];
+    // 0.
+    uint32_t reserved;
+    // `TREE_DIRECTION_BINS` shares of the branches' length: what goes straight up comes first, straight down last.
+    const float *directions;
+    // Footprint of crown and branches without the root branch: `TREE_FOOTPRINT_DIRECTIONS` distances.
+    const float *crown;
+    // Footprint of the branches alone, as many.
+    const float *branches;
+    // Number of points of the silhouette.
+    size_t n_silhouette;
+    // Outline of the crown, two floats for each point, in metres, y up, the tree's base at the origin of y.
+    const float *silhouette;
+} tree_template_side;
 
 // What kind of solid a volume is: one of the `TREE_SOLID_` constants.
 typedef uint32_t tree_solid_kind;
@@ -6537,6 +7476,777 @@ tree_status tree_skeletonize_mesh(const struct tree_mesh *mesh,
                                   const struct tree_control *control,
                                   struct tree_skeletonize_report *report,
                                   struct tree_tree **tree);
+
+// Makes branches of columns, which are copied: segments of a sketch, or measured elsewhere, on which nothing grew
+// yet. Every segment but the first must begin where its parent ends. `control` may be NULL; `nodes` of its limits
+// caps the points. Free them with `tree_sketch_branches_free`. `TREE_ERROR_INVALID` says which columns or which
+// segment do not fit.
+tree_status tree_sketch_branches_from_columns(const struct tree_sketch_branches_columns *columns,
+                                              const struct tree_control *control,
+                                              struct tree_sketch_branches **branches);
+
+// Views branches. Set `columns->struct_size` first.
+tree_status tree_sketch_branches_view(const struct tree_sketch_branches *branches,
+                                      struct tree_sketch_branches_columns *columns);
+
+// Writes the Gravelius order of each segment's axis: 0 for stems, one more than its parent's for a lateral.
+// `orders` has room for `capacity` values, at least as many as there are segments.
+tree_status tree_sketch_branches_orders(const struct tree_sketch_branches *branches,
+                                        uint32_t *orders,
+                                        size_t capacity);
+
+// The same branches with their depths smoothed along axes, `n_passes` times, 0 to 1000: inference gives a depth for
+// each fork, and branches that bend there sharply as seen from the side. x and y stay to the bit, and so do the
+// base and all tips. To be done before propagation, which `TREE_ERROR_INVALID` reminds of. Free them with
+// `tree_sketch_branches_free`.
+tree_status tree_sketch_branches_smooth_depth(const struct tree_sketch_branches *branches,
+                                              uint32_t n_passes,
+                                              struct tree_sketch_branches **smooth);
+
+// Frees branches. What was made of them lives on.
+tree_status tree_sketch_branches_free(struct tree_sketch_branches *branches);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_clean_params_init(struct tree_clean_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_clean_params_check(const struct tree_clean_params *params);
+
+// Cleans a drawing and joins its strokes to one tree in the plane: points that are none go, what nobody marked
+// is told apart (ground, crown, wood), of wood drawn by its outline the middle line is taken, strokes drawn over
+// one another become one, gaps are closed. What was done is told by `tree_plan_repairs`. `params` and `control` may
+// be NULL; `nodes` of the limits caps the points. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where no
+// stroke has a length, or one is too far from the rest and `TREE_ISOLATED_REFUSE` was asked for: the text names the
+// stroke.
+tree_status tree_drawing_clean(const struct tree_drawing *drawing,
+                               const struct tree_clean_params *params,
+                               const struct tree_control *control,
+                               struct tree_plan **plan);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_crown_params_init(struct tree_crown_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_crown_params_check(const struct tree_crown_params *params);
+
+// Makes a crown of what was drawn: `columns` are lines in metres of the plan (x to the right, y up) such as those of
+// `tree_plan_crown`. Ends that lie close are joined, wide gaps closed round the branches in them, and loops that cross
+// are united. `spots` are `n_spots` points of the branches, two floats each, best without those below the first fork;
+// there may be none. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the crown with
+// `tree_crown_free`. `TREE_ERROR_INVALID` where nothing drawn encloses an area, or no branch touches the crown and
+// `refuse` says so.
+tree_status tree_crown_close(const struct tree_strokes_columns *columns,
+                             const float *spots,
+                             size_t n_spots,
+                             const struct tree_crown_params *params,
+                             const struct tree_control *control,
+                             struct tree_crown **crown);
+
+// Makes a crown of closed polygons, in metres of the plan. They are made simple and united as drawn ones are; points
+// that are not finite are left out. `depth` is the crown's depth over its width, 0.05 to 20, 1 for circles. `control` may
+// be NULL; `nodes` of the limits caps the points. Free the crown with `tree_crown_free`. `TREE_ERROR_INVALID` where they
+// enclose no area.
+tree_status tree_crown_from_polygons(const struct tree_strokes_columns *columns,
+                                     float depth,
+                                     const struct tree_control *control,
+                                     struct tree_crown **crown);
+
+// Views the polygons in metres of the plan: simple, apart from each other, against the clock, the largest first.
+// Set `columns->struct_size` first.
+tree_status tree_crown_polygons(const struct tree_crown *crown,
+                                struct tree_strokes_columns *columns);
+
+// Tells how large a crown is. Set `measures->struct_size` first.
+tree_status tree_crown_measure(const struct tree_crown *crown,
+                               struct tree_crown_measures *measures);
+
+// Views what was repaired or noticed when the crown was closed, in that order: where the repairs begin and how many
+// there are.
+tree_status tree_crown_repairs(const struct tree_crown *crown,
+                               const struct tree_crown_repair **repairs,
+                               size_t *n_repairs);
+
+// A sentence for each repair. Free the lines with `tree_lines_free`.
+tree_status tree_crown_repairs_text(const struct tree_crown *crown, struct tree_lines **lines);
+
+// Says of `n_spots` points of the plan, two floats each, whether they lie in the crown: 1 or 0 into `inside`, which
+// has room for `capacity`. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_crown_contains(const struct tree_crown *crown,
+                                const float *spots,
+                                size_t n_spots,
+                                const struct tree_control *control,
+                                uint8_t *inside,
+                                size_t capacity);
+
+// Says of `n_points` points, three floats each, how near the solid's surface they are, into `levels`, which has room
+// for `capacity`: 0 on the axis of the stretch they lie in, up to 1 inside, above 1 outside; infinite where the crown
+// has nothing at that height. The plan lies at z = 0. `control` as for `tree_crown_contains`.
+tree_status tree_crown_levels(const struct tree_crown *crown,
+                              const float *points,
+                              size_t n_points,
+                              const struct tree_control *control,
+                              float *levels,
+                              size_t capacity);
+
+// Where `n_ways` straight ways first leave the solid: each is six floats in `ways`, its beginning and its end. `exits`,
+// which has room for `capacity`, gets a share of each way: 0 where it begins outside, infinite where it stays inside.
+// `control` as for `tree_crown_contains`.
+tree_status tree_crown_exits(const struct tree_crown *crown,
+                             const float *ways,
+                             size_t n_ways,
+                             const struct tree_control *control,
+                             float *exits,
+                             size_t capacity);
+
+// Frees a crown. What was made of it lives on.
+tree_status tree_crown_free(struct tree_crown *crown);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_outline_params_init(struct tree_outline_params *params, size_t size);
+
+// The outlines of a cloud of `n_spots` points, two floats each, such as a tree's leaves as seen from one side, drawn
+// as a person would: gaps between leaves closed, corners rounded. They are against the clock, the largest first; none
+// for fewer than three points. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the outlines
+// with `tree_strokes_free`.
+tree_status tree_strokes_outline(const float *spots,
+                                 size_t n_spots,
+                                 const struct tree_outline_params *params,
+                                 const struct tree_control *control,
+                                 struct tree_strokes **strokes);
+
+// Makes a drawing of strokes, which are copied; there may be none. `control` may be NULL; `nodes` of its
+// limits caps the points of all strokes. Free the drawing with `tree_drawing_free`.
+tree_status tree_drawing_new(const struct tree_sketch_stroke *strokes,
+                             size_t n_strokes,
+                             const struct tree_control *control,
+                             struct tree_drawing **drawing);
+
+// Makes a drawing with the strokes of another and these after them. The other stays as it is. `control` may
+// be NULL; only its limits matter. Free the new drawing with `tree_drawing_free`.
+tree_status tree_drawing_with_strokes(const struct tree_drawing *drawing,
+                                      const struct tree_sketch_stroke *strokes,
+                                      size_t n_strokes,
+                                      const struct tree_control *control,
+                                      struct tree_drawing **more);
+
+// Reads the strokes of an SVG drawing: `svg` of `len` bytes or `TREE_NUL_TERMINATED`. Every path, line, polyline,
+// polygon, rectangle, circle and ellipse that is seen is one, with all transforms, in the drawing's units. A
+// whole word in its id, class, layer label or name, or in those of the groups around it, says what it shows:
+// `trunk`, `stem`; `branch`, `limb`, `twig`; `crown`, `outline`, `foliage`, `leaves`, `canopy`; and what is green
+// is the crown. Its id becomes its name. Style sheets, `<use>` and texts are not read. `control` may be NULL;
+// only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` when the text is no SVG or
+// draws nothing.
+tree_status tree_drawing_from_svg(const char *svg,
+                                  size_t len,
+                                  const struct tree_control *control,
+                                  struct tree_drawing **drawing);
+
+// Reads a drawing from JSON, `json` of `len` bytes or `TREE_NUL_TERMINATED`, at most 32 MiB, in any of these forms,
+// y downwards:
+//
+// * `{"strokes": [{"points": [[x, y], …], "role": "branch", "closed": false, "filled": false, "name": ""}, …]}`,
+//   where all but the points may be missing; the role is `trunk`, `branch`, `crown` or `null`;
+// * `[[[x, y], …], …]`, bare lines;
+// * `{"drawing": [[[x…], [y…]], …]}`, a drawing of Quick, Draw!.
+//
+// `control` may be NULL; only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` names
+// the stroke and the point at fault.
+tree_status tree_drawing_from_json(const char *json,
+                                   size_t len,
+                                   const struct tree_control *control,
+                                   struct tree_drawing **drawing);
+
+// Writes a drawing as JSON, in the first form of `tree_drawing_from_json`. Free the bytes, which are UTF-8, with
+// `tree_bytes_free`. `TREE_ERROR_INVALID` names a point that is not finite: JSON has no such numbers.
+tree_status tree_drawing_to_json(const struct tree_drawing *drawing,
+                                 struct tree_bytes **bytes);
+
+// Number of strokes.
+tree_status tree_drawing_count(const struct tree_drawing *drawing, size_t *n_strokes);
+
+// Views a stroke. `index` is below `tree_drawing_count`. Set `stroke->struct_size` first.
+tree_status tree_drawing_stroke(const struct tree_drawing *drawing,
+                                size_t index,
+                                struct tree_sketch_stroke *stroke);
+
+// Frees a drawing. What was made of it lives on.
+tree_status tree_drawing_free(struct tree_drawing *drawing);
+
+// Reads a drawing from each line that is not blank, in any form of `tree_drawing_from_json`: the files of Quick,
+// Draw!. `ndjson` has `len` bytes or is `TREE_NUL_TERMINATED`. `control` may be NULL; only its limits matter. Free the
+// drawings with `tree_drawings_free`. `TREE_ERROR_FORMAT` names the line, from 1, the stroke and the point.
+tree_status tree_drawings_from_ndjson(const char *ndjson,
+                                      size_t len,
+                                      const struct tree_control *control,
+                                      struct tree_drawings **drawings);
+
+// Number of drawings.
+tree_status tree_drawings_count(const struct tree_drawings *drawings, size_t *n_drawings);
+
+// One of the drawings, not copied; it may outlive the others. `index` is below `tree_drawings_count`. Free it with
+// `tree_drawing_free`.
+tree_status tree_drawings_at(const struct tree_drawings *drawings,
+                             size_t index,
+                             struct tree_drawing **drawing);
+
+// Frees drawings. Those taken out live on.
+tree_status tree_drawings_free(struct tree_drawings *drawings);
+
+// Number of exemplars: trees of clearly different habit, one for each built-in template.
+size_t tree_exemplar_count(void);
+
+// Name of an exemplar, such as `oak`, what the tree looks like, in a few words, and the name of the species whose
+// leaves suit it. `index` is below `tree_exemplar_count`; `title` and `species` may be NULL. The texts are valid for ever.
+tree_status tree_exemplar_name(size_t index,
+                               struct tree_str *name,
+                               struct tree_str *title,
+                               struct tree_str *species);
+
+// Grows one tree of the exemplar called `name` (`len` bytes, or `TREE_NUL_TERMINATED`), with leaves on cards. The same
+// seed gives the same bits. `control` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_UNKNOWN_NAME` lists
+// the names there are.
+tree_status tree_exemplar_grow(const char *name,
+                               size_t len,
+                               uint64_t seed,
+                               const struct tree_control *control,
+                               struct tree_tree **tree);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_main_branches_init(struct tree_main_branches *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_main_branches_check(const struct tree_main_branches *params);
+
+// The drawing that a person would make of a tree, in metres, y down: a stroke for each main branch, the trunk first, as
+// an eye sees them that looks level from afar and stands at `yaw` radians round the trunk (0 on +Z, a quarter turn on
+// +X), and `with_crown` the outline of its leaves. `main`, `outline` and `control` may be NULL. Free the drawing with
+// `tree_drawing_free`.
+tree_status tree_drawing_of_tree(const struct tree_tree *tree,
+                                 float yaw,
+                                 uint32_t with_crown,
+                                 const struct tree_main_branches *main,
+                                 const struct tree_outline_params *outline,
+                                 const struct tree_control *control,
+                                 struct tree_drawing **drawing);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_sketch_finish_params_init(struct tree_sketch_finish_params *params, size_t size);
+
+// The branches as a skeleton with radii by the pipe model. Every point stays where it is: seen from the front,
+// sketched branches are the strokes. `params` and `control` may be NULL. Free it with `tree_skeleton_free`.
+tree_status tree_sketch_branches_wood(const struct tree_sketch_branches *branches,
+                                      const struct tree_sketch_finish_params *params,
+                                      const struct tree_control *control,
+                                      struct tree_skeleton **wood);
+
+// Grows twigs and leaves of a species on wood, as many leaves as cover its crown like those of a tree in full leaf;
+// with a `crown`, which may be NULL, both stay in it but for half a leaf. `params`, `control` and `report` may be
+// NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of range,
+// `TREE_ERROR_UNKNOWN_NAME` a species that is none.
+tree_status tree_sketch_grow_crown(const struct tree_skeleton *wood,
+                                   const struct tree_crown *crown,
+                                   const struct tree_sketch_finish_params *params,
+                                   uint64_t seed,
+                                   const struct tree_control *control,
+                                   struct tree_sketch_finish_report *report,
+                                   struct tree_tree **tree);
+
+// The footprint of `n_spots` points, two floats each: the distances from the centre of their convex hull to the hull in
+// `TREE_FOOTPRINT_DIRECTIONS` directions, as shares of the longer side of its bounding box, into `distances`, which has
+// room for `capacity`. Points that are not finite do not count. `control` may be NULL; `nodes` of the limits caps the
+// points. `TREE_ERROR_NO_RESULT` where the hull has no area.
+tree_status tree_footprint_of(const float *spots,
+                              size_t n_spots,
+                              const struct tree_control *control,
+                              float *distances,
+                              size_t capacity);
+
+// How unlike two footprints are, each `TREE_FOOTPRINT_DIRECTIONS` distances: the root of the mean square of their
+// differences. 0 for equal shapes, about 0.2 for a circle and a poplar. `TREE_ERROR_INVALID` for other numbers of
+// distances, or where one is not above 0 and at most 2.
+tree_status tree_footprint_difference(const float *first,
+                                      size_t n_first,
+                                      const float *second,
+                                      size_t n_second,
+                                      float *difference);
+
+// The convex hull of `n_spots` points, two floats each, against the clock where y goes up, without corners on straight
+// sides, into `corners`, which has room for `capacity` floats: twice `n_spots` always do. `n_corners` gets their number,
+// which is below 3 where the points lie on a line. Points that are not finite do not count. `control` may be NULL; `nodes`
+// of the limits caps the points.
+tree_status tree_convex_hull(const float *spots,
+                             size_t n_spots,
+                             const struct tree_control *control,
+                             float *corners,
+                             size_t capacity,
+                             size_t *n_corners);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_sketch_infer_params_init(struct tree_sketch_infer_params *params, size_t size);
+
+// Makes `params` those of the thesis alone: no beam, no spread, no preference for a stroke's own continuation, no
+// bending prior. Set `params->struct_size` first.
+tree_status tree_sketch_infer_params_thesis(struct tree_sketch_infer_params *params);
+
+// Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's, by inference in a Markov
+// random field (Neubert 2012, sections 4.4 to 4.6): a sketch is seen from the front, x and y of every branch are
+// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay.
+//
+// `omega`, `params` and `control` may be NULL. Free the result with `tree_inferred_free`. `TREE_ERROR_PARAMETER`
+// names what is out of range, `TREE_ERROR_INVALID` a pin that is at no fork or tip of the plan.
+tree_status tree_sketch_infer(const struct tree_plan *plan,
+                              const struct tree_sketch_omega *omega,
+                              const struct tree_sketch_pin *pins,
+                              size_t n_pins,
+                              const struct tree_sketch_infer_params *params,
+                              uint64_t seed,
+                              const struct tree_control *control,
+                              struct tree_inferred **inferred);
+
+// Views what was inferred. Set `columns->struct_size` first.
+tree_status tree_inferred_view(const struct tree_inferred *inferred,
+                               struct tree_inferred_columns *columns);
+
+// The segments, with labels and points in space; seen along -Z their points are those of the plan. Free them with
+// `tree_sketch_branches_free`.
+tree_status tree_inferred_branches(const struct tree_inferred *inferred,
+                                   struct tree_sketch_branches **branches);
+
+// Ω of the sketch: the template's, or estimated. Set `omega->struct_size` first.
+tree_status tree_inferred_omega(const struct tree_inferred *inferred,
+                                struct tree_sketch_omega *omega);
+
+// Frees what was inferred. Branches of it live on.
+tree_status tree_inferred_free(struct tree_inferred *inferred);
+
+// Builds the graph that `tree_sketch_infer` with the same arguments and no pins works on. `omega`, `params` and
+// `control` may be NULL. Free it with `tree_factor_graph_free`. `TREE_ERROR_PARAMETER` names what is out of range.
+tree_status tree_factor_graph_new(const struct tree_plan *plan,
+                                  const struct tree_sketch_omega *omega,
+                                  const struct tree_sketch_infer_params *params,
+                                  uint64_t seed,
+                                  const struct tree_control *control,
+                                  struct tree_factor_graph **graph);
+
+// Parent of each segment, `TREE_NO_PARENT` for segment 0: where they begin and how many there are. Valid until
+// `tree_factor_graph_free`.
+tree_status tree_factor_graph_parents(const struct tree_factor_graph *graph,
+                                      const uint32_t **parents,
+                                      size_t *n_segments);
+
+// Length of a segment in the plane, from end to end, in metres.
+tree_status tree_factor_graph_length(const struct tree_factor_graph *graph,
+                                     uint32_t segment,
+                                     double *metres);
+
+// The posterior of depths, of the segments' ends in metres, and labels: `n_segments` of each. `omega` and `control`
+// may be NULL. `TREE_ERROR_INVALID` where there are not as many as segments, `TREE_ERROR_PARAMETER` for a depth
+// that is not finite.
+tree_status tree_factor_graph_posterior(const struct tree_factor_graph *graph,
+                                        const struct tree_sketch_omega *omega,
+                                        const double *depths,
+                                        const tree_sketch_label *labels,
+                                        size_t n_segments,
+                                        const struct tree_control *control,
+                                        struct tree_sketch_posterior *posterior);
+
+// Frees a factor graph.
+tree_status tree_factor_graph_free(struct tree_factor_graph *graph);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_midline_params_init(struct tree_midline_params *params, size_t size);
+
+// Finds the middle lines of a filled area with these closed contours, which may cross: the main line first, then those
+// that leave it, the strongest first. A side line begins at a point of the line that bears it. Points that are not finite
+// are left out; what has no area has no lines. `params` and `control` may be NULL; `nodes` of the limits caps the
+// points. Free the lines with `tree_midlines_free`. `tree_drawing_clean` does this for strokes that are `filled`.
+tree_status tree_midlines_of(const struct tree_strokes_columns *columns,
+                             const struct tree_midline_params *params,
+                             const struct tree_control *control,
+                             struct tree_midlines **midlines);
+
+// Views middle lines, in the units of the contours. Set `columns->struct_size` first.
+tree_status tree_midlines_view(const struct tree_midlines *midlines,
+                               struct tree_strokes_columns *columns);
+
+// Views half the area's width at every point of `tree_midlines_view`: where the numbers begin and how many there are.
+tree_status tree_midlines_half_widths(const struct tree_midlines *midlines,
+                                      const float **half_widths,
+                                      size_t *n_points);
+
+// Frees middle lines.
+tree_status tree_midlines_free(struct tree_midlines *midlines);
+
+// Makes `omega`, of `size` bytes, the default.
+tree_status tree_sketch_omega_init(struct tree_sketch_omega *omega, size_t size);
+
+// Whether all numbers are in range: `TREE_OK`, or the error that their use would give, which names order and
+// field.
+tree_status tree_sketch_omega_check(const struct tree_sketch_omega *omega);
+
+// Ω of branches. Orders with few segments borrow from all orders together; what the branches do not show at all
+// is the default's. Set `omega->struct_size` first.
+tree_status tree_sketch_omega_fit(const struct tree_sketch_branches *branches,
+                                  struct tree_sketch_omega *omega);
+
+// Ω of template `index`, which is below `tree_templates_count`: that of its exemplar's main branches. Set
+// `omega->struct_size` first.
+tree_status tree_templates_omega(const struct tree_templates *templates,
+                                 size_t index,
+                                 struct tree_sketch_omega *omega);
+
+// Ω of `n_relations` relations, of one tree or of many: those of `tree_sketch_branches_relations`, joined.
+// `control` may be NULL; `nodes` of its limits caps the relations. Set `omega->struct_size` first.
+// `TREE_ERROR_PARAMETER` names the row with a number that is not finite.
+tree_status tree_sketch_omega_of_relations(const struct tree_sketch_relation *relations,
+                                           size_t n_relations,
+                                           const struct tree_control *control,
+                                           struct tree_sketch_omega *omega);
+
+// The same parameters for the whole tree, as in the thesis: those of the orders of `omega`, averaged. `omega` may
+// be NULL for the default. Set `whole->struct_size` first.
+tree_status tree_sketch_omega_without_orders(const struct tree_sketch_omega *omega,
+                                             struct tree_sketch_omega *whole);
+
+// How each segment lies to its parent, in the order of segments; none for segments without length and those of an
+// imagined root. Their number goes into `n_relations`, they themselves into `relations`, which has room for
+// `capacity` rows; with NULL they are only counted. There are fewer than segments.
+tree_status tree_sketch_branches_relations(const struct tree_sketch_branches *branches,
+                                           struct tree_sketch_relation *relations,
+                                           size_t capacity,
+                                           size_t *n_relations);
+
+// Makes a plan of columns, which are copied: without crown and without repairs. `control` may be NULL; `nodes`
+// of its limits counts. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where a number is not finite,
+// or a parent does not come before its node.
+tree_status tree_plan_from_columns(const struct tree_plan_columns *columns,
+                                   const struct tree_control *control,
+                                   struct tree_plan **plan);
+
+// Views the columns of a plan. Set `columns->struct_size` first.
+tree_status tree_plan_view(const struct tree_plan *plan, struct tree_plan_columns *columns);
+
+// Views the lines of the drawn crown in metres of the plan, as drawn and not yet closed; a closed one ends where it
+// begins. There may be none. Set `columns->struct_size` first. `tree_crown_close` takes them.
+tree_status tree_plan_crown(const struct tree_plan *plan,
+                            struct tree_strokes_columns *columns);
+
+// Views the drawing's stroke of each line of the crown: where the numbers begin and how many there are.
+tree_status tree_plan_crown_strokes(const struct tree_plan *plan,
+                                    const uint32_t **strokes,
+                                    size_t *n_strokes);
+
+// Views what cleaning did to the drawing, in that order: where the repairs begin and how many there are.
+tree_status tree_plan_repairs(const struct tree_plan *plan,
+                              const struct tree_clean_repair **repairs,
+                              size_t *n_repairs);
+
+// A sentence for each repair, which names the stroke. Free the lines with `tree_lines_free`.
+tree_status tree_plan_repairs_text(const struct tree_plan *plan, struct tree_lines **lines);
+
+// The same plan, its crown with it, `factor` times as large in metres. Free it with `tree_plan_free`.
+// `TREE_ERROR_INVALID` where the factor is not above 0 or coordinates become infinite.
+tree_status tree_plan_scaled(const struct tree_plan *plan,
+                             float factor,
+                             struct tree_plan **scaled);
+
+// Where points of the plan lie in the drawing: `spots` are `n_spots` times two floats in metres, `drawn` gets as many
+// in units of the drawing; `capacity` is its room in floats. `control` may be NULL; `nodes` of its limits caps the
+// points.
+tree_status tree_plan_points_to_drawing(const struct tree_plan *plan,
+                                        const float *spots,
+                                        size_t n_spots,
+                                        const struct tree_control *control,
+                                        float *drawn,
+                                        size_t capacity);
+
+// Where points of the drawing lie in the plan: as `tree_plan_points_to_drawing`, the other way. `planned` gets
+// the points.
+tree_status tree_plan_points_from_drawing(const struct tree_plan *plan,
+                                          const float *spots,
+                                          size_t n_spots,
+                                          const struct tree_control *control,
+                                          float *planned,
+                                          size_t capacity);
+
+// Frees a plan. What was made of it lives on.
+tree_status tree_plan_free(struct tree_plan *plan);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_sketch_propagate_params_init(struct tree_sketch_propagate_params *params,
+                                              size_t size);
+
+// Fills a sketch up with branches after the pattern of its own (Neubert 2012, section 4.7): its forks are taken as
+// replication blocks, which are attached to its open ends generation by generation, and along branches that are
+// long without forks.
+//
+// With a `crown` growth stays inside it; with NULL it goes on for `generations`. New segments keep `clearance` away
+// from `obstacles`, a volume or NULL for none; sketched ones stay as they are. `omega`, `params`, `control` and
+// `report` may be NULL. The sketched segments keep their numbers, the new follow. Free them with
+// `tree_sketch_branches_free`. `TREE_ERROR_PARAMETER` names what is out of range, `TREE_ERROR_INVALID` says so for
+// branches that have grown already.
+tree_status tree_sketch_branches_propagate(const struct tree_sketch_branches *branches,
+                                           const struct tree_sketch_omega *omega,
+                                           const struct tree_crown *crown,
+                                           const struct tree_volume *obstacles,
+                                           const struct tree_sketch_propagate_params *params,
+                                           uint64_t seed,
+                                           const struct tree_control *control,
+                                           struct tree_sketch_propagate_report *report,
+                                           struct tree_sketch_branches **grown);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_select_params_init(struct tree_select_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_select_params_check(const struct tree_select_params *params);
+
+// Compares a plan with templates: one row for each into `choices`, best first; `capacity` is the number of templates or
+// more. `crown` may be NULL for that which was drawn with the plan, as it was drawn. `params` and `control` may be NULL.
+// `TREE_ERROR_INVALID` where there are no templates.
+tree_status tree_templates_select(const struct tree_templates *templates,
+                                  const struct tree_plan *plan,
+                                  const struct tree_crown *crown,
+                                  const struct tree_select_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_choice *choices,
+                                  size_t capacity);
+
+// Begins with a drawing, which is copied. `params` may be NULL for the defaults. No work is done yet: what is wrong
+// with the drawing comes to light with the first stage. Templates and obstacles are set with
+// `tree_sketch_session_set_templates` and `tree_sketch_session_set_obstacles`. Free the session with
+// `tree_sketch_session_free`. `TREE_ERROR_PARAMETER` names what is out of range.
+tree_status tree_sketch_session_new(const struct tree_drawing *drawing,
+                                    const struct tree_sketch_params *params,
+                                    uint64_t seed,
+                                    struct tree_sketch_session **session);
+
+// A second session in the state of the first, with all that has been made so far: to try something, and
+// go back. Free it too.
+tree_status tree_sketch_session_copy(const struct tree_sketch_session *session,
+                                     struct tree_sketch_session **copy);
+
+// Frees a session. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a
+// progress callback for instance: it lives on then.
+tree_status tree_sketch_session_free(struct tree_sketch_session *session);
+
+// Another seed: other depths within Ω, another growth. Depths that edits kept are forgotten.
+tree_status tree_sketch_session_set_seed(struct tree_sketch_session *session, uint64_t seed);
+
+// Other parameters, NULL for the defaults; only stages whose parameters differ are done again. Where those of
+// inference, the template or the height differ, depths that edits kept are forgotten.
+tree_status tree_sketch_session_set_params(struct tree_sketch_session *session,
+                                           const struct tree_sketch_params *params);
+
+// Templates of one's own, which are copied, instead of those built in; NULL for these again. Depths that edits kept
+// are forgotten.
+tree_status tree_sketch_session_set_templates(struct tree_sketch_session *session,
+                                              const struct tree_templates *templates);
+
+// What new branches are to keep out of: a volume in the tree's metres, its base at the origin, or NULL for nothing.
+// Sketched branches stay as they are.
+tree_status tree_sketch_session_set_obstacles(struct tree_sketch_session *session,
+                                              const struct tree_volume *obstacles);
+
+// Forgets depths, Ω, scale and the choice of template that edits keep, so that all are found anew.
+tree_status tree_sketch_session_infer_anew(struct tree_sketch_session *session);
+
+// Forgets the results of a stage and of all later ones, so that they are done again; what edits keep stays.
+tree_status tree_sketch_session_redo_from(struct tree_sketch_session *session,
+                                          tree_sketch_stage stage);
+
+// Draws one more stroke, which is copied; its number in the drawing goes into `number`. Depths of all other branches
+// stay. `control` may be NULL; `nodes` of its limits caps the points. What is wrong with the stroke comes to light
+// with the next stage; erase it then.
+tree_status tree_sketch_session_add_stroke(struct tree_sketch_session *session,
+                                           const struct tree_sketch_stroke *stroke,
+                                           const struct tree_control *control,
+                                           size_t *number);
+
+// Erases a stroke, and with a branch all that it bears. Depths of all other branches stay, and so do the numbers of
+// their strokes. Numbers of those that are gone go into `gone`, which has room for `capacity` of them, at least as
+// many as there are strokes (`tree_drawing_count` of `tree_sketch_session_drawing`), and how many they are into
+// `n_gone`. Both may be NULL where they are not wanted. `TREE_ERROR_INVALID` for a stroke that is not there or was
+// erased before.
+tree_status tree_sketch_session_erase_stroke(struct tree_sketch_session *session,
+                                             size_t stroke,
+                                             const struct tree_control *control,
+                                             uint32_t *gone,
+                                             size_t capacity,
+                                             size_t *n_gone);
+
+// Moves the tip or fork of a stroke that is nearest to `at`, two floats in the drawing's units, to `depth` in metres,
+// positive towards the viewer. What it bears is inferred anew; the rest stays. The end of the root segment stays in
+// the plane. `TREE_ERROR_INVALID` for a stroke that is not there, was erased, or has no tip or fork to move;
+// `TREE_ERROR_PARAMETER` for numbers that are not finite.
+tree_status tree_sketch_session_set_depth(struct tree_sketch_session *session,
+                                          size_t stroke,
+                                          const float *at,
+                                          float depth,
+                                          const struct tree_control *control);
+
+// The drawing as it is after all edits; erased strokes are there without points. Free it with `tree_drawing_free`.
+tree_status tree_sketch_session_drawing(const struct tree_sketch_session *session,
+                                        struct tree_drawing **drawing);
+
+// The seed.
+tree_status tree_sketch_session_seed(const struct tree_sketch_session *session, uint64_t *seed);
+
+// The parameters, all parts given. What they point at belongs to the session and stays until
+// `tree_sketch_session_set_params` or `tree_sketch_session_free`. Set `params->struct_size` first.
+tree_status tree_sketch_session_params(const struct tree_sketch_session *session,
+                                       struct tree_sketch_params *params);
+
+// How often a stage has been done so far.
+tree_status tree_sketch_session_runs(const struct tree_sketch_session *session,
+                                     tree_sketch_stage stage,
+                                     uint32_t *n_runs);
+
+// The strokes as a tree in the plane, in metres, with what was done to them. Free it with `tree_plan_free`.
+// `TREE_ERROR_INVALID` says which stroke is of no use, or why the drawing is.
+tree_status tree_sketch_session_plan(struct tree_sketch_session *session,
+                                     const struct tree_control *control,
+                                     struct tree_plan **plan);
+
+// The closed crown. What was repaired of it is among `tree_sketch_session_warnings`. Free it with `tree_crown_free`.
+// `TREE_ERROR_NO_RESULT` where none is drawn.
+tree_status tree_sketch_session_crown(struct tree_sketch_session *session,
+                                      const struct tree_control *control,
+                                      struct tree_crown **crown);
+
+// The templates compared with the drawing, best first: indices count in the session's templates, or in those built
+// in. Their number goes into `n_choices`, they themselves into `choices`, which has room for `capacity` rows; with
+// NULL they are only counted. There are none where the template was taken by name, or kept through an edit.
+tree_status tree_sketch_session_choices(struct tree_sketch_session *session,
+                                        const struct tree_control *control,
+                                        struct tree_choice *choices,
+                                        size_t capacity,
+                                        size_t *n_choices);
+
+// The template taken: templates of one row. Free them with `tree_templates_free`. `TREE_ERROR_UNKNOWN_NAME` lists
+// the names there are.
+tree_status tree_sketch_session_template_taken(struct tree_sketch_session *session,
+                                               const struct tree_control *control,
+                                               struct tree_templates **taken);
+
+// Depths, labels and Ω. Free them with `tree_inferred_free`.
+tree_status tree_sketch_session_inferred(struct tree_sketch_session *session,
+                                         const struct tree_control *control,
+                                         struct tree_inferred **inferred);
+
+// The sketched branches with what grew on them. `report` may be NULL. Free them with `tree_sketch_branches_free`.
+tree_status tree_sketch_session_branches(struct tree_sketch_session *session,
+                                         const struct tree_control *control,
+                                         struct tree_sketch_propagate_report *report,
+                                         struct tree_sketch_branches **branches);
+
+// The branches as a skeleton with radii. Free it with `tree_skeleton_free`.
+tree_status tree_sketch_session_wood(struct tree_sketch_session *session,
+                                     const struct tree_control *control,
+                                     struct tree_skeleton **wood);
+
+// The tree. The same drawing, parameters and seed give the same bits for any number of threads. `control` and `report`
+// may be NULL. Free the tree with `tree_tree_free`.
+tree_status tree_sketch_session_tree(struct tree_sketch_session *session,
+                                     const struct tree_control *control,
+                                     struct tree_sketch_report *report,
+                                     struct tree_tree **tree);
+
+// All that was repaired or fell short, a line each, for a person to read; none where all went well. The tree is made
+// first where it is not there. Free the lines with `tree_lines_free`.
+tree_status tree_sketch_session_warnings(struct tree_sketch_session *session,
+                                         const struct tree_control *control,
+                                         struct tree_lines **warnings);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_sketch_params_init(struct tree_sketch_params *params, size_t size);
+
+// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give. The name of the
+// template is looked up when it is needed.
+tree_status tree_sketch_params_check(const struct tree_sketch_params *params);
+
+// Makes a tree of a drawing: a session (`tree_sketch_session`) that is asked for its tree, in one call. Of
+// `templates`, which may be NULL for those built in, the one that suits best guides it, or the one that `params`
+// names; new branches keep out of `obstacles`, which may be NULL. `params`, `control` and `report` may be NULL too.
+// The tree's species is called by the template's name, unless `params` has a species. Free the tree with
+// `tree_tree_free`.
+//
+// `TREE_ERROR_PARAMETER` names what is out of range, `TREE_ERROR_UNKNOWN_NAME` a template or species that there is
+// not; `TREE_ERROR_INVALID` says why a drawing, and which stroke of it, is of no use; `TREE_ERROR_LIMIT` comes before
+// the memory is asked for.
+tree_status tree_from_sketch(const struct tree_drawing *drawing,
+                             const struct tree_templates *templates,
+                             const struct tree_volume *obstacles,
+                             const struct tree_sketch_params *params,
+                             uint64_t seed,
+                             const struct tree_control *control,
+                             struct tree_sketch_report *report,
+                             struct tree_tree **tree);
+
+// The templates shipped: twenty trees of different habit. Free them with `tree_templates_free`.
+tree_status tree_templates_builtin(struct tree_templates **templates);
+
+// Reads templates from text, `text` of `len` bytes or `TREE_NUL_TERMINATED`, as `tree_templates_to_text` writes it.
+// `control` may be NULL; only its limits matter. Free the templates with `tree_templates_free`. `TREE_ERROR_FORMAT`
+// names the line and says what is wrong with it.
+tree_status tree_templates_from_text(const char *text,
+                                     size_t len,
+                                     const struct tree_control *control,
+                                     struct tree_templates **templates);
+
+// Writes templates as text, some kilobytes for each. Free the bytes, which are UTF-8, with `tree_bytes_free`.
+tree_status tree_templates_to_text(const struct tree_templates *templates,
+                                   struct tree_bytes **bytes);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_template_params_init(struct tree_template_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_template_params_check(const struct tree_template_params *params);
+
+// Measures one template of any tree, which grows along +Y: an exemplar of your own. `name` and `species` are one line of
+// text each, of `name_len` and `species_len` bytes or `TREE_NUL_TERMINATED`; the species names its leaves. `params` and
+// `control` may be NULL. Free the template with `tree_templates_free`; `tree_templates_join` puts it to others.
+// `TREE_ERROR_INVALID` for trees without extent, height or branches.
+tree_status tree_templates_of_tree(const char *name,
+                                   size_t name_len,
+                                   const char *species,
+                                   size_t species_len,
+                                   const struct tree_tree *tree,
+                                   const struct tree_template_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_templates **templates);
+
+// Templates and others after them, copied. Free them with `tree_templates_free`. `TREE_ERROR_INVALID` where two have one
+// name.
+tree_status tree_templates_join(const struct tree_templates *templates,
+                                const struct tree_templates *others,
+                                struct tree_templates **joined);
+
+// Number of templates.
+tree_status tree_templates_count(const struct tree_templates *templates, size_t *n_templates);
+
+// Index of the template called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). `TREE_ERROR_UNKNOWN_NAME` lists the names
+// there are.
+tree_status tree_templates_find(const struct tree_templates *templates,
+                                const char *name,
+                                size_t len,
+                                size_t *index);
+
+// Views a template. `index` is below `tree_templates_count`. Set `view->struct_size` first.
+tree_status tree_templates_view(const struct tree_templates *templates,
+                                size_t index,
+                                struct tree_template_view *view);
+
+// Views what a template looks like from one side. `index` is below `tree_templates_count`, `number` below `n_views` of
+// the template. Set `side->struct_size` first.
+tree_status tree_templates_side(const struct tree_templates *templates,
+                                size_t index,
+                                size_t number,
+                                struct tree_template_side *side);
+
+// Frees templates. What was made of them lives on.
+tree_status tree_templates_free(struct tree_templates *templates);
 
 // Makes a tree of a skeleton, which is copied, and columns of leaves (NULL for none), which are copied.
 // `species` may be NULL for an oak. `control` may be NULL; only its limits matter. Free the tree with

@@ -398,32 +398,42 @@ class Cancel;
 class Capsules;
 class Carved;
 class Crossings;
+class Crown;
 class DirectionField;
+class Drawing;
+class Drawings;
 class Equations;
+class FactorGraph;
 class FoundLeaves;
 class GltfAttributes;
 class GltfLeaves;
 class Graph;
 class GraphNodes;
 class Grid;
+class Inferred;
 class LeafModel;
 class Lines;
 class Look;
 class Mask;
 class Matte;
 class Mesh;
+class Midlines;
 class Packed;
 class Photo;
 class PhotoSession;
 class Picture;
 class Pieces;
+class Plan;
 class Pool;
 class Profile;
 class Rows;
 class Separation;
 class Skeleton;
+class SketchBranches;
+class SketchSession;
 class Strokes;
 class Swc;
+class Templates;
 class Texture;
 class Traces;
 class Tree;
@@ -450,9 +460,15 @@ using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
 struct CarvedColumns;
+using Choice = tree_choice;
+struct CleanParams;
+using CleanRepair = tree_clean_repair;
 struct ColorSamples;
 struct ConventionTraits;
 struct CrossingPairs;
+struct CrownMeasures;
+struct CrownParams;
+using CrownRepair = tree_crown_repair;
 struct CrownReport;
 struct DensityBrush;
 struct DensityParams;
@@ -480,6 +496,7 @@ struct GraphNodesColumns;
 struct GridColumns;
 struct ImportOptions;
 struct ImportReport;
+struct InferredColumns;
 struct InstancingParams;
 struct InstancingReport;
 struct LeafCard;
@@ -494,6 +511,7 @@ struct Limits;
 struct LinkParams;
 struct LivewireParams;
 struct LivewireReport;
+struct MainBranches;
 using Mark = tree_mark;
 struct MaskColumns;
 struct Material;
@@ -502,9 +520,11 @@ struct MeshParams;
 struct MeshPart;
 struct MeshReport;
 struct MeshTotals;
+struct MidlineParams;
 struct NaturalParams;
 struct NaturalReport;
 struct OcclusionParams;
+struct OutlineParams;
 struct PackedColumns;
 using PackedVertex = tree_packed_vertex;
 struct PackedVertices;
@@ -526,6 +546,7 @@ using Piece = tree_piece;
 struct PivotElement;
 struct Pivots;
 struct Pixels;
+struct PlanColumns;
 struct PlyOptions;
 struct PoolOptions;
 struct ProfileColumns;
@@ -533,10 +554,28 @@ struct ProfileOptions;
 struct RadiusRule;
 struct ScreenParams;
 struct SeedParams;
+struct SelectParams;
 struct SeparationColumns;
 struct SkeletonColumns;
 struct SkeletonizeParams;
 struct SkeletonizeReport;
+struct SketchBranchesColumns;
+using SketchFactorRow = tree_sketch_factor_row;
+struct SketchFinishParams;
+struct SketchFinishReport;
+using SketchHabit = tree_sketch_habit;
+struct SketchInferParams;
+using SketchNormal = tree_sketch_normal;
+struct SketchOmega;
+struct SketchParams;
+using SketchPin = tree_sketch_pin;
+using SketchPosterior = tree_sketch_posterior;
+struct SketchPropagateParams;
+struct SketchPropagateReport;
+using SketchRelation = tree_sketch_relation;
+struct SketchReport;
+struct SketchStroke;
+using SketchTraceRow = tree_sketch_trace_row;
 struct Solid;
 struct Species;
 using Stream = tree_stream;
@@ -549,6 +588,9 @@ struct SubdivideParams;
 struct Surface;
 struct SwcContents;
 struct SwcOptions;
+struct TemplateParams;
+struct TemplateSide;
+struct TemplateView;
 struct TexturePixels;
 struct Topology;
 struct TracesColumns;
@@ -619,6 +661,11 @@ struct CarvedColumns : tree_carved_columns {
     CarvedColumns() : tree_carved_columns{} { struct_size = sizeof *this; }
 };
 
+struct CleanParams : tree_clean_params {
+    CleanParams() : tree_clean_params{} { tree_clean_params_init(this, sizeof(tree_clean_params)); }
+    bool check() const;
+};
+
 struct ColorSamples : tree_color_samples {
     ColorSamples() : tree_color_samples{} { tree_color_samples_init(this, sizeof(tree_color_samples)); }
 };
@@ -629,6 +676,15 @@ struct ConventionTraits : tree_convention_traits {
 
 struct CrossingPairs : tree_crossing_pairs {
     CrossingPairs() : tree_crossing_pairs{} { struct_size = sizeof *this; }
+};
+
+struct CrownMeasures : tree_crown_measures {
+    CrownMeasures() : tree_crown_measures{} { struct_size = sizeof *this; }
+};
+
+struct CrownParams : tree_crown_params {
+    CrownParams() : tree_crown_params{} { tree_crown_params_init(this, sizeof(tree_crown_params)); }
+    bool check() const;
 };
 
 struct CrownReport : tree_crown_report {
@@ -738,6 +794,10 @@ struct ImportReport : tree_import_report {
     ImportReport() : tree_import_report{} { struct_size = sizeof *this; }
 };
 
+struct InferredColumns : tree_inferred_columns {
+    InferredColumns() : tree_inferred_columns{} { struct_size = sizeof *this; }
+};
+
 struct InstancingParams : tree_instancing_params {
     InstancingParams() : tree_instancing_params{} { tree_instancing_params_init(this, sizeof(tree_instancing_params)); }
 };
@@ -804,6 +864,11 @@ struct LivewireReport : tree_livewire_report {
     LivewireReport() : tree_livewire_report{} { struct_size = sizeof *this; }
 };
 
+struct MainBranches : tree_main_branches {
+    MainBranches() : tree_main_branches{} { tree_main_branches_init(this, sizeof(tree_main_branches)); }
+    bool check() const;
+};
+
 struct MaskColumns : tree_mask_columns {
     MaskColumns() : tree_mask_columns{} { struct_size = sizeof *this; }
 };
@@ -834,6 +899,10 @@ struct MeshTotals : tree_mesh_totals {
     MeshTotals() : tree_mesh_totals{} { struct_size = sizeof *this; }
 };
 
+struct MidlineParams : tree_midline_params {
+    MidlineParams() : tree_midline_params{} { tree_midline_params_init(this, sizeof(tree_midline_params)); }
+};
+
 struct NaturalParams : tree_natural_params {
     NaturalParams() : tree_natural_params{} { tree_natural_params_init(this, sizeof(tree_natural_params)); }
 };
@@ -844,6 +913,10 @@ struct NaturalReport : tree_natural_report {
 
 struct OcclusionParams : tree_occlusion_params {
     OcclusionParams() : tree_occlusion_params{} { tree_occlusion_params_init(this, sizeof(tree_occlusion_params)); }
+};
+
+struct OutlineParams : tree_outline_params {
+    OutlineParams() : tree_outline_params{} { tree_outline_params_init(this, sizeof(tree_outline_params)); }
 };
 
 struct PackedColumns : tree_packed_columns {
@@ -936,6 +1009,10 @@ struct Pixels : tree_pixels {
     Pixels() : tree_pixels{} { struct_size = sizeof *this; }
 };
 
+struct PlanColumns : tree_plan_columns {
+    PlanColumns() : tree_plan_columns{} { struct_size = sizeof *this; }
+};
+
 struct PlyOptions : tree_ply_options {
     PlyOptions() : tree_ply_options{} { tree_ply_options_init(this, sizeof(tree_ply_options)); }
 };
@@ -965,6 +1042,11 @@ struct SeedParams : tree_seed_params {
     SeedParams() : tree_seed_params{} { tree_seed_params_init(this, sizeof(tree_seed_params)); }
 };
 
+struct SelectParams : tree_select_params {
+    SelectParams() : tree_select_params{} { tree_select_params_init(this, sizeof(tree_select_params)); }
+    bool check() const;
+};
+
 struct SeparationColumns : tree_separation_columns {
     SeparationColumns() : tree_separation_columns{} { struct_size = sizeof *this; }
 };
@@ -979,6 +1061,50 @@ struct SkeletonizeParams : tree_skeletonize_params {
 
 struct SkeletonizeReport : tree_skeletonize_report {
     SkeletonizeReport() : tree_skeletonize_report{} { struct_size = sizeof *this; }
+};
+
+struct SketchBranchesColumns : tree_sketch_branches_columns {
+    SketchBranchesColumns() : tree_sketch_branches_columns{} { struct_size = sizeof *this; }
+};
+
+struct SketchFinishParams : tree_sketch_finish_params {
+    SketchFinishParams() : tree_sketch_finish_params{} { tree_sketch_finish_params_init(this, sizeof(tree_sketch_finish_params)); }
+};
+
+struct SketchFinishReport : tree_sketch_finish_report {
+    SketchFinishReport() : tree_sketch_finish_report{} { struct_size = sizeof *this; }
+};
+
+struct SketchInferParams : tree_sketch_infer_params {
+    SketchInferParams() : tree_sketch_infer_params{} { tree_sketch_infer_params_init(this, sizeof(tree_sketch_infer_params)); }
+    bool thesis();
+};
+
+struct SketchOmega : tree_sketch_omega {
+    SketchOmega() : tree_sketch_omega{} { tree_sketch_omega_init(this, sizeof(tree_sketch_omega)); }
+    bool check() const;
+    SketchOmega without_orders() const;
+};
+
+struct SketchParams : tree_sketch_params {
+    SketchParams() : tree_sketch_params{} { tree_sketch_params_init(this, sizeof(tree_sketch_params)); }
+    bool check() const;
+};
+
+struct SketchPropagateParams : tree_sketch_propagate_params {
+    SketchPropagateParams() : tree_sketch_propagate_params{} { tree_sketch_propagate_params_init(this, sizeof(tree_sketch_propagate_params)); }
+};
+
+struct SketchPropagateReport : tree_sketch_propagate_report {
+    SketchPropagateReport() : tree_sketch_propagate_report{} { struct_size = sizeof *this; }
+};
+
+struct SketchReport : tree_sketch_report {
+    SketchReport() : tree_sketch_report{} { struct_size = sizeof *this; }
+};
+
+struct SketchStroke : tree_sketch_stroke {
+    SketchStroke() : tree_sketch_stroke{} { struct_size = sizeof *this; }
 };
 
 struct Solid : tree_solid {
@@ -1024,6 +1150,19 @@ struct SwcContents : tree_swc_contents {
 
 struct SwcOptions : tree_swc_options {
     SwcOptions() : tree_swc_options{} { tree_swc_options_init(this, sizeof(tree_swc_options)); }
+};
+
+struct TemplateParams : tree_template_params {
+    TemplateParams() : tree_template_params{} { tree_template_params_init(this, sizeof(tree_template_params)); }
+    bool check() const;
+};
+
+struct TemplateSide : tree_template_side {
+    TemplateSide() : tree_template_side{} { struct_size = sizeof *this; }
+};
+
+struct TemplateView : tree_template_view {
+    TemplateView() : tree_template_view{} { struct_size = sizeof *this; }
 };
 
 struct TexturePixels : tree_texture_pixels {
@@ -1146,6 +1285,25 @@ public:
     CrossingPairs view() const && = delete;
 };
 
+class Crown : public detail::Object<tree_crown, tree_crown_free> {
+public:
+    using Object::Object;
+    static Crown close(Ref<tree_strokes_columns> columns, Span<const float> spots = {}, Ref<tree_crown_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Crown from_polygons(Ref<tree_strokes_columns> columns, float depth, Ref<tree_control> control = nullptr);
+    StrokesColumns polygons() const &;
+    StrokesColumns polygons() const && = delete;
+    CrownMeasures measure() const;
+    Span<const tree_crown_repair> repairs() const &;
+    Span<const tree_crown_repair> repairs() const && = delete;
+    Lines repairs_text() const;
+    std::vector<uint8_t> contains(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool contains(Span<const float> spots, Ref<tree_control> control, Span<uint8_t> inside) const;
+    std::vector<float> levels(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool levels(Span<const float> points, Ref<tree_control> control, Span<float> levels) const;
+    std::vector<float> exits(Span<const float> ways, Ref<tree_control> control = nullptr) const;
+    bool exits(Span<const float> ways, Ref<tree_control> control, Span<float> exits) const;
+};
+
 class DirectionField : public detail::Object<tree_direction_field, tree_direction_field_free> {
 public:
     using Object::Object;
@@ -1158,12 +1316,46 @@ public:
     Photo draw_over(const Photo &photo, uint32_t color) const;
 };
 
+class Drawing : public detail::Object<tree_drawing, tree_drawing_free> {
+public:
+    using Object::Object;
+    Plan clean(Ref<tree_clean_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static Drawing make(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control = nullptr);
+    Drawing with_strokes(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control = nullptr) const;
+    static Drawing from_svg(std::string_view svg, Ref<tree_control> control = nullptr);
+    static Drawing from_json(std::string_view json, Ref<tree_control> control = nullptr);
+    Bytes to_json() const;
+    size_t count() const;
+    SketchStroke stroke(size_t index) const &;
+    SketchStroke stroke(size_t index) const && = delete;
+    static Drawing of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branches> main = nullptr, Ref<tree_outline_params> outline = nullptr, Ref<tree_control> control = nullptr);
+    Tree from_sketch(Maybe<tree_templates> templates, Maybe<tree_volume> obstacles, Ref<tree_sketch_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_sketch_report *report = nullptr) const;
+};
+
+class Drawings : public detail::Object<tree_drawings, tree_drawings_free> {
+public:
+    using Object::Object;
+    static Drawings from_ndjson(std::string_view ndjson, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    Drawing at(size_t index) const;
+};
+
 class Equations : public detail::Object<tree_equations, tree_equations_free> {
 public:
     using Object::Object;
     static Equations make(const Carved &carved, Span<const tree_particle_view> views, Ref<tree_density_params> params = nullptr, Ref<tree_control> control = nullptr);
     EquationsColumns view() const &;
     EquationsColumns view() const && = delete;
+};
+
+class FactorGraph : public detail::Object<tree_factor_graph, tree_factor_graph_free> {
+public:
+    using Object::Object;
+    static FactorGraph make(const Plan &plan, Ref<tree_sketch_omega> omega, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    Span<const uint32_t> parents() const &;
+    Span<const uint32_t> parents() const && = delete;
+    double length(uint32_t segment) const;
+    tree_sketch_posterior posterior(Ref<tree_sketch_omega> omega, Span<const double> depths, Span<const tree_sketch_label> labels, Ref<tree_control> control = nullptr) const;
 };
 
 class FoundLeaves : public detail::Object<tree_found_leaves, tree_found_leaves_free> {
@@ -1228,6 +1420,15 @@ public:
     bool sample(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
     std::vector<float> nearest(Span<const float> points, Ref<tree_control> control = nullptr) const;
     bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
+};
+
+class Inferred : public detail::Object<tree_inferred, tree_inferred_free> {
+public:
+    using Object::Object;
+    InferredColumns view() const &;
+    InferredColumns view() const && = delete;
+    SketchBranches branches() const;
+    SketchOmega omega() const;
 };
 
 class LeafModel : public detail::Object<tree_leaf_model, tree_leaf_model_free> {
@@ -1347,6 +1548,16 @@ public:
     Tree skeletonize_mesh(Span<const tree_hint> hints = {}, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr) const;
 };
 
+class Midlines : public detail::Object<tree_midlines, tree_midlines_free> {
+public:
+    using Object::Object;
+    static Midlines of(Ref<tree_strokes_columns> columns, Ref<tree_midline_params> params = nullptr, Ref<tree_control> control = nullptr);
+    StrokesColumns view() const &;
+    StrokesColumns view() const && = delete;
+    Span<const float> half_widths() const &;
+    Span<const float> half_widths() const && = delete;
+};
+
 class Packed : public detail::Object<tree_packed, tree_packed_free> {
 public:
     using Object::Object;
@@ -1439,6 +1650,27 @@ public:
     Skeleton link(Ref<tree_skeletonize_params> params, Ref<tree_control> control, Span<uint8_t> reached) const;
 };
 
+class Plan : public detail::Object<tree_plan, tree_plan_free> {
+public:
+    using Object::Object;
+    Inferred sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    static Plan from_columns(Ref<tree_plan_columns> columns, Ref<tree_control> control = nullptr);
+    PlanColumns view() const &;
+    PlanColumns view() const && = delete;
+    StrokesColumns crown() const &;
+    StrokesColumns crown() const && = delete;
+    Span<const uint32_t> crown_strokes() const &;
+    Span<const uint32_t> crown_strokes() const && = delete;
+    Span<const tree_clean_repair> repairs() const &;
+    Span<const tree_clean_repair> repairs() const && = delete;
+    Lines repairs_text() const;
+    Plan scaled(float factor) const;
+    std::vector<float> points_to_drawing(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool points_to_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> drawn) const;
+    std::vector<float> points_from_drawing(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool points_from_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> planned) const;
+};
+
 class Pool : public detail::Object<tree_pool, tree_pool_free> {
 public:
     using Object::Object;
@@ -1512,6 +1744,53 @@ public:
     bool children(Span<uint32_t> starts, Span<uint32_t> nodes) const;
     bool write_swc(std::string_view path, Ref<tree_swc_options> options = nullptr) const;
     Bytes to_swc(Ref<tree_swc_options> options = nullptr) const;
+    Tree sketch_grow_crown(Maybe<tree_crown> crown, Ref<tree_sketch_finish_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_sketch_finish_report *report = nullptr) const;
+};
+
+class SketchBranches : public detail::Object<tree_sketch_branches, tree_sketch_branches_free> {
+public:
+    using Object::Object;
+    static SketchBranches from_columns(Ref<tree_sketch_branches_columns> columns, Ref<tree_control> control = nullptr);
+    SketchBranchesColumns view() const &;
+    SketchBranchesColumns view() const && = delete;
+    std::vector<uint32_t> orders() const;
+    bool orders(Span<uint32_t> orders) const;
+    SketchBranches smooth_depth(uint32_t n_passes) const;
+    Skeleton wood(Ref<tree_sketch_finish_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    SketchOmega sketch_omega_fit() const;
+    std::tuple<std::vector<tree_sketch_relation>, size_t> relations() const;
+    size_t relations(Span<tree_sketch_relation> relations) const;
+    SketchBranches propagate(Ref<tree_sketch_omega> omega, Maybe<tree_crown> crown, Maybe<tree_volume> obstacles, Ref<tree_sketch_propagate_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_sketch_propagate_report *report = nullptr) const;
+};
+
+class SketchSession : public detail::Object<tree_sketch_session, tree_sketch_session_free> {
+public:
+    using Object::Object;
+    static SketchSession make(const Drawing &drawing, Ref<tree_sketch_params> params, uint64_t seed);
+    SketchSession copy() const;
+    bool set_seed(uint64_t seed) const;
+    bool set_params(Ref<tree_sketch_params> params = nullptr) const;
+    bool set_templates(Maybe<tree_templates> templates = nullptr) const;
+    bool set_obstacles(Maybe<tree_volume> obstacles = nullptr) const;
+    bool infer_anew() const;
+    bool redo_from(tree_sketch_stage stage) const;
+    size_t add_stroke(Ref<tree_sketch_stroke> stroke = nullptr, Ref<tree_control> control = nullptr) const;
+    size_t erase_stroke(size_t stroke, Ref<tree_control> control, Span<uint32_t> gone) const;
+    bool set_depth(size_t stroke, const Floats<2> &at, float depth, Ref<tree_control> control = nullptr) const;
+    Drawing drawing() const;
+    uint64_t seed() const;
+    SketchParams params() const &;
+    SketchParams params() const && = delete;
+    uint32_t runs(tree_sketch_stage stage) const;
+    Plan plan(Ref<tree_control> control = nullptr) const;
+    Crown crown(Ref<tree_control> control = nullptr) const;
+    size_t choices(Ref<tree_control> control, Span<tree_choice> choices) const;
+    Templates template_taken(Ref<tree_control> control = nullptr) const;
+    Inferred inferred(Ref<tree_control> control = nullptr) const;
+    SketchBranches branches(Ref<tree_control> control = nullptr, tree_sketch_propagate_report *report = nullptr) const;
+    Skeleton wood(Ref<tree_control> control = nullptr) const;
+    Tree tree(Ref<tree_control> control = nullptr, tree_sketch_report *report = nullptr) const;
+    Lines warnings(Ref<tree_control> control = nullptr) const;
 };
 
 class Strokes : public detail::Object<tree_strokes, tree_strokes_free> {
@@ -1520,6 +1799,7 @@ public:
     static Strokes from_svg(std::string_view svg, float width, float height, Ref<tree_control> control = nullptr);
     StrokesColumns view() const &;
     StrokesColumns view() const && = delete;
+    static Strokes outline(Span<const float> spots, Ref<tree_outline_params> params = nullptr, Ref<tree_control> control = nullptr);
 };
 
 class Swc : public detail::Object<tree_swc, tree_swc_free> {
@@ -1530,6 +1810,25 @@ public:
     Skeleton skeleton() const;
     SwcContents view() const &;
     SwcContents view() const && = delete;
+};
+
+class Templates : public detail::Object<tree_templates, tree_templates_free> {
+public:
+    using Object::Object;
+    SketchOmega omega(size_t index) const;
+    std::vector<tree_choice> select(const Plan &plan, Maybe<tree_crown> crown = nullptr, Ref<tree_select_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const;
+    static Templates builtin();
+    static Templates from_text(std::string_view text, Ref<tree_control> control = nullptr);
+    Bytes to_text() const;
+    static Templates of_tree(std::string_view name, std::string_view species, const Tree &tree, Ref<tree_template_params> params = nullptr, Ref<tree_control> control = nullptr);
+    Templates join(const Templates &others) const;
+    size_t count() const;
+    size_t find(std::string_view name) const;
+    TemplateView view(size_t index) const &;
+    TemplateView view(size_t index) const && = delete;
+    TemplateSide side(size_t index, size_t number) const &;
+    TemplateSide side(size_t index, size_t number) const && = delete;
 };
 
 class Texture : public detail::Object<tree_texture, tree_texture_free> {
@@ -1706,6 +2005,15 @@ PathParams path_preset(std::string_view name);
 Lines align_warnings_text(Span<const tree_align_warning> warnings);
 Aligned align_all(const Handles<tree_matte> &mattes, Span<const tree_align_params> params, float height, Ref<tree_control> control = nullptr);
 Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr);
+size_t exemplar_count();
+std::tuple<std::string_view, std::string_view, std::string_view> exemplar_name(size_t index);
+Tree exemplar_grow(std::string_view name, uint64_t seed, Ref<tree_control> control = nullptr);
+std::vector<float> footprint_of(Span<const float> spots, Ref<tree_control> control = nullptr);
+bool footprint_of(Span<const float> spots, Ref<tree_control> control, Span<float> distances);
+float footprint_difference(Span<const float> first, Span<const float> second);
+std::tuple<std::vector<float>, size_t> convex_hull(Span<const float> spots, Ref<tree_control> control = nullptr);
+size_t convex_hull(Span<const float> spots, Ref<tree_control> control, Span<float> corners);
+SketchOmega sketch_omega_of_relations(Span<const tree_sketch_relation> relations, Ref<tree_control> control = nullptr);
 uint32_t abi_version();
 std::string_view version();
 size_t live_objects();
@@ -3508,6 +3816,560 @@ inline Tree Mesh::skeletonize_mesh(Span<const tree_hint> hints, Ref<tree_skeleto
     Tree tree;
     detail::done(tree_skeletonize_mesh(get(), hints.data(), hints.size(), params, control, report, tree.place()), control);
     return tree;
+}
+inline SketchBranches SketchBranches::from_columns(Ref<tree_sketch_branches_columns> columns, Ref<tree_control> control) {
+    SketchBranches branches;
+    detail::done(tree_sketch_branches_from_columns(columns, control, branches.place()), control);
+    return branches;
+}
+inline SketchBranchesColumns SketchBranches::view() const & {
+    SketchBranchesColumns columns;
+    if (!(detail::done(tree_sketch_branches_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::vector<uint32_t> SketchBranches::orders() const {
+    std::vector<uint32_t> orders(view().n_segments);
+    if (!(detail::done(tree_sketch_branches_orders(get(), orders.data(), orders.size())))) { orders.clear(); }
+    return orders;
+}
+inline bool SketchBranches::orders(Span<uint32_t> orders) const {
+    return detail::done(tree_sketch_branches_orders(get(), orders.data(), orders.size()));
+}
+inline SketchBranches SketchBranches::smooth_depth(uint32_t n_passes) const {
+    SketchBranches smooth;
+    detail::done(tree_sketch_branches_smooth_depth(get(), n_passes, smooth.place()));
+    return smooth;
+}
+inline bool CleanParams::check() const {
+    return detail::done(tree_clean_params_check(this));
+}
+inline Plan Drawing::clean(Ref<tree_clean_params> params, Ref<tree_control> control) const {
+    Plan plan;
+    detail::done(tree_drawing_clean(get(), params, control, plan.place()), control);
+    return plan;
+}
+inline bool CrownParams::check() const {
+    return detail::done(tree_crown_params_check(this));
+}
+inline Crown Crown::close(Ref<tree_strokes_columns> columns, Span<const float> spots, Ref<tree_crown_params> params, Ref<tree_control> control) {
+    Crown crown;
+    static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_crown_close(columns, spots.data(), spots.size() / 2, params, control, crown.place()), control));
+    return crown;
+}
+inline Crown Crown::from_polygons(Ref<tree_strokes_columns> columns, float depth, Ref<tree_control> control) {
+    Crown crown;
+    detail::done(tree_crown_from_polygons(columns, depth, control, crown.place()), control);
+    return crown;
+}
+inline StrokesColumns Crown::polygons() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_crown_polygons(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline CrownMeasures Crown::measure() const {
+    CrownMeasures measures;
+    if (!(detail::done(tree_crown_measure(get(), &measures)))) { measures.struct_size = 0; }
+    return measures;
+}
+inline Span<const tree_crown_repair> Crown::repairs() const & {
+    const tree_crown_repair *repairs = nullptr;
+    size_t n_repairs = 0;
+    detail::done(tree_crown_repairs(get(), &repairs, &n_repairs));
+    return Span<const tree_crown_repair>(repairs, n_repairs);
+}
+inline Lines Crown::repairs_text() const {
+    Lines lines;
+    detail::done(tree_crown_repairs_text(get(), lines.place()));
+    return lines;
+}
+inline std::vector<uint8_t> Crown::contains(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<uint8_t> inside(spots.size() / 2);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_crown_contains(get(), spots.data(), spots.size() / 2, control, inside.data(), inside.size()), control))) { inside.clear(); }
+    return inside;
+}
+inline bool Crown::contains(Span<const float> spots, Ref<tree_control> control, Span<uint8_t> inside) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_crown_contains(get(), spots.data(), spots.size() / 2, control, inside.data(), inside.size()), control);
+}
+inline std::vector<float> Crown::levels(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> levels(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_crown_levels(get(), points.data(), points.size() / 3, control, levels.data(), levels.size()), control))) { levels.clear(); }
+    return levels;
+}
+inline bool Crown::levels(Span<const float> points, Ref<tree_control> control, Span<float> levels) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_crown_levels(get(), points.data(), points.size() / 3, control, levels.data(), levels.size()), control);
+}
+inline std::vector<float> Crown::exits(Span<const float> ways, Ref<tree_control> control) const {
+    std::vector<float> exits(ways.size() / 6);
+    if (!(detail::expect(ways.size() % 6 == 0, TREE_ERROR_BUFFER, "ways: must have 6 numbers for each item")
+        && detail::done(tree_crown_exits(get(), ways.data(), ways.size() / 6, control, exits.data(), exits.size()), control))) { exits.clear(); }
+    return exits;
+}
+inline bool Crown::exits(Span<const float> ways, Ref<tree_control> control, Span<float> exits) const {
+    return detail::expect(ways.size() % 6 == 0, TREE_ERROR_BUFFER, "ways: must have 6 numbers for each item")
+        && detail::done(tree_crown_exits(get(), ways.data(), ways.size() / 6, control, exits.data(), exits.size()), control);
+}
+inline Strokes Strokes::outline(Span<const float> spots, Ref<tree_outline_params> params, Ref<tree_control> control) {
+    Strokes strokes;
+    static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_strokes_outline(spots.data(), spots.size() / 2, params, control, strokes.place()), control));
+    return strokes;
+}
+inline Drawing Drawing::make(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_new(strokes.data(), strokes.size(), control, drawing.place()), control);
+    return drawing;
+}
+inline Drawing Drawing::with_strokes(Span<const tree_sketch_stroke> strokes, Ref<tree_control> control) const {
+    Drawing more;
+    detail::done(tree_drawing_with_strokes(get(), strokes.data(), strokes.size(), control, more.place()), control);
+    return more;
+}
+inline Drawing Drawing::from_svg(std::string_view svg, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_from_svg(svg.data() ? svg.data() : "", svg.size(), control, drawing.place()), control);
+    return drawing;
+}
+inline Drawing Drawing::from_json(std::string_view json, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_from_json(json.data() ? json.data() : "", json.size(), control, drawing.place()), control);
+    return drawing;
+}
+inline Bytes Drawing::to_json() const {
+    Bytes bytes;
+    detail::done(tree_drawing_to_json(get(), bytes.place()));
+    return bytes;
+}
+inline size_t Drawing::count() const {
+    size_t n_strokes{};
+    detail::done(tree_drawing_count(get(), &n_strokes));
+    return n_strokes;
+}
+inline SketchStroke Drawing::stroke(size_t index) const & {
+    SketchStroke stroke;
+    if (!(detail::done(tree_drawing_stroke(get(), index, &stroke)))) { stroke.struct_size = 0; }
+    return stroke;
+}
+inline Drawings Drawings::from_ndjson(std::string_view ndjson, Ref<tree_control> control) {
+    Drawings drawings;
+    detail::done(tree_drawings_from_ndjson(ndjson.data() ? ndjson.data() : "", ndjson.size(), control, drawings.place()), control);
+    return drawings;
+}
+inline size_t Drawings::count() const {
+    size_t n_drawings{};
+    detail::done(tree_drawings_count(get(), &n_drawings));
+    return n_drawings;
+}
+inline Drawing Drawings::at(size_t index) const {
+    Drawing drawing;
+    detail::done(tree_drawings_at(get(), index, drawing.place()));
+    return drawing;
+}
+inline size_t exemplar_count() {
+    return tree_exemplar_count();
+}
+inline std::tuple<std::string_view, std::string_view, std::string_view> exemplar_name(size_t index) {
+    tree_str name{};
+    tree_str title{};
+    tree_str species{};
+    detail::done(tree_exemplar_name(index, &name, &title, &species));
+    return {detail::text(name), detail::text(title), detail::text(species)};
+}
+inline Tree exemplar_grow(std::string_view name, uint64_t seed, Ref<tree_control> control) {
+    Tree tree;
+    detail::done(tree_exemplar_grow(name.data() ? name.data() : "", name.size(), seed, control, tree.place()), control);
+    return tree;
+}
+inline bool MainBranches::check() const {
+    return detail::done(tree_main_branches_check(this));
+}
+inline Drawing Drawing::of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branches> main, Ref<tree_outline_params> outline, Ref<tree_control> control) {
+    Drawing drawing;
+    detail::done(tree_drawing_of_tree(tree.get(), yaw, with_crown ? 1u : 0u, main, outline, control, drawing.place()), control);
+    return drawing;
+}
+inline Skeleton SketchBranches::wood(Ref<tree_sketch_finish_params> params, Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_sketch_branches_wood(get(), params, control, wood.place()), control);
+    return wood;
+}
+inline Tree Skeleton::sketch_grow_crown(Maybe<tree_crown> crown, Ref<tree_sketch_finish_params> params, uint64_t seed, Ref<tree_control> control, tree_sketch_finish_report *report) const {
+    Tree tree;
+    static_cast<void>(detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_grow_crown(get(), crown, params, seed, control, report, tree.place()), control));
+    return tree;
+}
+inline std::vector<float> footprint_of(Span<const float> spots, Ref<tree_control> control) {
+    std::vector<float> distances(TREE_FOOTPRINT_DIRECTIONS);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_footprint_of(spots.data(), spots.size() / 2, control, distances.data(), distances.size()), control))) { distances.clear(); }
+    return distances;
+}
+inline bool footprint_of(Span<const float> spots, Ref<tree_control> control, Span<float> distances) {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_footprint_of(spots.data(), spots.size() / 2, control, distances.data(), distances.size()), control);
+}
+inline float footprint_difference(Span<const float> first, Span<const float> second) {
+    float difference{};
+    detail::done(tree_footprint_difference(first.data(), first.size(), second.data(), second.size(), &difference));
+    return difference;
+}
+inline std::tuple<std::vector<float>, size_t> convex_hull(Span<const float> spots, Ref<tree_control> control) {
+    std::vector<float> corners(spots.size());
+    size_t n_corners{};
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_convex_hull(spots.data(), spots.size() / 2, control, corners.data(), corners.size(), &n_corners), control))) { corners.clear(); }
+    corners.resize(2 * n_corners);
+    return {std::move(corners), std::move(n_corners)};
+}
+inline size_t convex_hull(Span<const float> spots, Ref<tree_control> control, Span<float> corners) {
+    size_t n_corners{};
+    static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_convex_hull(spots.data(), spots.size() / 2, control, corners.data(), corners.size(), &n_corners), control));
+    return n_corners;
+}
+inline bool SketchInferParams::thesis() {
+    return detail::done(tree_sketch_infer_params_thesis(this));
+}
+inline Inferred Plan::sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control) const {
+    Inferred inferred;
+    detail::done(tree_sketch_infer(get(), omega, pins.data(), pins.size(), params, seed, control, inferred.place()), control);
+    return inferred;
+}
+inline InferredColumns Inferred::view() const & {
+    InferredColumns columns;
+    if (!(detail::done(tree_inferred_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline SketchBranches Inferred::branches() const {
+    SketchBranches branches;
+    detail::done(tree_inferred_branches(get(), branches.place()));
+    return branches;
+}
+inline SketchOmega Inferred::omega() const {
+    SketchOmega omega;
+    if (!(detail::done(tree_inferred_omega(get(), &omega)))) { omega.struct_size = 0; }
+    return omega;
+}
+inline FactorGraph FactorGraph::make(const Plan &plan, Ref<tree_sketch_omega> omega, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control) {
+    FactorGraph graph;
+    detail::done(tree_factor_graph_new(plan.get(), omega, params, seed, control, graph.place()), control);
+    return graph;
+}
+inline Span<const uint32_t> FactorGraph::parents() const & {
+    const uint32_t *parents = nullptr;
+    size_t n_segments = 0;
+    detail::done(tree_factor_graph_parents(get(), &parents, &n_segments));
+    return Span<const uint32_t>(parents, n_segments);
+}
+inline double FactorGraph::length(uint32_t segment) const {
+    double metres{};
+    detail::done(tree_factor_graph_length(get(), segment, &metres));
+    return metres;
+}
+inline tree_sketch_posterior FactorGraph::posterior(Ref<tree_sketch_omega> omega, Span<const double> depths, Span<const tree_sketch_label> labels, Ref<tree_control> control) const {
+    tree_sketch_posterior posterior{};
+    static_cast<void>(detail::expect(depths.size() == labels.size(), TREE_ERROR_BUFFER, "depths and labels must be of one length")
+        && detail::done(tree_factor_graph_posterior(get(), omega, depths.data(), labels.data(), depths.size(), control, &posterior), control));
+    return posterior;
+}
+inline Midlines Midlines::of(Ref<tree_strokes_columns> columns, Ref<tree_midline_params> params, Ref<tree_control> control) {
+    Midlines midlines;
+    detail::done(tree_midlines_of(columns, params, control, midlines.place()), control);
+    return midlines;
+}
+inline StrokesColumns Midlines::view() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_midlines_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Span<const float> Midlines::half_widths() const & {
+    const float *half_widths = nullptr;
+    size_t n_points = 0;
+    detail::done(tree_midlines_half_widths(get(), &half_widths, &n_points));
+    return Span<const float>(half_widths, n_points);
+}
+inline bool SketchOmega::check() const {
+    return detail::done(tree_sketch_omega_check(this));
+}
+inline SketchOmega SketchBranches::sketch_omega_fit() const {
+    SketchOmega omega;
+    if (!(detail::done(tree_sketch_omega_fit(get(), &omega)))) { omega.struct_size = 0; }
+    return omega;
+}
+inline SketchOmega Templates::omega(size_t index) const {
+    SketchOmega omega;
+    if (!(detail::done(tree_templates_omega(get(), index, &omega)))) { omega.struct_size = 0; }
+    return omega;
+}
+inline SketchOmega sketch_omega_of_relations(Span<const tree_sketch_relation> relations, Ref<tree_control> control) {
+    SketchOmega omega;
+    if (!(detail::done(tree_sketch_omega_of_relations(relations.data(), relations.size(), control, &omega), control))) { omega.struct_size = 0; }
+    return omega;
+}
+inline SketchOmega SketchOmega::without_orders() const {
+    SketchOmega whole;
+    if (!(detail::done(tree_sketch_omega_without_orders(this, &whole)))) { whole.struct_size = 0; }
+    return whole;
+}
+inline std::tuple<std::vector<tree_sketch_relation>, size_t> SketchBranches::relations() const {
+    std::vector<tree_sketch_relation> relations(view().n_segments);
+    size_t n_relations{};
+    if (!(detail::done(tree_sketch_branches_relations(get(), relations.data(), relations.size(), &n_relations)))) { relations.clear(); }
+    relations.resize(n_relations);
+    return {std::move(relations), std::move(n_relations)};
+}
+inline size_t SketchBranches::relations(Span<tree_sketch_relation> relations) const {
+    size_t n_relations{};
+    detail::done(tree_sketch_branches_relations(get(), relations.data(), relations.size(), &n_relations));
+    return n_relations;
+}
+inline Plan Plan::from_columns(Ref<tree_plan_columns> columns, Ref<tree_control> control) {
+    Plan plan;
+    detail::done(tree_plan_from_columns(columns, control, plan.place()), control);
+    return plan;
+}
+inline PlanColumns Plan::view() const & {
+    PlanColumns columns;
+    if (!(detail::done(tree_plan_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline StrokesColumns Plan::crown() const & {
+    StrokesColumns columns;
+    if (!(detail::done(tree_plan_crown(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Span<const uint32_t> Plan::crown_strokes() const & {
+    const uint32_t *strokes = nullptr;
+    size_t n_strokes = 0;
+    detail::done(tree_plan_crown_strokes(get(), &strokes, &n_strokes));
+    return Span<const uint32_t>(strokes, n_strokes);
+}
+inline Span<const tree_clean_repair> Plan::repairs() const & {
+    const tree_clean_repair *repairs = nullptr;
+    size_t n_repairs = 0;
+    detail::done(tree_plan_repairs(get(), &repairs, &n_repairs));
+    return Span<const tree_clean_repair>(repairs, n_repairs);
+}
+inline Lines Plan::repairs_text() const {
+    Lines lines;
+    detail::done(tree_plan_repairs_text(get(), lines.place()));
+    return lines;
+}
+inline Plan Plan::scaled(float factor) const {
+    Plan scaled;
+    detail::done(tree_plan_scaled(get(), factor, scaled.place()));
+    return scaled;
+}
+inline std::vector<float> Plan::points_to_drawing(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> drawn(spots.size());
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_to_drawing(get(), spots.data(), spots.size() / 2, control, drawn.data(), drawn.size()), control))) { drawn.clear(); }
+    return drawn;
+}
+inline bool Plan::points_to_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> drawn) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_to_drawing(get(), spots.data(), spots.size() / 2, control, drawn.data(), drawn.size()), control);
+}
+inline std::vector<float> Plan::points_from_drawing(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> planned(spots.size());
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_from_drawing(get(), spots.data(), spots.size() / 2, control, planned.data(), planned.size()), control))) { planned.clear(); }
+    return planned;
+}
+inline bool Plan::points_from_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> planned) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_plan_points_from_drawing(get(), spots.data(), spots.size() / 2, control, planned.data(), planned.size()), control);
+}
+inline SketchBranches SketchBranches::propagate(Ref<tree_sketch_omega> omega, Maybe<tree_crown> crown, Maybe<tree_volume> obstacles, Ref<tree_sketch_propagate_params> params, uint64_t seed, Ref<tree_control> control, tree_sketch_propagate_report *report) const {
+    SketchBranches grown;
+    static_cast<void>(detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::expect(obstacles.fits(), TREE_ERROR_NULL, "obstacles: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_branches_propagate(get(), omega, crown, obstacles, params, seed, control, report, grown.place()), control));
+    return grown;
+}
+inline bool SelectParams::check() const {
+    return detail::done(tree_select_params_check(this));
+}
+inline std::vector<tree_choice> Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control) const {
+    std::vector<tree_choice> choices(count());
+    if (!(detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_templates_select(get(), plan.get(), crown, params, control, choices.data(), choices.size()), control))) { choices.clear(); }
+    return choices;
+}
+inline bool Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const {
+    return detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_templates_select(get(), plan.get(), crown, params, control, choices.data(), choices.size()), control);
+}
+inline SketchSession SketchSession::make(const Drawing &drawing, Ref<tree_sketch_params> params, uint64_t seed) {
+    SketchSession session;
+    detail::done(tree_sketch_session_new(drawing.get(), params, seed, session.place()));
+    return session;
+}
+inline SketchSession SketchSession::copy() const {
+    SketchSession copy;
+    detail::done(tree_sketch_session_copy(get(), copy.place()));
+    return copy;
+}
+inline bool SketchSession::set_seed(uint64_t seed) const {
+    return detail::done(tree_sketch_session_set_seed(get(), seed));
+}
+inline bool SketchSession::set_params(Ref<tree_sketch_params> params) const {
+    return detail::done(tree_sketch_session_set_params(get(), params));
+}
+inline bool SketchSession::set_templates(Maybe<tree_templates> templates) const {
+    return detail::expect(templates.fits(), TREE_ERROR_NULL, "templates: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_session_set_templates(get(), templates));
+}
+inline bool SketchSession::set_obstacles(Maybe<tree_volume> obstacles) const {
+    return detail::expect(obstacles.fits(), TREE_ERROR_NULL, "obstacles: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_sketch_session_set_obstacles(get(), obstacles));
+}
+inline bool SketchSession::infer_anew() const {
+    return detail::done(tree_sketch_session_infer_anew(get()));
+}
+inline bool SketchSession::redo_from(tree_sketch_stage stage) const {
+    return detail::done(tree_sketch_session_redo_from(get(), stage));
+}
+inline size_t SketchSession::add_stroke(Ref<tree_sketch_stroke> stroke, Ref<tree_control> control) const {
+    size_t number{};
+    detail::done(tree_sketch_session_add_stroke(get(), stroke, control, &number), control);
+    return number;
+}
+inline size_t SketchSession::erase_stroke(size_t stroke, Ref<tree_control> control, Span<uint32_t> gone) const {
+    size_t n_gone{};
+    detail::done(tree_sketch_session_erase_stroke(get(), stroke, control, gone.data(), gone.size(), &n_gone), control);
+    return n_gone;
+}
+inline bool SketchSession::set_depth(size_t stroke, const Floats<2> &at, float depth, Ref<tree_control> control) const {
+    return detail::done(tree_sketch_session_set_depth(get(), stroke, at, depth, control), control);
+}
+inline Drawing SketchSession::drawing() const {
+    Drawing drawing;
+    detail::done(tree_sketch_session_drawing(get(), drawing.place()));
+    return drawing;
+}
+inline uint64_t SketchSession::seed() const {
+    uint64_t seed{};
+    detail::done(tree_sketch_session_seed(get(), &seed));
+    return seed;
+}
+inline SketchParams SketchSession::params() const & {
+    SketchParams params;
+    if (!(detail::done(tree_sketch_session_params(get(), &params)))) { params.struct_size = 0; }
+    return params;
+}
+inline uint32_t SketchSession::runs(tree_sketch_stage stage) const {
+    uint32_t n_runs{};
+    detail::done(tree_sketch_session_runs(get(), stage, &n_runs));
+    return n_runs;
+}
+inline Plan SketchSession::plan(Ref<tree_control> control) const {
+    Plan plan;
+    detail::done(tree_sketch_session_plan(get(), control, plan.place()), control);
+    return plan;
+}
+inline Crown SketchSession::crown(Ref<tree_control> control) const {
+    Crown crown;
+    detail::done(tree_sketch_session_crown(get(), control, crown.place()), control);
+    return crown;
+}
+inline size_t SketchSession::choices(Ref<tree_control> control, Span<tree_choice> choices) const {
+    size_t n_choices{};
+    detail::done(tree_sketch_session_choices(get(), control, choices.data(), choices.size(), &n_choices), control);
+    return n_choices;
+}
+inline Templates SketchSession::template_taken(Ref<tree_control> control) const {
+    Templates taken;
+    detail::done(tree_sketch_session_template_taken(get(), control, taken.place()), control);
+    return taken;
+}
+inline Inferred SketchSession::inferred(Ref<tree_control> control) const {
+    Inferred inferred;
+    detail::done(tree_sketch_session_inferred(get(), control, inferred.place()), control);
+    return inferred;
+}
+inline SketchBranches SketchSession::branches(Ref<tree_control> control, tree_sketch_propagate_report *report) const {
+    SketchBranches branches;
+    detail::done(tree_sketch_session_branches(get(), control, report, branches.place()), control);
+    return branches;
+}
+inline Skeleton SketchSession::wood(Ref<tree_control> control) const {
+    Skeleton wood;
+    detail::done(tree_sketch_session_wood(get(), control, wood.place()), control);
+    return wood;
+}
+inline Tree SketchSession::tree(Ref<tree_control> control, tree_sketch_report *report) const {
+    Tree tree;
+    detail::done(tree_sketch_session_tree(get(), control, report, tree.place()), control);
+    return tree;
+}
+inline Lines SketchSession::warnings(Ref<tree_control> control) const {
+    Lines warnings;
+    detail::done(tree_sketch_session_warnings(get(), control, warnings.place()), control);
+    return warnings;
+}
+inline bool SketchParams::check() const {
+    return detail::done(tree_sketch_params_check(this));
+}
+inline Tree Drawing::from_sketch(Maybe<tree_templates> templates, Maybe<tree_volume> obstacles, Ref<tree_sketch_params> params, uint64_t seed, Ref<tree_control> control, tree_sketch_report *report) const {
+    Tree tree;
+    static_cast<void>(detail::expect(templates.fits(), TREE_ERROR_NULL, "templates: empty; leave it out, or hand over nullptr")
+        && detail::expect(obstacles.fits(), TREE_ERROR_NULL, "obstacles: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_from_sketch(get(), templates, obstacles, params, seed, control, report, tree.place()), control));
+    return tree;
+}
+inline Templates Templates::builtin() {
+    Templates templates;
+    detail::done(tree_templates_builtin(templates.place()));
+    return templates;
+}
+inline Templates Templates::from_text(std::string_view text, Ref<tree_control> control) {
+    Templates templates;
+    detail::done(tree_templates_from_text(text.data() ? text.data() : "", text.size(), control, templates.place()), control);
+    return templates;
+}
+inline Bytes Templates::to_text() const {
+    Bytes bytes;
+    detail::done(tree_templates_to_text(get(), bytes.place()));
+    return bytes;
+}
+inline bool TemplateParams::check() const {
+    return detail::done(tree_template_params_check(this));
+}
+inline Templates Templates::of_tree(std::string_view name, std::string_view species, const Tree &tree, Ref<tree_template_params> params, Ref<tree_control> control) {
+    Templates templates;
+    detail::done(tree_templates_of_tree(name.data() ? name.data() : "", name.size(), species.data() ? species.data() : "", species.size(), tree.get(), params, control, templates.place()), control);
+    return templates;
+}
+inline Templates Templates::join(const Templates &others) const {
+    Templates joined;
+    detail::done(tree_templates_join(get(), others.get(), joined.place()));
+    return joined;
+}
+inline size_t Templates::count() const {
+    size_t n_templates{};
+    detail::done(tree_templates_count(get(), &n_templates));
+    return n_templates;
+}
+inline size_t Templates::find(std::string_view name) const {
+    size_t index{};
+    detail::done(tree_templates_find(get(), name.data() ? name.data() : "", name.size(), &index));
+    return index;
+}
+inline TemplateView Templates::view(size_t index) const & {
+    TemplateView view;
+    if (!(detail::done(tree_templates_view(get(), index, &view)))) { view.struct_size = 0; }
+    return view;
+}
+inline TemplateSide Templates::side(size_t index, size_t number) const & {
+    TemplateSide side;
+    if (!(detail::done(tree_templates_side(get(), index, number, &side)))) { side.struct_size = 0; }
+    return side;
 }
 inline Tree Tree::make(const Skeleton &skeleton, Ref<tree_foliage> foliage, Ref<tree_species> species, Ref<tree_control> control) {
     Tree tree;

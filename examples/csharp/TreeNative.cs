@@ -55,9 +55,25 @@ namespace TreeFamily.Native
     public struct tree_crossings { }
 
     /// <summary>
+    /// A crown: polygons in the plan, and the solid they stand for. At every height each stretch of the inside is swept to
+    /// a circle (or an ellipse, by the depth) about its own middle.
+    /// </summary>
+    public struct tree_crown { }
+
+    /// <summary>
     /// Directions on a grid of cells over a picture.
     /// </summary>
     public struct tree_direction_field { }
+
+    /// <summary>
+    /// A drawing: strokes in the order they were drawn, in any units, y downwards as on screens and in SVG.
+    /// </summary>
+    public struct tree_drawing { }
+
+    /// <summary>
+    /// Drawings of one file.
+    /// </summary>
+    public struct tree_drawings { }
 
     /// <summary>
     /// The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
@@ -65,6 +81,12 @@ namespace TreeFamily.Native
     /// |A x - b|^2 + lambda^2 |x / weights|^2.
     /// </summary>
     public struct tree_equations { }
+
+    /// <summary>
+    /// The factor graph of a sketch (Neubert 2012, section 4.5.1): what any depths and labels are worth. Segments are
+    /// numbered generation by generation, as in a `tree_inferred` of the same plan.
+    /// </summary>
+    public struct tree_factor_graph { }
 
     /// <summary>
     /// Leaves found in a mesh, and their kinds.
@@ -98,6 +120,11 @@ namespace TreeFamily.Native
     public struct tree_grid { }
 
     /// <summary>
+    /// A sketch in space: what was inferred of it.
+    /// </summary>
+    public struct tree_inferred { }
+
+    /// <summary>
     /// The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
     /// see how much of its triangles is visible.
     /// </summary>
@@ -129,6 +156,11 @@ namespace TreeFamily.Native
     public struct tree_mesh { }
 
     /// <summary>
+    /// The middle lines of a filled area.
+    /// </summary>
+    public struct tree_midlines { }
+
+    /// <summary>
     /// A surface in the axes and the layout of an engine.
     /// </summary>
     public struct tree_packed { }
@@ -145,7 +177,7 @@ namespace TreeFamily.Native
     /// after it: painting density keeps the branches found in the pictures, another seed keeps density and
     /// fields. A call that fails or is cancelled leaves the session as it was, with the stages done by then.
     ///
-    /// It is the only object of the library that changes: do not use it from two threads at once. A call that
+    /// It is an object that changes: do not use it from two threads at once. A call that
     /// comes while another is at work on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands
     /// out is copied, does not change with it, and outlives it.
     /// </summary>
@@ -160,6 +192,12 @@ namespace TreeFamily.Native
     /// Connected pieces of wood, each followed from its base.
     /// </summary>
     public struct tree_pieces { }
+
+    /// <summary>
+    /// A cleaned drawing: its branches as one tree in the plane, the lines of its crown, and what was done to its
+    /// strokes.
+    /// </summary>
+    public struct tree_plan { }
 
     /// <summary>
     /// Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
@@ -191,7 +229,28 @@ namespace TreeFamily.Native
     public struct tree_skeleton { }
 
     /// <summary>
-    /// Strokes read from a drawing, or a session's branches as strokes.
+    /// Branch segments from fork to fork, parents first: those of a sketch, or those with what grew on them
+    /// (`tree_sketch_branches_propagate`).
+    /// </summary>
+    public struct tree_sketch_branches { }
+
+    /// <summary>
+    /// A sketch on its way to a tree: a drawing, parameters, templates, and what has been made of them so far.
+    ///
+    /// Every stage can be asked for by itself and is done when its result, or that of a later one, is first asked for.
+    /// Edits keep what does not depend on them: once depths have been inferred, strokes can be added and erased and
+    /// depths moved, and those of all other branches stay, as do scale, template, Ω and what grew on other branches.
+    /// `tree_sketch_session_infer_anew` forgets all of that. A call that fails or is cancelled leaves the session as it
+    /// was, with the stages done by then.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+    /// on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
+    /// and outlives it.
+    /// </summary>
+    public struct tree_sketch_session { }
+
+    /// <summary>
+    /// Strokes read from a drawing, a session's branches as strokes, or outlines.
     /// </summary>
     public struct tree_strokes { }
 
@@ -199,6 +258,11 @@ namespace TreeFamily.Native
     /// What an SWC file held: a skeleton, and what a skeleton has no column for.
     /// </summary>
     public struct tree_swc { }
+
+    /// <summary>
+    /// Kinds of tree to guide a reconstruction by.
+    /// </summary>
+    public struct tree_templates { }
 
     /// <summary>
     /// A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
@@ -3772,8 +3836,8 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
-    /// `starts[i + 1]`. Set `struct_size` first.
+    /// Strokes over a picture, or other lines of the plane. The points of stroke `i` are rows `starts[i]` up to,
+    /// but not including, `starts[i + 1]`. Set `struct_size` first.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct tree_strokes_columns
@@ -3795,7 +3859,7 @@ namespace TreeFamily.Native
         /// </summary>
         public UIntPtr n_points;
         /// <summary>
-        /// Two floats for each point, in pixels from the top left of the picture.
+        /// Two floats for each point, in pixels from the top left of the picture where nothing else is said.
         /// </summary>
         public float* points;
     }
@@ -6100,6 +6164,1335 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// Columns of branches: as input, or as a view of a `tree_sketch_branches`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_branches_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_branches_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of segments, at least 1.
+        /// </summary>
+        public UIntPtr n_segments;
+        /// <summary>
+        /// Number of points of all segments.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Parent of each segment, which comes before it; `TREE_NO_PARENT` for segment 0.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// Label of each segment; that of segment 0 is `TREE_SKETCH_APICAL`.
+        /// </summary>
+        public uint* labels;
+        /// <summary>
+        /// Where each segment's points begin in `points`, and at last their number: `n_segments + 1` values.
+        /// </summary>
+        public uint* starts;
+        /// <summary>
+        /// Three floats for each point, in metres: seen along -Z, as the sketch was drawn, z is the depth, positive
+        /// towards the viewer. A segment's first point is its parent's last; those that propagation adds may begin on
+        /// the way there.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// A name for each segment that stays when others are drawn or erased: streams of randomness go by it. NULL where
+        /// segments have none. Not read as input.
+        /// </summary>
+        public ulong* names;
+        /// <summary>
+        /// The generation of each segment, 0 for the sketched. Not read as input.
+        /// </summary>
+        public uint* generations;
+        /// <summary>
+        /// Where on its parent each segment begins, counted in the parent's points: 2.25 is a quarter of the way from its
+        /// point 2 to its point 3. Not read as input.
+        /// </summary>
+        public float* forks;
+        /// <summary>
+        /// How many segments are sketched; they come first. Not read as input.
+        /// </summary>
+        public UIntPtr n_sketched;
+        /// <summary>
+        /// Whether segment 0 is not drawn: it stands below a base from which several stems rise, and only says that they
+        /// rise.
+        /// </summary>
+        public uint imagined_root;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a drawing is cleaned and joined. Shares are of the drawing's height (or of a tenth of its width, where
+    /// that is more). Begin with `tree_clean_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_clean_params
+    {
+        /// <summary>
+        /// `sizeof(tree_clean_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Height of branches and crown together in metres, 0.01 to 1000. Default 10.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Distance between nodes, a share, 0.001 to 0.2. Default 0.01. Corners get nodes of their own. Very long
+        /// drawings are sampled more coarsely.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Gaps up to this share count as drawn to touch, 0 to 0.2. Default 0.03. Ends that stick out beyond the
+        /// stroke they join by up to this share are cut off.
+        /// </summary>
+        public float snap;
+        /// <summary>
+        /// A stroke that runs along another within this share is the same, 0 to 0.1. Default 0.012. 0: nothing is
+        /// merged.
+        /// </summary>
+        public float merge;
+        /// <summary>
+        /// How far a stroke may be from the rest, a share, 0 to 10. Default 0.25.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// What becomes of strokes beyond the reach. Default `TREE_ISOLATED_BRIDGE`.
+        /// </summary>
+        public uint isolated; // tree_isolated
+        /// <summary>
+        /// Whether `root` says where the tree's base is. Default no: it is found.
+        /// </summary>
+        public uint has_root;
+        /// <summary>
+        /// Where the tree's base is, in units of the drawing.
+        /// </summary>
+        public fixed float root[2];
+        /// <summary>
+        /// Whether strokes without a role may be taken for a crown, the ground, sides of a trunk or marks on its
+        /// bark. Default yes; no: what is not marked is a branch.
+        /// </summary>
+        public uint guess;
+    }
+
+    /// <summary>
+    /// How a drawn crown is understood. Begin with `tree_crown_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crown_params
+    {
+        /// <summary>
+        /// `sizeof(tree_crown_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// A stroke whose ends are closer than this share of its length is a loop of its own, 0 to 1. Default 0.15.
+        /// </summary>
+        public float gap;
+        /// <summary>
+        /// Ends of strokes closer than this share of the crown's size are joined, 0 to 1. Default 0.05.
+        /// </summary>
+        public float join;
+        /// <summary>
+        /// Depth of the crown, along the view, over its width, 0.05 to 20. Default 1: circles.
+        /// </summary>
+        public float depth;
+        /// <summary>
+        /// Whether a crown that no branch touches is an error. Default no: it is kept and reported.
+        /// </summary>
+        public uint refuse;
+    }
+
+    /// <summary>
+    /// How large a crown is.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crown_measures
+    {
+        /// <summary>
+        /// `sizeof(tree_crown_measures)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Lowest coordinates of the polygons in metres.
+        /// </summary>
+        public fixed float low[2];
+        /// <summary>
+        /// Highest coordinates of the polygons in metres.
+        /// </summary>
+        public fixed float high[2];
+        /// <summary>
+        /// Area of the polygons in square metres.
+        /// </summary>
+        public float area;
+        /// <summary>
+        /// Volume of the solid in cubic metres.
+        /// </summary>
+        public float volume;
+        /// <summary>
+        /// Share of the branches' points that lay outside when it was closed, 0 to 1.
+        /// </summary>
+        public float outside;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One thing that was repaired or noticed of a drawn crown. Fields that its kind does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_crown_repair
+    {
+        /// <summary>
+        /// What it was.
+        /// </summary>
+        public uint kind; // tree_crown_repair_kind
+        /// <summary>
+        /// Number of a stroke of the crown, or of a loop.
+        /// </summary>
+        public uint stroke;
+        /// <summary>
+        /// How many there were.
+        /// </summary>
+        public uint count;
+        /// <summary>
+        /// How many there are now.
+        /// </summary>
+        public uint after;
+        /// <summary>
+        /// A length in metres.
+        /// </summary>
+        public float gap;
+        /// <summary>
+        /// A share, 0 to 1.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// 1 or 0.
+        /// </summary>
+        public uint round_branches;
+    }
+
+    /// <summary>
+    /// How outlines are drawn. Begin with `tree_outline_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_params
+    {
+        /// <summary>
+        /// `sizeof(tree_outline_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Bays narrower than twice this share of the size are drawn across, 0.01 to 0.5. Default 0.06.
+        /// </summary>
+        public float closing;
+        /// <summary>
+        /// Most corners of all outlines together, 12 to 10,000. Default 120.
+        /// </summary>
+        public uint corners;
+    }
+
+    /// <summary>
+    /// One line of a drawing: as input, or as a view of a `tree_drawing`. Zeros are its defaults. Set `struct_size`
+    /// first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_stroke
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_stroke)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Two floats for each point, in the drawing's own units, y downwards as on screens. Points that are not
+        /// finite are taken: cleaning leaves them out and says so.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// What messages call it besides its number. Default empty.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// What it shows. Default `TREE_ROLE_UNKNOWN`.
+        /// </summary>
+        public uint role; // tree_role
+        /// <summary>
+        /// Whether its end is joined to its beginning.
+        /// </summary>
+        public uint closed;
+        /// <summary>
+        /// Whether it is the outline of a filled area rather than a line: of a branch so drawn the middle line is
+        /// meant.
+        /// </summary>
+        public uint filled;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Which branches of a tree a person would draw. Begin with `tree_main_branches_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_main_branches
+    {
+        /// <summary>
+        /// `sizeof(tree_main_branches)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
+        /// </summary>
+        public float least;
+        /// <summary>
+        /// Least length of axes of order 2 as a share of their parent's, 0 to 1. Default 0.35.
+        /// </summary>
+        public float least_second;
+        /// <summary>
+        /// Most axes, 1 to 1000. Default 36.
+        /// </summary>
+        public uint most;
+        /// <summary>
+        /// Forks closer than this on an axis, as a share of the tree's extent, are taken for one, 0 to 0.5. Default
+        /// 0.025.
+        /// </summary>
+        public float gather;
+        /// <summary>
+        /// What continues an axis at a fork. Default `TREE_CONTINUATION_THICKEST`.
+        /// </summary>
+        public uint continuation; // tree_continuation
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How branches become a tree. Begin with `tree_sketch_finish_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_finish_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_finish_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whose twigs and leaves: one of the names that `tree_foliage_species_name` gives. Default "oak", which an empty text
+        /// is too.
+        /// </summary>
+        public tree_str species;
+        /// <summary>
+        /// Whether there are leaves. Default 1.
+        /// </summary>
+        public uint leaves;
+        /// <summary>
+        /// Whether there are twigs. Default 1.
+        /// </summary>
+        public uint twigs;
+        /// <summary>
+        /// Radius of the trunk as a share of the height, 1e-4 to 0.2. Default 0.018.
+        /// </summary>
+        public float slenderness;
+        /// <summary>
+        /// How radii add up at forks: Δ of the pipe model, 1 to 10. Default Murray's.
+        /// </summary>
+        public float exponent;
+        /// <summary>
+        /// Leaves against those of a tree in full leaf, 0 to 10. Default 1.
+        /// </summary>
+        public float fullness;
+        /// <summary>
+        /// Length of twigs against the usual of the species, 0.05 to 20. Default 1.
+        /// </summary>
+        public float twig_length;
+    }
+
+    /// <summary>
+    /// What the finish did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_finish_report
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_finish_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Nodes of branches.
+        /// </summary>
+        public ulong n_wood_nodes;
+        /// <summary>
+        /// Nodes of twigs.
+        /// </summary>
+        public ulong n_twig_nodes;
+        /// <summary>
+        /// Nodes of twigs cut off because they left the crown or entered the ground.
+        /// </summary>
+        public ulong n_twig_nodes_cut;
+        /// <summary>
+        /// Blades that stayed: rows of the foliage.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Blades left out because they left the crown or entered the ground.
+        /// </summary>
+        public ulong n_leaves_outside;
+        /// <summary>
+        /// How much larger leaves are than the species', because there would be too many; a factor.
+        /// </summary>
+        public float leaves_larger;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How depths, labels and Ω are inferred. Begin with `tree_sketch_infer_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_infer_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_infer_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Whether Ω stays the template's (Neubert 2012, section 4.6.1) or fits itself to the sketch (section 4.6.2).
+        /// Default 0.
+        /// </summary>
+        public uint keep_omega;
+        /// <summary>
+        /// Rounds of refining depths and, unless `keep_omega`, of estimating Ω, 0 to 100. Default 6; the thesis needed
+        /// fewer than 10.
+        /// </summary>
+        public uint rounds;
+        /// <summary>
+        /// Passes of ICM over all segments in each round, at most, 1 to 1000. Default 8.
+        /// </summary>
+        public uint sweeps;
+        /// <summary>
+        /// ICM ends where the depths of a pass changed by less than this share of the drawing's size altogether, 0 to 1.
+        /// Default 0.0005.
+        /// </summary>
+        public float settled;
+        /// <summary>
+        /// How many half-placed trees bottom-up inference keeps at once, 1 to 4096; 1 is the thesis. Large drawings get
+        /// fewer, so that time stays linear. Default 64.
+        /// </summary>
+        public uint beam;
+        /// <summary>
+        /// How far angles and ratios spread as Ω says, 0 to 1. At 0 each segment aims at the means, as in the thesis, and
+        /// all branches come out alike; at 1 each aims at a draw from Ω of its own. Default 1.
+        /// </summary>
+        public float spread;
+        /// <summary>
+        /// How strongly branches keep out of each other's space (`k_e` of Eq. 4.22), 0 to 1000. Default 0.2.
+        /// </summary>
+        public float competition;
+        /// <summary>
+        /// How much likelier, as the logarithm of a ratio, a stroke goes on as the same axis than as a lateral, 0 (the
+        /// thesis) to 100. Default 3.
+        /// </summary>
+        public float follow;
+        /// <summary>
+        /// Standard deviation in radians by which a stroke bends towards or away from the viewer from one segment to the
+        /// next, 0.01 to 10. Small keeps curvy strokes in their plane. Default 0.3.
+        /// </summary>
+        public float bending;
+        /// <summary>
+        /// Ω counts with so many imagined segments of the template when it is estimated, 0.1 to 1e6. Default 8.
+        /// </summary>
+        public float template_weight;
+        /// <summary>
+        /// Branches that cross in the drawing keep this multiple of their thickness apart, 0 (off) to 10. Default 1.3.
+        /// </summary>
+        public float clearance;
+        /// <summary>
+        /// Radius of the trunk as a share of the height, for the branches' thickness, 1e-4 to 0.2. Default 0.02.
+        /// </summary>
+        public float slenderness;
+    }
+
+    /// <summary>
+    /// A normal distribution.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_normal
+    {
+        /// <summary>
+        /// Its mean μ.
+        /// </summary>
+        public float mean;
+        /// <summary>
+        /// Its standard deviation σ, 1e-4 to 10.
+        /// </summary>
+        public float deviation;
+    }
+
+    /// <summary>
+    /// How axes of one order go on and branch. Angles in radians.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_habit
+    {
+        /// <summary>
+        /// Natural logarithm of the length of the apical segment over that of the segment below. The mean is -10 to 10.
+        /// </summary>
+        public tree_sketch_normal scale;
+        /// <summary>
+        /// Natural logarithm of the length of a lateral's first segment over that of the segment below. The mean is -10
+        /// to 10.
+        /// </summary>
+        public tree_sketch_normal lateral_scale;
+        /// <summary>
+        /// α: the angle between the apical segment and the segment below. The mean is 0 to π.
+        /// </summary>
+        public tree_sketch_normal alpha;
+        /// <summary>
+        /// β: the angle between a lateral and the segment below. The mean is 0 to π.
+        /// </summary>
+        public tree_sketch_normal beta;
+        /// <summary>
+        /// γ: the turn about the axis from one lateral to the next. The mean is -2π to 2π.
+        /// </summary>
+        public tree_sketch_normal gamma;
+    }
+
+    /// <summary>
+    /// Ω, the global parameters of a tree: a habit for axes of order 0 (the trunk), 1 and so on. Begin with
+    /// `tree_sketch_omega_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_omega
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_omega)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How many orders have a habit of their own, 1 to `TREE_SKETCH_ORDERS`; the last one holds for all higher
+        /// orders too. Default 1. Of a template with more of them the first are given.
+        /// </summary>
+        public uint n_orders;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// The habits; rows from `n_orders` on do not count. Default: a broad-leaved tree's, with nearly straight axes
+        /// and laterals at half a right angle in a golden spiral.
+        /// </summary>
+        public tree_sketch_habit orders_0, orders_1, orders_2, orders_3, orders_4, orders_5, orders_6, orders_7;
+    }
+
+    /// <summary>
+    /// A depth that is known: of the end of the segment that ends at a node of the plan.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_pin
+    {
+        /// <summary>
+        /// Node of the plan: a tip or a fork.
+        /// </summary>
+        public uint node;
+        /// <summary>
+        /// Its depth in metres; positive is towards the viewer.
+        /// </summary>
+        public float depth;
+    }
+
+    /// <summary>
+    /// The posterior's logarithm, part by part.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_posterior
+    {
+        /// <summary>
+        /// The whole: the sum of the others.
+        /// </summary>
+        public double total;
+        /// <summary>
+        /// Sum of the factors between segments and their parents (Eq. 4.17).
+        /// </summary>
+        public double branches;
+        /// <summary>
+        /// Competition for space (Eq. 4.22).
+        /// </summary>
+        public double competition;
+        /// <summary>
+        /// Branches that cross without room, 0 where none does.
+        /// </summary>
+        public double crossings;
+        /// <summary>
+        /// Ω, seen from the template.
+        /// </summary>
+        public double omega;
+    }
+
+    /// <summary>
+    /// The posterior after a step.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_trace_row
+    {
+        /// <summary>
+        /// The step.
+        /// </summary>
+        public uint step; // tree_sketch_step
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// The posterior after it.
+        /// </summary>
+        public tree_sketch_posterior posterior;
+    }
+
+    /// <summary>
+    /// The factor of one segment, part by part, as logarithms.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_factor_row
+    {
+        /// <summary>
+        /// The segment.
+        /// </summary>
+        public uint segment;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// ln p(s | Ω).
+        /// </summary>
+        public double scale;
+        /// <summary>
+        /// ln p(α | Ω) or ln p(β | Ω).
+        /// </summary>
+        public double divergence;
+        /// <summary>
+        /// ln p(γ | Ω); 0 where there is no roll.
+        /// </summary>
+        public double roll;
+        /// <summary>
+        /// What the factors along strokes add.
+        /// </summary>
+        public double stroke;
+        /// <summary>
+        /// Competition and crossings that change with this segment's depth.
+        /// </summary>
+        public double shared;
+    }
+
+    /// <summary>
+    /// A view of what was inferred.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_inferred_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_inferred_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of segments; `tree_inferred_branches` has their points and labels.
+        /// </summary>
+        public UIntPtr n_segments;
+        /// <summary>
+        /// Where the nodes of each segment begin in `nodes`, and at last their number: `n_segments + 1` values.
+        /// </summary>
+        public uint* node_starts;
+        /// <summary>
+        /// The plan's nodes that the points of each segment are, in their order; for an imagined root the base alone.
+        /// </summary>
+        public uint* nodes;
+        /// <summary>
+        /// Number of nodes in `nodes`.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// The posterior after each step. It never falls.
+        /// </summary>
+        public tree_sketch_trace_row* trace;
+        /// <summary>
+        /// Number of steps.
+        /// </summary>
+        public UIntPtr n_trace;
+        /// <summary>
+        /// The factor of each segment but the root.
+        /// </summary>
+        public tree_sketch_factor_row* factors;
+        /// <summary>
+        /// Number of factors.
+        /// </summary>
+        public UIntPtr n_factors;
+        /// <summary>
+        /// The posterior.
+        /// </summary>
+        public tree_sketch_posterior posterior;
+        /// <summary>
+        /// Crossings in the drawing of branches that could not be given room.
+        /// </summary>
+        public uint n_interpenetrations;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How middle lines are found. Begin with `tree_midline_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_midline_params
+    {
+        /// <summary>
+        /// `sizeof(tree_midline_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Side lines shorter than this share of the area's width where they leave are no branches, 0 to 10. Default 1.
+        /// </summary>
+        public float spur;
+        /// <summary>
+        /// What lies inside. Default `TREE_FILL_NON_ZERO`.
+        /// </summary>
+        public uint rule; // tree_fill_rule
+    }
+
+    /// <summary>
+    /// How a segment lies to its parent.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_relation
+    {
+        /// <summary>
+        /// The segment.
+        /// </summary>
+        public uint segment;
+        /// <summary>
+        /// Its label.
+        /// </summary>
+        public uint label; // tree_sketch_label
+        /// <summary>
+        /// Gravelius order of its parent's axis: the order whose habit it follows.
+        /// </summary>
+        public uint order;
+        /// <summary>
+        /// 1 where `roll` counts: not for apical segments, nor for the first lateral of an axis.
+        /// </summary>
+        public uint has_roll;
+        /// <summary>
+        /// Natural logarithm of its length over its parent's.
+        /// </summary>
+        public double scale;
+        /// <summary>
+        /// Angle to its parent in radians: α of an apical segment, β of a lateral.
+        /// </summary>
+        public double divergence;
+        /// <summary>
+        /// For a lateral, the turn about the axis from the last lateral's side, less what its place in the fork's whorl
+        /// gives, -π to π. 0 where there is none.
+        /// </summary>
+        public double roll;
+    }
+
+    /// <summary>
+    /// The columns of a plan: as input, or as a view of a `tree_plan`. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plan_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_plan_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes, at least 1. Node 0 is the base.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Two floats for each node, in metres: x to the right, y up, the base at the origin.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Parent of each node, which comes before it; `TREE_NO_PARENT` for node 0.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// The drawing's stroke that each node lies on. Where two meet, the node belongs to the one that bears the
+        /// other.
+        /// </summary>
+        public uint* strokes;
+        /// <summary>
+        /// Where the base is in the drawing.
+        /// </summary>
+        public fixed float @base[2];
+        /// <summary>
+        /// Metres for one unit of the drawing, above 0.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One thing that was done to one stroke of a drawing. Fields that its kind does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_clean_repair
+    {
+        /// <summary>
+        /// Index of the stroke in the drawing.
+        /// </summary>
+        public uint stroke;
+        /// <summary>
+        /// What was done. New ones may be added.
+        /// </summary>
+        public uint kind; // tree_repair_kind
+        /// <summary>
+        /// Index of another stroke.
+        /// </summary>
+        public uint other;
+        /// <summary>
+        /// A number of points.
+        /// </summary>
+        public uint count;
+        /// <summary>
+        /// What it was taken to show.
+        /// </summary>
+        public uint role; // tree_role
+        /// <summary>
+        /// A length, as a share of the drawing's height.
+        /// </summary>
+        public float share;
+    }
+
+    /// <summary>
+    /// How a sketch is filled up with branches. Begin with `tree_sketch_propagate_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_propagate_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_propagate_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Generations of new segments where no crown is drawn, 0 (none) to 32. Default 5, as in the thesis.
+        /// </summary>
+        public uint generations;
+        /// <summary>
+        /// Most generations where a crown is drawn: its surface mostly ends growth before, 0 to 32. Default 7.
+        /// </summary>
+        public uint generations_in_crown;
+        /// <summary>
+        /// A sketched segment longer than this many times its natural length gets new laterals, 1 to 1e6. Default 1.5;
+        /// 1e6 for none.
+        /// </summary>
+        public float long_from;
+        /// <summary>
+        /// Longest natural length of a segment from fork to fork, as a share of the tree's height, 1e-3 to 1. Default
+        /// 0.045. Smaller gives more laterals along sketched branches.
+        /// </summary>
+        public float internode;
+        /// <summary>
+        /// Segments shorter than this share of the tree's height do not grow, 1e-4 to 1. Default 0.009.
+        /// </summary>
+        public float shortest;
+        /// <summary>
+        /// Share of a trunk without drawn branches that stays bare where no crown is drawn, 0 to 1. Default 0.25.
+        /// </summary>
+        public float bare;
+        /// <summary>
+        /// Whether a trunk with drawn branches gets new laterals below the first of them too. Default 0.
+        /// </summary>
+        public uint below_first;
+        /// <summary>
+        /// Highest Gravelius order of new axes, 0 to 32. Default 8. A palm has 1: its fronds do not branch.
+        /// </summary>
+        public uint orders;
+        /// <summary>
+        /// Most segments, sketched and new, 1 to 100 million. Default 20,000. The last generation is thinned evenly where
+        /// there would be more.
+        /// </summary>
+        public uint max_segments;
+        /// <summary>
+        /// How far each new segment turns down: so many times straight down is added to its direction, -1 to 1. Negative
+        /// turns up. Default 0.
+        /// </summary>
+        public float gravitropism;
+        /// <summary>
+        /// Random deviation of angles from those of the block, in radians, 0 to π. Default 0.12.
+        /// </summary>
+        public float jitter;
+        /// <summary>
+        /// Distance in metres that new segments keep from obstacles, 0 to 1e6. Default 0.1.
+        /// </summary>
+        public float clearance;
+    }
+
+    /// <summary>
+    /// What propagation did. Numbers count segments unless they say otherwise.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_propagate_report
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_propagate_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// New ones.
+        /// </summary>
+        public ulong n_new;
+        /// <summary>
+        /// Sketched ones so long that they got new laterals.
+        /// </summary>
+        public ulong n_long;
+        /// <summary>
+        /// New forks along those.
+        /// </summary>
+        public ulong n_forks;
+        /// <summary>
+        /// Open ends and forks of the sketch that lie outside the crown, where nothing grew.
+        /// </summary>
+        public ulong n_ends_outside;
+        /// <summary>
+        /// Those that end at the crown's surface.
+        /// </summary>
+        public ulong n_touched;
+        /// <summary>
+        /// Left out because the surface left too little of them.
+        /// </summary>
+        public ulong n_outside;
+        /// <summary>
+        /// Left out because they would have been shorter than `shortest`.
+        /// </summary>
+        public ulong n_too_short;
+        /// <summary>
+        /// Turned aside from an obstacle or the ground.
+        /// </summary>
+        public ulong n_turned_aside;
+        /// <summary>
+        /// Shortened because of an obstacle or the ground.
+        /// </summary>
+        public ulong n_shortened;
+        /// <summary>
+        /// Left out because of an obstacle or the ground.
+        /// </summary>
+        public ulong n_blocked;
+        /// <summary>
+        /// Left out because there would have been more than `max_segments`.
+        /// </summary>
+        public ulong n_over_cap;
+        /// <summary>
+        /// The last generation in which any grew.
+        /// </summary>
+        public uint generations;
+        /// <summary>
+        /// Replication blocks taken from the sketch.
+        /// </summary>
+        public uint n_blocks;
+        /// <summary>
+        /// Replication blocks drawn from Ω because the sketch has few of their order.
+        /// </summary>
+        public uint n_blocks_from_omega;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_select_params
+    {
+        /// <summary>
+        /// `sizeof(tree_select_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Weight of the crown's footprint, 0 to 1000. Default 40.
+        /// </summary>
+        public float crown;
+        /// <summary>
+        /// Weight of the branches' footprint, 0 to 1000. Default 40.
+        /// </summary>
+        public float branches;
+        /// <summary>
+        /// Weight of the branching shape, 0 to 1000. Default 1.
+        /// </summary>
+        public float shape;
+        /// <summary>
+        /// Weight of the directions of branches, 0 to 1000. Default 15.
+        /// </summary>
+        public float directions;
+        /// <summary>
+        /// Added to every deviation of the branching shape, 0.001 to 10: what the hand adds. Default 0.3.
+        /// </summary>
+        public float hand;
+        /// <summary>
+        /// What one of the branching shape's three parts can take away at most, 0 to 1000. Default 2.
+        /// </summary>
+        public float most;
+    }
+
+    /// <summary>
+    /// A template, and how well it suits a drawing.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_choice
+    {
+        /// <summary>
+        /// Index of the template.
+        /// </summary>
+        public uint index;
+        /// <summary>
+        /// Where the eye stands round the template in the view that suits best, in radians, 0 to 2π.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// 0 for a perfect match, else below: the sum of the four parts.
+        /// </summary>
+        public float score;
+        /// <summary>
+        /// The crown's part, weighted; 0 where no crown is drawn.
+        /// </summary>
+        public float crown;
+        /// <summary>
+        /// The part of the branches' footprint, weighted.
+        /// </summary>
+        public float branches;
+        /// <summary>
+        /// The branching shape's part, weighted.
+        /// </summary>
+        public float shape;
+        /// <summary>
+        /// The directions' part, weighted.
+        /// </summary>
+        public float directions;
+    }
+
+    /// <summary>
+    /// All parameters of the way from a drawing to a tree. A part that is NULL, as all are after
+    /// `tree_sketch_params_init`, is its default.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the template. Empty, the default: the one that suits the drawing best.
+        /// </summary>
+        public tree_str template_name;
+        /// <summary>
+        /// Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_species_name` gives. Empty,
+        /// the default: the template's.
+        /// </summary>
+        public tree_str species;
+        /// <summary>
+        /// How strokes are cleaned and joined. Its `height` is not used here.
+        /// </summary>
+        public tree_clean_params* clean;
+        /// <summary>
+        /// How the crown is closed.
+        /// </summary>
+        public tree_crown_params* crown;
+        /// <summary>
+        /// How templates are compared with the drawing.
+        /// </summary>
+        public tree_select_params* select;
+        /// <summary>
+        /// How depths are inferred. Its `slenderness` is not used here.
+        /// </summary>
+        public tree_sketch_infer_params* infer;
+        /// <summary>
+        /// How branches are propagated.
+        /// </summary>
+        public tree_sketch_propagate_params* propagate;
+        /// <summary>
+        /// How branches become a tree. Its `species` is not used here, its `slenderness` counts relative to the default:
+        /// the template has its own.
+        /// </summary>
+        public tree_sketch_finish_params* finish;
+        /// <summary>
+        /// Height of the drawing, branches and crown, in metres, 0.01 to 1000. 0, the default: the template's.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What became of a drawing on the way to a tree. Numbers of propagation count segments unless they say otherwise.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sketch_report
+    {
+        /// <summary>
+        /// `sizeof(tree_sketch_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Repairs of strokes.
+        /// </summary>
+        public ulong n_stroke_repairs;
+        /// <summary>
+        /// Repairs of the crown; 0 where none is drawn.
+        /// </summary>
+        public ulong n_crown_repairs;
+        /// <summary>
+        /// The posterior's logarithm.
+        /// </summary>
+        public double posterior;
+        /// <summary>
+        /// New segments of propagation.
+        /// </summary>
+        public ulong grown_new;
+        /// <summary>
+        /// Sketched ones so long that they got new laterals.
+        /// </summary>
+        public ulong grown_long;
+        /// <summary>
+        /// New forks along those.
+        /// </summary>
+        public ulong grown_forks;
+        /// <summary>
+        /// Open ends and forks of the sketch that lie outside the crown, where nothing grew.
+        /// </summary>
+        public ulong grown_ends_outside;
+        /// <summary>
+        /// Those that end at the crown's surface.
+        /// </summary>
+        public ulong grown_touched;
+        /// <summary>
+        /// Left out because the surface left too little of them.
+        /// </summary>
+        public ulong grown_outside;
+        /// <summary>
+        /// Left out because they would have been too short.
+        /// </summary>
+        public ulong grown_too_short;
+        /// <summary>
+        /// Turned aside from an obstacle or the ground.
+        /// </summary>
+        public ulong grown_turned_aside;
+        /// <summary>
+        /// Shortened because of an obstacle or the ground.
+        /// </summary>
+        public ulong grown_shortened;
+        /// <summary>
+        /// Left out because of an obstacle or the ground.
+        /// </summary>
+        public ulong grown_blocked;
+        /// <summary>
+        /// Left out because there would have been too many.
+        /// </summary>
+        public ulong grown_over_cap;
+        /// <summary>
+        /// Nodes of branches.
+        /// </summary>
+        public ulong finish_wood_nodes;
+        /// <summary>
+        /// Nodes of twigs.
+        /// </summary>
+        public ulong finish_twig_nodes;
+        /// <summary>
+        /// Nodes of twigs cut off because they left the crown or entered the ground.
+        /// </summary>
+        public ulong finish_twig_nodes_cut;
+        /// <summary>
+        /// Blades that stayed: rows of the foliage.
+        /// </summary>
+        public ulong finish_leaves;
+        /// <summary>
+        /// Blades left out because they left the crown or entered the ground.
+        /// </summary>
+        public ulong finish_leaves_outside;
+        /// <summary>
+        /// How much larger leaves are than the species', because there would be too many; a factor.
+        /// </summary>
+        public float finish_leaves_larger;
+        /// <summary>
+        /// How well the template suits the drawing, 0 for a perfect match, else below; 0 where it was taken by name or kept
+        /// through an edit.
+        /// </summary>
+        public float score;
+        /// <summary>
+        /// 1 where `score` counts.
+        /// </summary>
+        public uint has_score;
+        /// <summary>
+        /// 1 where a crown is drawn, and the fields of the crown count.
+        /// </summary>
+        public uint has_crown;
+        /// <summary>
+        /// Share of branch points outside the drawn crown, 0 to 1.
+        /// </summary>
+        public float crown_outside;
+        /// <summary>
+        /// Segments that were drawn, from fork to fork.
+        /// </summary>
+        public uint n_segments;
+        /// <summary>
+        /// Crossings of branches in the drawing that could not be given room.
+        /// </summary>
+        public uint n_interpenetrations;
+        /// <summary>
+        /// The last generation of propagation in which any grew.
+        /// </summary>
+        public uint grown_generations;
+        /// <summary>
+        /// Replication blocks taken from the sketch.
+        /// </summary>
+        public uint grown_blocks;
+        /// <summary>
+        /// Replication blocks drawn from Ω because the sketch has few of their order.
+        /// </summary>
+        public uint grown_blocks_from_omega;
+    }
+
+    /// <summary>
+    /// How a template is measured. Begin with `tree_template_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_template_params
+    {
+        /// <summary>
+        /// `sizeof(tree_template_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Which branches are main ones; NULL for the default.
+        /// </summary>
+        public tree_main_branches* main;
+        /// <summary>
+        /// Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
+        /// </summary>
+        public uint views;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A template.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_template_view
+    {
+        /// <summary>
+        /// `sizeof(tree_template_view)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// What it is called.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// The species whose leaves it bears, as `tree_finish_params_find` takes it where it is built in.
+        /// </summary>
+        public tree_str species;
+        /// <summary>
+        /// Height of the exemplar in metres: what a drawing is scaled to unless its height is given.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Radius of the trunk's base over the height, 0 to 1.
+        /// </summary>
+        public float slenderness;
+        /// <summary>
+        /// Number of orders of axes that have parameters of their own.
+        /// </summary>
+        public UIntPtr n_orders;
+        /// <summary>
+        /// Number of views; see `tree_templates_side`.
+        /// </summary>
+        public UIntPtr n_views;
+    }
+
+    /// <summary>
+    /// What a template looks like from one side.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_template_side
+    {
+        /// <summary>
+        /// `sizeof(tree_template_side)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the eye stands round the trunk, in radians, 0 to 2π: 0 on +Z, a quarter turn on +X.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// Mean and standard deviation of the natural logarithm of a segment's length over that of the one below. NaN where
+        /// there are no forks.
+        /// </summary>
+        public fixed float scale[2];
+        /// <summary>
+        /// The same of the angle in radians at which the branch that bends least leaves the segment below.
+        /// </summary>
+        public fixed float alpha[2];
+        /// <summary>
+        /// The same of all other branches.
+        /// </summary>
+        public fixed float beta[2];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// `TREE_DIRECTION_BINS` shares of the branches' length: what goes straight up comes first, straight down last.
+        /// </summary>
+        public float* directions;
+        /// <summary>
+        /// Footprint of crown and branches without the root branch: `TREE_FOOTPRINT_DIRECTIONS` distances.
+        /// </summary>
+        public float* crown;
+        /// <summary>
+        /// Footprint of the branches alone, as many.
+        /// </summary>
+        public float* branches;
+        /// <summary>
+        /// Number of points of the silhouette.
+        /// </summary>
+        public UIntPtr n_silhouette;
+        /// <summary>
+        /// Outline of the crown, two floats for each point, in metres, y up, the tree's base at the origin of y.
+        /// </summary>
+        public float* silhouette;
+    }
+
+    /// <summary>
     /// A view of what a volume is made of. What its kind does not use is 0 or NULL.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -6178,6 +7571,13 @@ namespace TreeFamily.Native
         /// an engine uploads; `tree_mesh_write_glb` writes a file. `tree_mesh_free` and `tree_tree_free` at the end.
         /// `examples/c/oak.c` does this.
         ///
+        /// From a sketch: `tree_drawing_new`, `tree_drawing_from_svg` or `tree_drawing_from_json` takes its strokes;
+        /// `tree_drawing_clean` joins them to a `tree_plan` and tells what it repaired; `tree_crown_close` makes a solid of
+        /// its crown; `tree_templates_select` says which kind of tree it looks like. `tree_sketch_infer` finds
+        /// depths, `tree_sketch_branches_propagate` what was left out, `tree_sketch_branches_wood` and `tree_sketch_grow_crown`
+        /// make the tree. A `tree_sketch_session` does all that and lets strokes and depths be changed; `tree_from_sketch` does
+        /// it in one call.
+        ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
         /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -6185,8 +7585,8 @@ namespace TreeFamily.Native
         /// * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-        /// its kind). Handles keep alive what they are made of. One kind changes, `tree_photo_session`: one thread at
-        /// a time.
+        /// its kind). Handles keep alive what they are made of. Two kinds change, `tree_photo_session` and
+        /// `tree_sketch_session`: one thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -7103,6 +8503,306 @@ namespace TreeFamily.Native
         /// Not looked at.
         /// </summary>
         public const int TREE_CLASS_IGNORED = 3;
+
+        /// <summary>
+        /// The segment continues its parent's axis.
+        /// </summary>
+        public const uint TREE_SKETCH_APICAL = 4294967295;
+
+        /// <summary>
+        /// A straight line joins them, however far they are.
+        /// </summary>
+        public const int TREE_ISOLATED_BRIDGE = 0;
+
+        /// <summary>
+        /// Those beyond the reach are left out.
+        /// </summary>
+        public const int TREE_ISOLATED_DROP = 1;
+
+        /// <summary>
+        /// Those beyond the reach are an error.
+        /// </summary>
+        public const int TREE_ISOLATED_REFUSE = 2;
+
+        /// <summary>
+        /// `count` points that are not finite, or absurdly far away, were left out.
+        /// </summary>
+        public const int TREE_REPAIR_BAD_POINTS = 0;
+
+        /// <summary>
+        /// It has no length worth speaking of, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_EMPTY = 1;
+
+        /// <summary>
+        /// It was taken for the ground, and left out.
+        /// </summary>
+        public const int TREE_REPAIR_GROUND = 2;
+
+        /// <summary>
+        /// It was taken for a mark on the trunk's bark, and left out.
+        /// </summary>
+        public const int TREE_REPAIR_BARK_MARK = 3;
+
+        /// <summary>
+        /// It is a small mark that touches nothing, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_SPECK = 4;
+
+        /// <summary>
+        /// It shows roots below the ground: what is below was left out.
+        /// </summary>
+        public const int TREE_REPAIR_BELOW_GROUND = 5;
+
+        /// <summary>
+        /// It runs along the crown's outline, stroke `other`: that part is its ink, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_CROWN_INK = 6;
+
+        /// <summary>
+        /// It was not marked, and was taken to show `role`.
+        /// </summary>
+        public const int TREE_REPAIR_TAKEN_AS = 7;
+
+        /// <summary>
+        /// It shows the trunk and the crown in one go, and was cut at the corner between them.
+        /// </summary>
+        public const int TREE_REPAIR_CUT_AT_CORNER = 8;
+
+        /// <summary>
+        /// It is one side of the trunk and stroke `other` the other side: the line between them was taken.
+        /// </summary>
+        public const int TREE_REPAIR_MIDDLE_OF_SIDES = 9;
+
+        /// <summary>
+        /// It is an outline: its middle line was taken.
+        /// </summary>
+        public const int TREE_REPAIR_MIDDLE_OF_OUTLINE = 10;
+
+        /// <summary>
+        /// All of it runs along stroke `other`, and was merged into that.
+        /// </summary>
+        public const int TREE_REPAIR_MERGED = 11;
+
+        /// <summary>
+        /// A part of it runs along stroke `other`, and was merged into that.
+        /// </summary>
+        public const int TREE_REPAIR_MERGED_PARTLY = 12;
+
+        /// <summary>
+        /// It was drawn towards the base, and was turned round.
+        /// </summary>
+        public const int TREE_REPAIR_TURNED_ROUND = 13;
+
+        /// <summary>
+        /// It passes through where it joins, and was split there in two.
+        /// </summary>
+        public const int TREE_REPAIR_SPLIT = 14;
+
+        /// <summary>
+        /// It crosses stroke `other` a little: the end beyond it, `share` long, was cut off.
+        /// </summary>
+        public const int TREE_REPAIR_TRIMMED = 15;
+
+        /// <summary>
+        /// Its end was joined over a small gap of `share`.
+        /// </summary>
+        public const int TREE_REPAIR_SNAPPED = 16;
+
+        /// <summary>
+        /// It was joined by a straight line over a gap of `share`.
+        /// </summary>
+        public const int TREE_REPAIR_BRIDGED = 17;
+
+        /// <summary>
+        /// It begins on the ground beside the base, `share` away, and was joined to the base.
+        /// </summary>
+        public const int TREE_REPAIR_SECOND_ROOT = 18;
+
+        /// <summary>
+        /// It is `share` away from the rest, and was left out.
+        /// </summary>
+        public const int TREE_REPAIR_ISOLATED = 19;
+
+        /// <summary>
+        /// There are no branches: a straight trunk was imagined below this crown.
+        /// </summary>
+        public const int TREE_REPAIR_IMAGINED_TRUNK = 20;
+
+        /// <summary>
+        /// Something else: `tree_plan_repairs_text` says what.
+        /// </summary>
+        public const int TREE_REPAIR_OTHER = 21;
+
+        /// <summary>
+        /// Of stroke `stroke`, `count` points were not finite or absurdly far away, and were left out.
+        /// </summary>
+        public const int TREE_CROWN_POINTS_DROPPED = 0;
+
+        /// <summary>
+        /// Stroke `stroke` has no length, and was left out.
+        /// </summary>
+        public const int TREE_CROWN_STROKE_DROPPED = 1;
+
+        /// <summary>
+        /// Stroke `stroke` is open and lies inside a closed one: it is a detail, and was left out.
+        /// </summary>
+        public const int TREE_CROWN_DETAIL_DROPPED = 2;
+
+        /// <summary>
+        /// Stroke `stroke`, or several joined ones of which it is the first, was closed straight over `gap` metres.
+        /// </summary>
+        public const int TREE_CROWN_CLOSED = 3;
+
+        /// <summary>
+        /// Strokes were joined at `count` places where their ends were close.
+        /// </summary>
+        public const int TREE_CROWN_JOINED = 4;
+
+        /// <summary>
+        /// A wide gap of `gap` metres between ends was closed; `round_branches` says whether round branches in it.
+        /// </summary>
+        public const int TREE_CROWN_GAP_CLOSED = 5;
+
+        /// <summary>
+        /// Loop `stroke`, in the order they were closed, crossed itself; what it winds round was kept.
+        /// </summary>
+        public const int TREE_CROWN_CROSSING_UNDONE = 6;
+
+        /// <summary>
+        /// `count` loops that overlap were united, and `after` polygons are left of them.
+        /// </summary>
+        public const int TREE_CROWN_UNITED = 7;
+
+        /// <summary>
+        /// `count` loops inside others are details, and were left out.
+        /// </summary>
+        public const int TREE_CROWN_NESTED_DROPPED = 8;
+
+        /// <summary>
+        /// `count` tiny parts were left out.
+        /// </summary>
+        public const int TREE_CROWN_CRUMBS_DROPPED = 9;
+
+        /// <summary>
+        /// A `share` of the branches' points lies outside.
+        /// </summary>
+        public const int TREE_CROWN_BRANCHES_OUTSIDE = 10;
+
+        /// <summary>
+        /// No branch touches the crown.
+        /// </summary>
+        public const int TREE_CROWN_NO_BRANCH_INSIDE = 11;
+
+        /// <summary>
+        /// Something else: `tree_crown_repairs_text` says what.
+        /// </summary>
+        public const int TREE_CROWN_OTHER = 12;
+
+        /// <summary>
+        /// Not said: cleaning is to find out.
+        /// </summary>
+        public const int TREE_ROLE_UNKNOWN = 0;
+
+        /// <summary>
+        /// The trunk. It begins the tree.
+        /// </summary>
+        public const int TREE_ROLE_TRUNK = 1;
+
+        /// <summary>
+        /// A branch.
+        /// </summary>
+        public const int TREE_ROLE_BRANCH = 2;
+
+        /// <summary>
+        /// The crown's outline, or a piece of it.
+        /// </summary>
+        public const int TREE_ROLE_CROWN = 3;
+
+        /// <summary>
+        /// The seed of the trees that the built-in templates were measured by.
+        /// </summary>
+        public const int TREE_EXEMPLAR_SEED = 1;
+
+        /// <summary>
+        /// Number of distances in a footprint. Direction 0 is +x, then they turn against the clock where y goes up.
+        /// </summary>
+        public const int TREE_FOOTPRINT_DIRECTIONS = 64;
+
+        /// <summary>
+        /// Bottom-up inference.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_BOTTOM_UP = 0;
+
+        /// <summary>
+        /// Passes of ICM.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_ICM = 1;
+
+        /// <summary>
+        /// Branches swung to the other side.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_SWING = 2;
+
+        /// <summary>
+        /// Crossing branches were moved apart.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_SEPARATE = 3;
+
+        /// <summary>
+        /// Ω was estimated.
+        /// </summary>
+        public const int TREE_SKETCH_STEP_OMEGA = 4;
+
+        /// <summary>
+        /// What is wound round. The default, as in SVG.
+        /// </summary>
+        public const int TREE_FILL_NON_ZERO = 0;
+
+        /// <summary>
+        /// What is wound round an odd number of times.
+        /// </summary>
+        public const int TREE_FILL_EVEN_ODD = 1;
+
+        /// <summary>
+        /// Orders of axes that a `tree_sketch_omega` tells apart.
+        /// </summary>
+        public const int TREE_SKETCH_ORDERS = 8;
+
+        /// <summary>
+        /// Strokes joined, the crown closed.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_CLEAN = 0;
+
+        /// <summary>
+        /// Templates compared.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_SELECT = 1;
+
+        /// <summary>
+        /// Depths inferred.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_INFER = 2;
+
+        /// <summary>
+        /// Branches propagated.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_PROPAGATE = 3;
+
+        /// <summary>
+        /// Wood with radii.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_WOOD = 4;
+
+        /// <summary>
+        /// Twigs and leaves.
+        /// </summary>
+        public const int TREE_SKETCH_STAGE_TREE = 5;
+
+        /// <summary>
+        /// Number of shares in `directions` of a `tree_template_side`.
+        /// </summary>
+        public const int TREE_DIRECTION_BINS = 12;
 
         /// <summary>
         /// Version of the ABI that this header describes. A library with the same number has every function and
@@ -10177,6 +11877,906 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_skeletonize_mesh(tree_mesh* mesh, uint* hints, UIntPtr n_hints, tree_skeletonize_params* @params, tree_control* control, tree_skeletonize_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// Makes branches of columns, which are copied: segments of a sketch, or measured elsewhere, on which nothing grew
+        /// yet. Every segment but the first must begin where its parent ends. `control` may be NULL; `nodes` of its limits
+        /// caps the points. Free them with `tree_sketch_branches_free`. `TREE_ERROR_INVALID` says which columns or which
+        /// segment do not fit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_from_columns(tree_sketch_branches_columns* columns, tree_control* control, tree_sketch_branches** branches);
+
+        /// <summary>
+        /// Views branches. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_view(tree_sketch_branches* branches, tree_sketch_branches_columns* columns);
+
+        /// <summary>
+        /// Writes the Gravelius order of each segment's axis: 0 for stems, one more than its parent's for a lateral.
+        /// `orders` has room for `capacity` values, at least as many as there are segments.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_orders(tree_sketch_branches* branches, uint* orders, UIntPtr capacity);
+
+        /// <summary>
+        /// The same branches with their depths smoothed along axes, `n_passes` times, 0 to 1000: inference gives a depth for
+        /// each fork, and branches that bend there sharply as seen from the side. x and y stay to the bit, and so do the
+        /// base and all tips. To be done before propagation, which `TREE_ERROR_INVALID` reminds of. Free them with
+        /// `tree_sketch_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_smooth_depth(tree_sketch_branches* branches, uint n_passes, tree_sketch_branches** smooth);
+
+        /// <summary>
+        /// Frees branches. What was made of them lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_free(tree_sketch_branches* branches);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_clean_params_init(tree_clean_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_clean_params_check(tree_clean_params* @params);
+
+        /// <summary>
+        /// Cleans a drawing and joins its strokes to one tree in the plane: points that are none go, what nobody marked
+        /// is told apart (ground, crown, wood), of wood drawn by its outline the middle line is taken, strokes drawn over
+        /// one another become one, gaps are closed. What was done is told by `tree_plan_repairs`. `params` and `control` may
+        /// be NULL; `nodes` of the limits caps the points. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where no
+        /// stroke has a length, or one is too far from the rest and `TREE_ISOLATED_REFUSE` was asked for: the text names the
+        /// stroke.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_clean(tree_drawing* drawing, tree_clean_params* @params, tree_control* control, tree_plan** plan);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_params_init(tree_crown_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_params_check(tree_crown_params* @params);
+
+        /// <summary>
+        /// Makes a crown of what was drawn: `columns` are lines in metres of the plan (x to the right, y up) such as those of
+        /// `tree_plan_crown`. Ends that lie close are joined, wide gaps closed round the branches in them, and loops that cross
+        /// are united. `spots` are `n_spots` points of the branches, two floats each, best without those below the first fork;
+        /// there may be none. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the crown with
+        /// `tree_crown_free`. `TREE_ERROR_INVALID` where nothing drawn encloses an area, or no branch touches the crown and
+        /// `refuse` says so.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_close(tree_strokes_columns* columns, float* spots, UIntPtr n_spots, tree_crown_params* @params, tree_control* control, tree_crown** crown);
+
+        /// <summary>
+        /// Makes a crown of closed polygons, in metres of the plan. They are made simple and united as drawn ones are; points
+        /// that are not finite are left out. `depth` is the crown's depth over its width, 0.05 to 20, 1 for circles. `control` may
+        /// be NULL; `nodes` of the limits caps the points. Free the crown with `tree_crown_free`. `TREE_ERROR_INVALID` where they
+        /// enclose no area.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_from_polygons(tree_strokes_columns* columns, float depth, tree_control* control, tree_crown** crown);
+
+        /// <summary>
+        /// Views the polygons in metres of the plan: simple, apart from each other, against the clock, the largest first.
+        /// Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_polygons(tree_crown* crown, tree_strokes_columns* columns);
+
+        /// <summary>
+        /// Tells how large a crown is. Set `measures-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_measure(tree_crown* crown, tree_crown_measures* measures);
+
+        /// <summary>
+        /// Views what was repaired or noticed when the crown was closed, in that order: where the repairs begin and how many
+        /// there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_repairs(tree_crown* crown, tree_crown_repair** repairs, UIntPtr* n_repairs);
+
+        /// <summary>
+        /// A sentence for each repair. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_repairs_text(tree_crown* crown, tree_lines** lines);
+
+        /// <summary>
+        /// Says of `n_spots` points of the plan, two floats each, whether they lie in the crown: 1 or 0 into `inside`, which
+        /// has room for `capacity`. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_contains(tree_crown* crown, float* spots, UIntPtr n_spots, tree_control* control, byte* inside, UIntPtr capacity);
+
+        /// <summary>
+        /// Says of `n_points` points, three floats each, how near the solid's surface they are, into `levels`, which has room
+        /// for `capacity`: 0 on the axis of the stretch they lie in, up to 1 inside, above 1 outside; infinite where the crown
+        /// has nothing at that height. The plan lies at z = 0. `control` as for `tree_crown_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_levels(tree_crown* crown, float* points, UIntPtr n_points, tree_control* control, float* levels, UIntPtr capacity);
+
+        /// <summary>
+        /// Where `n_ways` straight ways first leave the solid: each is six floats in `ways`, its beginning and its end. `exits`,
+        /// which has room for `capacity`, gets a share of each way: 0 where it begins outside, infinite where it stays inside.
+        /// `control` as for `tree_crown_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_exits(tree_crown* crown, float* ways, UIntPtr n_ways, tree_control* control, float* exits, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a crown. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_crown_free(tree_crown* crown);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_params_init(tree_outline_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The outlines of a cloud of `n_spots` points, two floats each, such as a tree's leaves as seen from one side, drawn
+        /// as a person would: gaps between leaves closed, corners rounded. They are against the clock, the largest first; none
+        /// for fewer than three points. `params` and `control` may be NULL; `nodes` of the limits caps the points. Free the outlines
+        /// with `tree_strokes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_strokes_outline(float* spots, UIntPtr n_spots, tree_outline_params* @params, tree_control* control, tree_strokes** strokes);
+
+        /// <summary>
+        /// Makes a drawing of strokes, which are copied; there may be none. `control` may be NULL; `nodes` of its
+        /// limits caps the points of all strokes. Free the drawing with `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_new(tree_sketch_stroke* strokes, UIntPtr n_strokes, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// Makes a drawing with the strokes of another and these after them. The other stays as it is. `control` may
+        /// be NULL; only its limits matter. Free the new drawing with `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_with_strokes(tree_drawing* drawing, tree_sketch_stroke* strokes, UIntPtr n_strokes, tree_control* control, tree_drawing** more);
+
+        /// <summary>
+        /// Reads the strokes of an SVG drawing: `svg` of `len` bytes or `TREE_NUL_TERMINATED`. Every path, line, polyline,
+        /// polygon, rectangle, circle and ellipse that is seen is one, with all transforms, in the drawing's units. A
+        /// whole word in its id, class, layer label or name, or in those of the groups around it, says what it shows:
+        /// `trunk`, `stem`; `branch`, `limb`, `twig`; `crown`, `outline`, `foliage`, `leaves`, `canopy`; and what is green
+        /// is the crown. Its id becomes its name. Style sheets, `&lt;use&gt;` and texts are not read. `control` may be NULL;
+        /// only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` when the text is no SVG or
+        /// draws nothing.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_from_svg(byte* svg, UIntPtr len, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// Reads a drawing from JSON, `json` of `len` bytes or `TREE_NUL_TERMINATED`, at most 32 MiB, in any of these forms,
+        /// y downwards:
+        ///
+        /// * `{"strokes": [{"points": [[x, y], …], "role": "branch", "closed": false, "filled": false, "name": ""}, …]}`,
+        /// where all but the points may be missing; the role is `trunk`, `branch`, `crown` or `null`;
+        /// * `[[[x, y], …], …]`, bare lines;
+        /// * `{"drawing": [[[x…], [y…]], …]}`, a drawing of Quick, Draw!.
+        ///
+        /// `control` may be NULL; only its limits matter. Free the drawing with `tree_drawing_free`. `TREE_ERROR_FORMAT` names
+        /// the stroke and the point at fault.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_from_json(byte* json, UIntPtr len, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// Writes a drawing as JSON, in the first form of `tree_drawing_from_json`. Free the bytes, which are UTF-8, with
+        /// `tree_bytes_free`. `TREE_ERROR_INVALID` names a point that is not finite: JSON has no such numbers.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_to_json(tree_drawing* drawing, tree_bytes** bytes);
+
+        /// <summary>
+        /// Number of strokes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_count(tree_drawing* drawing, UIntPtr* n_strokes);
+
+        /// <summary>
+        /// Views a stroke. `index` is below `tree_drawing_count`. Set `stroke-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_stroke(tree_drawing* drawing, UIntPtr index, tree_sketch_stroke* stroke);
+
+        /// <summary>
+        /// Frees a drawing. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_free(tree_drawing* drawing);
+
+        /// <summary>
+        /// Reads a drawing from each line that is not blank, in any form of `tree_drawing_from_json`: the files of Quick,
+        /// Draw!. `ndjson` has `len` bytes or is `TREE_NUL_TERMINATED`. `control` may be NULL; only its limits matter. Free the
+        /// drawings with `tree_drawings_free`. `TREE_ERROR_FORMAT` names the line, from 1, the stroke and the point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_from_ndjson(byte* ndjson, UIntPtr len, tree_control* control, tree_drawings** drawings);
+
+        /// <summary>
+        /// Number of drawings.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_count(tree_drawings* drawings, UIntPtr* n_drawings);
+
+        /// <summary>
+        /// One of the drawings, not copied; it may outlive the others. `index` is below `tree_drawings_count`. Free it with
+        /// `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_at(tree_drawings* drawings, UIntPtr index, tree_drawing** drawing);
+
+        /// <summary>
+        /// Frees drawings. Those taken out live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawings_free(tree_drawings* drawings);
+
+        /// <summary>
+        /// Number of exemplars: trees of clearly different habit, one for each built-in template.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr tree_exemplar_count();
+
+        /// <summary>
+        /// Name of an exemplar, such as `oak`, what the tree looks like, in a few words, and the name of the species whose
+        /// leaves suit it. `index` is below `tree_exemplar_count`; `title` and `species` may be NULL. The texts are valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_exemplar_name(UIntPtr index, tree_str* name, tree_str* title, tree_str* species);
+
+        /// <summary>
+        /// Grows one tree of the exemplar called `name` (`len` bytes, or `TREE_NUL_TERMINATED`), with leaves on cards. The same
+        /// seed gives the same bits. `control` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_UNKNOWN_NAME` lists
+        /// the names there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_exemplar_grow(byte* name, UIntPtr len, ulong seed, tree_control* control, tree_tree** tree);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_main_branches_init(tree_main_branches* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_main_branches_check(tree_main_branches* @params);
+
+        /// <summary>
+        /// The drawing that a person would make of a tree, in metres, y down: a stroke for each main branch, the trunk first, as
+        /// an eye sees them that looks level from afar and stands at `yaw` radians round the trunk (0 on +Z, a quarter turn on
+        /// +X), and `with_crown` the outline of its leaves. `main`, `outline` and `control` may be NULL. Free the drawing with
+        /// `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_drawing_of_tree(tree_tree* tree, float yaw, uint with_crown, tree_main_branches* main, tree_outline_params* outline, tree_control* control, tree_drawing** drawing);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_finish_params_init(tree_sketch_finish_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// The branches as a skeleton with radii by the pipe model. Every point stays where it is: seen from the front,
+        /// sketched branches are the strokes. `params` and `control` may be NULL. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_wood(tree_sketch_branches* branches, tree_sketch_finish_params* @params, tree_control* control, tree_skeleton** wood);
+
+        /// <summary>
+        /// Grows twigs and leaves of a species on wood, as many leaves as cover its crown like those of a tree in full leaf;
+        /// with a `crown`, which may be NULL, both stay in it but for half a leaf. `params`, `control` and `report` may be
+        /// NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of range,
+        /// `TREE_ERROR_UNKNOWN_NAME` a species that is none.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_grow_crown(tree_skeleton* wood, tree_crown* crown, tree_sketch_finish_params* @params, ulong seed, tree_control* control, tree_sketch_finish_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// The footprint of `n_spots` points, two floats each: the distances from the centre of their convex hull to the hull in
+        /// `TREE_FOOTPRINT_DIRECTIONS` directions, as shares of the longer side of its bounding box, into `distances`, which has
+        /// room for `capacity`. Points that are not finite do not count. `control` may be NULL; `nodes` of the limits caps the
+        /// points. `TREE_ERROR_NO_RESULT` where the hull has no area.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_footprint_of(float* spots, UIntPtr n_spots, tree_control* control, float* distances, UIntPtr capacity);
+
+        /// <summary>
+        /// How unlike two footprints are, each `TREE_FOOTPRINT_DIRECTIONS` distances: the root of the mean square of their
+        /// differences. 0 for equal shapes, about 0.2 for a circle and a poplar. `TREE_ERROR_INVALID` for other numbers of
+        /// distances, or where one is not above 0 and at most 2.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_footprint_difference(float* first, UIntPtr n_first, float* second, UIntPtr n_second, float* difference);
+
+        /// <summary>
+        /// The convex hull of `n_spots` points, two floats each, against the clock where y goes up, without corners on straight
+        /// sides, into `corners`, which has room for `capacity` floats: twice `n_spots` always do. `n_corners` gets their number,
+        /// which is below 3 where the points lie on a line. Points that are not finite do not count. `control` may be NULL; `nodes`
+        /// of the limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_convex_hull(float* spots, UIntPtr n_spots, tree_control* control, float* corners, UIntPtr capacity, UIntPtr* n_corners);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_infer_params_init(tree_sketch_infer_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params` those of the thesis alone: no beam, no spread, no preference for a stroke's own continuation, no
+        /// bending prior. Set `params-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_infer_params_thesis(tree_sketch_infer_params* @params);
+
+        /// <summary>
+        /// Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's, by inference in a Markov
+        /// random field (Neubert 2012, sections 4.4 to 4.6): a sketch is seen from the front, x and y of every branch are
+        /// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay.
+        ///
+        /// `omega`, `params` and `control` may be NULL. Free the result with `tree_inferred_free`. `TREE_ERROR_PARAMETER`
+        /// names what is out of range, `TREE_ERROR_INVALID` a pin that is at no fork or tip of the plan.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_infer(tree_plan* plan, tree_sketch_omega* omega, tree_sketch_pin* pins, UIntPtr n_pins, tree_sketch_infer_params* @params, ulong seed, tree_control* control, tree_inferred** inferred);
+
+        /// <summary>
+        /// Views what was inferred. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_view(tree_inferred* inferred, tree_inferred_columns* columns);
+
+        /// <summary>
+        /// The segments, with labels and points in space; seen along -Z their points are those of the plan. Free them with
+        /// `tree_sketch_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_branches(tree_inferred* inferred, tree_sketch_branches** branches);
+
+        /// <summary>
+        /// Ω of the sketch: the template's, or estimated. Set `omega-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_omega(tree_inferred* inferred, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Frees what was inferred. Branches of it live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_inferred_free(tree_inferred* inferred);
+
+        /// <summary>
+        /// Builds the graph that `tree_sketch_infer` with the same arguments and no pins works on. `omega`, `params` and
+        /// `control` may be NULL. Free it with `tree_factor_graph_free`. `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_new(tree_plan* plan, tree_sketch_omega* omega, tree_sketch_infer_params* @params, ulong seed, tree_control* control, tree_factor_graph** graph);
+
+        /// <summary>
+        /// Parent of each segment, `TREE_NO_PARENT` for segment 0: where they begin and how many there are. Valid until
+        /// `tree_factor_graph_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_parents(tree_factor_graph* graph, uint** parents, UIntPtr* n_segments);
+
+        /// <summary>
+        /// Length of a segment in the plane, from end to end, in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_length(tree_factor_graph* graph, uint segment, double* metres);
+
+        /// <summary>
+        /// The posterior of depths, of the segments' ends in metres, and labels: `n_segments` of each. `omega` and `control`
+        /// may be NULL. `TREE_ERROR_INVALID` where there are not as many as segments, `TREE_ERROR_PARAMETER` for a depth
+        /// that is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_posterior(tree_factor_graph* graph, tree_sketch_omega* omega, double* depths, uint* labels, UIntPtr n_segments, tree_control* control, tree_sketch_posterior* posterior);
+
+        /// <summary>
+        /// Frees a factor graph.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_factor_graph_free(tree_factor_graph* graph);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midline_params_init(tree_midline_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Finds the middle lines of a filled area with these closed contours, which may cross: the main line first, then those
+        /// that leave it, the strongest first. A side line begins at a point of the line that bears it. Points that are not finite
+        /// are left out; what has no area has no lines. `params` and `control` may be NULL; `nodes` of the limits caps the
+        /// points. Free the lines with `tree_midlines_free`. `tree_drawing_clean` does this for strokes that are `filled`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_of(tree_strokes_columns* columns, tree_midline_params* @params, tree_control* control, tree_midlines** midlines);
+
+        /// <summary>
+        /// Views middle lines, in the units of the contours. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_view(tree_midlines* midlines, tree_strokes_columns* columns);
+
+        /// <summary>
+        /// Views half the area's width at every point of `tree_midlines_view`: where the numbers begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_half_widths(tree_midlines* midlines, float** half_widths, UIntPtr* n_points);
+
+        /// <summary>
+        /// Frees middle lines.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_midlines_free(tree_midlines* midlines);
+
+        /// <summary>
+        /// Makes `omega`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_init(tree_sketch_omega* omega, UIntPtr size);
+
+        /// <summary>
+        /// Whether all numbers are in range: `TREE_OK`, or the error that their use would give, which names order and
+        /// field.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_check(tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Ω of branches. Orders with few segments borrow from all orders together; what the branches do not show at all
+        /// is the default's. Set `omega-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_fit(tree_sketch_branches* branches, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Ω of template `index`, which is below `tree_templates_count`: that of its exemplar's main branches. Set
+        /// `omega-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_omega(tree_templates* templates, UIntPtr index, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// Ω of `n_relations` relations, of one tree or of many: those of `tree_sketch_branches_relations`, joined.
+        /// `control` may be NULL; `nodes` of its limits caps the relations. Set `omega-&gt;struct_size` first.
+        /// `TREE_ERROR_PARAMETER` names the row with a number that is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_of_relations(tree_sketch_relation* relations, UIntPtr n_relations, tree_control* control, tree_sketch_omega* omega);
+
+        /// <summary>
+        /// The same parameters for the whole tree, as in the thesis: those of the orders of `omega`, averaged. `omega` may
+        /// be NULL for the default. Set `whole-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_omega_without_orders(tree_sketch_omega* omega, tree_sketch_omega* whole);
+
+        /// <summary>
+        /// How each segment lies to its parent, in the order of segments; none for segments without length and those of an
+        /// imagined root. Their number goes into `n_relations`, they themselves into `relations`, which has room for
+        /// `capacity` rows; with NULL they are only counted. There are fewer than segments.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_relations(tree_sketch_branches* branches, tree_sketch_relation* relations, UIntPtr capacity, UIntPtr* n_relations);
+
+        /// <summary>
+        /// Makes a plan of columns, which are copied: without crown and without repairs. `control` may be NULL; `nodes`
+        /// of its limits counts. Free the plan with `tree_plan_free`. `TREE_ERROR_INVALID` where a number is not finite,
+        /// or a parent does not come before its node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_from_columns(tree_plan_columns* columns, tree_control* control, tree_plan** plan);
+
+        /// <summary>
+        /// Views the columns of a plan. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_view(tree_plan* plan, tree_plan_columns* columns);
+
+        /// <summary>
+        /// Views the lines of the drawn crown in metres of the plan, as drawn and not yet closed; a closed one ends where it
+        /// begins. There may be none. Set `columns-&gt;struct_size` first. `tree_crown_close` takes them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_crown(tree_plan* plan, tree_strokes_columns* columns);
+
+        /// <summary>
+        /// Views the drawing's stroke of each line of the crown: where the numbers begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_crown_strokes(tree_plan* plan, uint** strokes, UIntPtr* n_strokes);
+
+        /// <summary>
+        /// Views what cleaning did to the drawing, in that order: where the repairs begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_repairs(tree_plan* plan, tree_clean_repair** repairs, UIntPtr* n_repairs);
+
+        /// <summary>
+        /// A sentence for each repair, which names the stroke. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_repairs_text(tree_plan* plan, tree_lines** lines);
+
+        /// <summary>
+        /// The same plan, its crown with it, `factor` times as large in metres. Free it with `tree_plan_free`.
+        /// `TREE_ERROR_INVALID` where the factor is not above 0 or coordinates become infinite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_scaled(tree_plan* plan, float factor, tree_plan** scaled);
+
+        /// <summary>
+        /// Where points of the plan lie in the drawing: `spots` are `n_spots` times two floats in metres, `drawn` gets as many
+        /// in units of the drawing; `capacity` is its room in floats. `control` may be NULL; `nodes` of its limits caps the
+        /// points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_points_to_drawing(tree_plan* plan, float* spots, UIntPtr n_spots, tree_control* control, float* drawn, UIntPtr capacity);
+
+        /// <summary>
+        /// Where points of the drawing lie in the plan: as `tree_plan_points_to_drawing`, the other way. `planned` gets
+        /// the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_points_from_drawing(tree_plan* plan, float* spots, UIntPtr n_spots, tree_control* control, float* planned, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a plan. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plan_free(tree_plan* plan);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_propagate_params_init(tree_sketch_propagate_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Fills a sketch up with branches after the pattern of its own (Neubert 2012, section 4.7): its forks are taken as
+        /// replication blocks, which are attached to its open ends generation by generation, and along branches that are
+        /// long without forks.
+        ///
+        /// With a `crown` growth stays inside it; with NULL it goes on for `generations`. New segments keep `clearance` away
+        /// from `obstacles`, a volume or NULL for none; sketched ones stay as they are. `omega`, `params`, `control` and
+        /// `report` may be NULL. The sketched segments keep their numbers, the new follow. Free them with
+        /// `tree_sketch_branches_free`. `TREE_ERROR_PARAMETER` names what is out of range, `TREE_ERROR_INVALID` says so for
+        /// branches that have grown already.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_branches_propagate(tree_sketch_branches* branches, tree_sketch_omega* omega, tree_crown* crown, tree_volume* obstacles, tree_sketch_propagate_params* @params, ulong seed, tree_control* control, tree_sketch_propagate_report* report, tree_sketch_branches** grown);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_select_params_init(tree_select_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_select_params_check(tree_select_params* @params);
+
+        /// <summary>
+        /// Compares a plan with templates: one row for each into `choices`, best first; `capacity` is the number of templates or
+        /// more. `crown` may be NULL for that which was drawn with the plan, as it was drawn. `params` and `control` may be NULL.
+        /// `TREE_ERROR_INVALID` where there are no templates.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_select(tree_templates* templates, tree_plan* plan, tree_crown* crown, tree_select_params* @params, tree_control* control, tree_choice* choices, UIntPtr capacity);
+
+        /// <summary>
+        /// Begins with a drawing, which is copied. `params` may be NULL for the defaults. No work is done yet: what is wrong
+        /// with the drawing comes to light with the first stage. Templates and obstacles are set with
+        /// `tree_sketch_session_set_templates` and `tree_sketch_session_set_obstacles`. Free the session with
+        /// `tree_sketch_session_free`. `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_new(tree_drawing* drawing, tree_sketch_params* @params, ulong seed, tree_sketch_session** session);
+
+        /// <summary>
+        /// A second session in the state of the first, with all that has been made so far: to try something, and
+        /// go back. Free it too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_copy(tree_sketch_session* session, tree_sketch_session** copy);
+
+        /// <summary>
+        /// Frees a session. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a
+        /// progress callback for instance: it lives on then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_free(tree_sketch_session* session);
+
+        /// <summary>
+        /// Another seed: other depths within Ω, another growth. Depths that edits kept are forgotten.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_seed(tree_sketch_session* session, ulong seed);
+
+        /// <summary>
+        /// Other parameters, NULL for the defaults; only stages whose parameters differ are done again. Where those of
+        /// inference, the template or the height differ, depths that edits kept are forgotten.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_params(tree_sketch_session* session, tree_sketch_params* @params);
+
+        /// <summary>
+        /// Templates of one's own, which are copied, instead of those built in; NULL for these again. Depths that edits kept
+        /// are forgotten.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_templates(tree_sketch_session* session, tree_templates* templates);
+
+        /// <summary>
+        /// What new branches are to keep out of: a volume in the tree's metres, its base at the origin, or NULL for nothing.
+        /// Sketched branches stay as they are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_obstacles(tree_sketch_session* session, tree_volume* obstacles);
+
+        /// <summary>
+        /// Forgets depths, Ω, scale and the choice of template that edits keep, so that all are found anew.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_infer_anew(tree_sketch_session* session);
+
+        /// <summary>
+        /// Forgets the results of a stage and of all later ones, so that they are done again; what edits keep stays.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_redo_from(tree_sketch_session* session, uint stage);
+
+        /// <summary>
+        /// Draws one more stroke, which is copied; its number in the drawing goes into `number`. Depths of all other branches
+        /// stay. `control` may be NULL; `nodes` of its limits caps the points. What is wrong with the stroke comes to light
+        /// with the next stage; erase it then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_add_stroke(tree_sketch_session* session, tree_sketch_stroke* stroke, tree_control* control, UIntPtr* number);
+
+        /// <summary>
+        /// Erases a stroke, and with a branch all that it bears. Depths of all other branches stay, and so do the numbers of
+        /// their strokes. Numbers of those that are gone go into `gone`, which has room for `capacity` of them, at least as
+        /// many as there are strokes (`tree_drawing_count` of `tree_sketch_session_drawing`), and how many they are into
+        /// `n_gone`. Both may be NULL where they are not wanted. `TREE_ERROR_INVALID` for a stroke that is not there or was
+        /// erased before.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_erase_stroke(tree_sketch_session* session, UIntPtr stroke, tree_control* control, uint* gone, UIntPtr capacity, UIntPtr* n_gone);
+
+        /// <summary>
+        /// Moves the tip or fork of a stroke that is nearest to `at`, two floats in the drawing's units, to `depth` in metres,
+        /// positive towards the viewer. What it bears is inferred anew; the rest stays. The end of the root segment stays in
+        /// the plane. `TREE_ERROR_INVALID` for a stroke that is not there, was erased, or has no tip or fork to move;
+        /// `TREE_ERROR_PARAMETER` for numbers that are not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_set_depth(tree_sketch_session* session, UIntPtr stroke, float* at, float depth, tree_control* control);
+
+        /// <summary>
+        /// The drawing as it is after all edits; erased strokes are there without points. Free it with `tree_drawing_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_drawing(tree_sketch_session* session, tree_drawing** drawing);
+
+        /// <summary>
+        /// The seed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_seed(tree_sketch_session* session, ulong* seed);
+
+        /// <summary>
+        /// The parameters, all parts given. What they point at belongs to the session and stays until
+        /// `tree_sketch_session_set_params` or `tree_sketch_session_free`. Set `params-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_params(tree_sketch_session* session, tree_sketch_params* @params);
+
+        /// <summary>
+        /// How often a stage has been done so far.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_runs(tree_sketch_session* session, uint stage, uint* n_runs);
+
+        /// <summary>
+        /// The strokes as a tree in the plane, in metres, with what was done to them. Free it with `tree_plan_free`.
+        /// `TREE_ERROR_INVALID` says which stroke is of no use, or why the drawing is.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_plan(tree_sketch_session* session, tree_control* control, tree_plan** plan);
+
+        /// <summary>
+        /// The closed crown. What was repaired of it is among `tree_sketch_session_warnings`. Free it with `tree_crown_free`.
+        /// `TREE_ERROR_NO_RESULT` where none is drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_crown(tree_sketch_session* session, tree_control* control, tree_crown** crown);
+
+        /// <summary>
+        /// The templates compared with the drawing, best first: indices count in the session's templates, or in those built
+        /// in. Their number goes into `n_choices`, they themselves into `choices`, which has room for `capacity` rows; with
+        /// NULL they are only counted. There are none where the template was taken by name, or kept through an edit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_choices(tree_sketch_session* session, tree_control* control, tree_choice* choices, UIntPtr capacity, UIntPtr* n_choices);
+
+        /// <summary>
+        /// The template taken: templates of one row. Free them with `tree_templates_free`. `TREE_ERROR_UNKNOWN_NAME` lists
+        /// the names there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_template_taken(tree_sketch_session* session, tree_control* control, tree_templates** taken);
+
+        /// <summary>
+        /// Depths, labels and Ω. Free them with `tree_inferred_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_inferred(tree_sketch_session* session, tree_control* control, tree_inferred** inferred);
+
+        /// <summary>
+        /// The sketched branches with what grew on them. `report` may be NULL. Free them with `tree_sketch_branches_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_branches(tree_sketch_session* session, tree_control* control, tree_sketch_propagate_report* report, tree_sketch_branches** branches);
+
+        /// <summary>
+        /// The branches as a skeleton with radii. Free it with `tree_skeleton_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_wood(tree_sketch_session* session, tree_control* control, tree_skeleton** wood);
+
+        /// <summary>
+        /// The tree. The same drawing, parameters and seed give the same bits for any number of threads. `control` and `report`
+        /// may be NULL. Free the tree with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_tree(tree_sketch_session* session, tree_control* control, tree_sketch_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// All that was repaired or fell short, a line each, for a person to read; none where all went well. The tree is made
+        /// first where it is not there. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_session_warnings(tree_sketch_session* session, tree_control* control, tree_lines** warnings);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_params_init(tree_sketch_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give. The name of the
+        /// template is looked up when it is needed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sketch_params_check(tree_sketch_params* @params);
+
+        /// <summary>
+        /// Makes a tree of a drawing: a session (`tree_sketch_session`) that is asked for its tree, in one call. Of
+        /// `templates`, which may be NULL for those built in, the one that suits best guides it, or the one that `params`
+        /// names; new branches keep out of `obstacles`, which may be NULL. `params`, `control` and `report` may be NULL too.
+        /// The tree's species is called by the template's name, unless `params` has a species. Free the tree with
+        /// `tree_tree_free`.
+        ///
+        /// `TREE_ERROR_PARAMETER` names what is out of range, `TREE_ERROR_UNKNOWN_NAME` a template or species that there is
+        /// not; `TREE_ERROR_INVALID` says why a drawing, and which stroke of it, is of no use; `TREE_ERROR_LIMIT` comes before
+        /// the memory is asked for.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_from_sketch(tree_drawing* drawing, tree_templates* templates, tree_volume* obstacles, tree_sketch_params* @params, ulong seed, tree_control* control, tree_sketch_report* report, tree_tree** tree);
+
+        /// <summary>
+        /// The templates shipped: twenty trees of different habit. Free them with `tree_templates_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_builtin(tree_templates** templates);
+
+        /// <summary>
+        /// Reads templates from text, `text` of `len` bytes or `TREE_NUL_TERMINATED`, as `tree_templates_to_text` writes it.
+        /// `control` may be NULL; only its limits matter. Free the templates with `tree_templates_free`. `TREE_ERROR_FORMAT`
+        /// names the line and says what is wrong with it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_from_text(byte* text, UIntPtr len, tree_control* control, tree_templates** templates);
+
+        /// <summary>
+        /// Writes templates as text, some kilobytes for each. Free the bytes, which are UTF-8, with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_to_text(tree_templates* templates, tree_bytes** bytes);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_template_params_init(tree_template_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_template_params_check(tree_template_params* @params);
+
+        /// <summary>
+        /// Measures one template of any tree, which grows along +Y: an exemplar of your own. `name` and `species` are one line of
+        /// text each, of `name_len` and `species_len` bytes or `TREE_NUL_TERMINATED`; the species names its leaves. `params` and
+        /// `control` may be NULL. Free the template with `tree_templates_free`; `tree_templates_join` puts it to others.
+        /// `TREE_ERROR_INVALID` for trees without extent, height or branches.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_of_tree(byte* name, UIntPtr name_len, byte* species, UIntPtr species_len, tree_tree* tree, tree_template_params* @params, tree_control* control, tree_templates** templates);
+
+        /// <summary>
+        /// Templates and others after them, copied. Free them with `tree_templates_free`. `TREE_ERROR_INVALID` where two have one
+        /// name.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_join(tree_templates* templates, tree_templates* others, tree_templates** joined);
+
+        /// <summary>
+        /// Number of templates.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_count(tree_templates* templates, UIntPtr* n_templates);
+
+        /// <summary>
+        /// Index of the template called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). `TREE_ERROR_UNKNOWN_NAME` lists the names
+        /// there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_find(tree_templates* templates, byte* name, UIntPtr len, UIntPtr* index);
+
+        /// <summary>
+        /// Views a template. `index` is below `tree_templates_count`. Set `view-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_view(tree_templates* templates, UIntPtr index, tree_template_view* view);
+
+        /// <summary>
+        /// Views what a template looks like from one side. `index` is below `tree_templates_count`, `number` below `n_views` of
+        /// the template. Set `side-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_side(tree_templates* templates, UIntPtr index, UIntPtr number, tree_template_side* side);
+
+        /// <summary>
+        /// Frees templates. What was made of them lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_templates_free(tree_templates* templates);
 
         /// <summary>
         /// Makes a tree of a skeleton, which is copied, and columns of leaves (NULL for none), which are copied.

@@ -110,6 +110,19 @@ const MAKERS: &[(&str, &str)] = &[
         "tree_photo_session",
         "tree_photo_session_new(one_shot(), 1, few_particles(), 1, NULL, &made)",
     ),
+    ("tree_drawing", "tree_drawing_new(strokes_of_a_fork, 2, NULL, &made)"),
+    ("tree_drawings", "tree_drawings_from_ndjson(json, sizeof json - 1, NULL, &made)"),
+    ("tree_plan", "tree_drawing_clean(live_tree_drawing(), NULL, NULL, &made)"),
+    ("tree_crown", "tree_crown_from_polygons(&a_triangle, 1, NULL, &made)"),
+    ("tree_midlines", "tree_midlines_of(&a_triangle, NULL, NULL, &made)"),
+    ("tree_templates", "tree_templates_builtin(&made)"),
+    ("tree_inferred", "tree_sketch_infer(live_tree_plan(), NULL, NULL, 0, NULL, 1, NULL, &made)"),
+    ("tree_factor_graph", "tree_factor_graph_new(live_tree_plan(), NULL, NULL, 1, NULL, &made)"),
+    ("tree_sketch_branches", "tree_inferred_branches(live_tree_inferred(), &made)"),
+    (
+        "tree_sketch_session",
+        "tree_sketch_session_new(live_tree_drawing(), few_branches(), 1, &made)",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

@@ -247,6 +247,31 @@ static const tree_photo_params *few_particles(void) {
     return &params;
 }
 
+static const tree_sketch_params *few_branches(void) {
+    static tree_sketch_params params;
+    static tree_sketch_propagate_params propagate;
+    static tree_sketch_finish_params finish;
+    must(tree_sketch_params_init(&params, sizeof params));
+    must(tree_sketch_propagate_params_init(&propagate, sizeof propagate));
+    must(tree_sketch_finish_params_init(&finish, sizeof finish));
+    propagate.generations = 1;
+    finish.fullness = 0.05f;
+    params.propagate = &propagate;
+    params.finish = &finish;
+    return &params;
+}
+
+/* Strokes of a sketch. */
+static const float fork_trunk[] = {50, 100, 50, 60, 50, 10}, fork_branch[] = {50, 60, 80, 30};
+static const tree_sketch_stroke strokes_of_a_fork[] = {
+    {.struct_size = sizeof(tree_sketch_stroke), .n_points = 3, .points = fork_trunk},
+    {.struct_size = sizeof(tree_sketch_stroke), .n_points = 2, .points = fork_branch}};
+static const char json[] = "[[[5, 9], [5, 5], [5, 1]], [[5, 5], [8, 2]]]\n";
+static const float triangle_points[] = {-2, 1, 2, 1, 0, 4, -2, 1};
+static const uint64_t triangle_starts[] = {0, 4};
+static const tree_strokes_columns a_triangle = {sizeof a_triangle, 1, triangle_starts, 4,
+                                                triangle_points};
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

@@ -68,7 +68,10 @@ impl From<ModelError> for Failure {
             ModelError::Parameter { .. }
             | ModelError::NotFinite { .. }
             | ModelError::Cost { .. } => TREE_ERROR_PARAMETER,
-            ModelError::BadPart { .. } => TREE_ERROR_INVALID,
+            ModelError::BadPart { .. }
+            | ModelError::Sketch { .. }
+            | ModelError::Stroke { .. }
+            | ModelError::Template { .. } => TREE_ERROR_INVALID,
             ModelError::UnknownPreset { .. } => TREE_ERROR_UNKNOWN_NAME,
             ModelError::Svg(_) => TREE_ERROR_FORMAT,
             ModelError::Limit(_) => TREE_ERROR_LIMIT,

@@ -8,7 +8,7 @@ use tree_model::tree_core::Species;
 
 /// Owns what structs of parameters point at. Nothing in it moves or changes.
 #[derive(Default)]
-pub(super) struct Kept(Vec<Box<dyn Any>>);
+pub(crate) struct Kept(Vec<Box<dyn Any>>);
 
 // SAFETY: holds parameters in C's form, whose pointers lead to others in here or in presets, and which are
 // only read.
@@ -18,12 +18,12 @@ unsafe impl Sync for Kept {}
 
 impl Kept {
     /// Keeps a value.
-    pub(super) fn one<T: 'static>(&mut self, value: T) -> *const T {
+    pub(crate) fn one<T: 'static>(&mut self, value: T) -> *const T {
         self.all(vec![value])
     }
 
     /// Keeps some values; NULL for none.
-    pub(super) fn all<T: 'static>(&mut self, values: Vec<T>) -> *const T {
+    pub(crate) fn all<T: 'static>(&mut self, values: Vec<T>) -> *const T {
         if values.is_empty() {
             return null();
         }
@@ -34,13 +34,13 @@ impl Kept {
     }
 
     /// Keeps a text.
-    pub(super) fn text(&mut self, text: &str) -> tree_str {
+    pub(crate) fn text(&mut self, text: &str) -> tree_str {
         let data = self.all(text.as_bytes().to_vec()).cast();
         tree_str { data, len: text.len() }
     }
 
     /// Keeps a species with its names.
-    pub(super) fn species(&mut self, species: &Species) -> *const tree_species {
+    pub(crate) fn species(&mut self, species: &Species) -> *const tree_species {
         let kinds: Vec<tree_str> = species.leaf_kinds.iter().map(|kind| self.text(kind)).collect();
         let value = tree_species {
             name: self.text(&species.name),

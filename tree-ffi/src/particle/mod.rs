@@ -15,5 +15,6 @@ pub use field::*;
 pub use finish::*;
 pub use flow::*;
 pub use grid::*;
+pub(crate) use keep::Kept;
 pub use session::*;
 pub use view::*;

@@ -87,8 +87,8 @@ impl tree_stroke_report {
     }
 }
 
-/// Strokes over a picture. The points of stroke `i` are rows `starts[i]` up to, but not including,
-/// `starts[i + 1]`. Set `struct_size` first.
+/// Strokes over a picture, or other lines of the plane. The points of stroke `i` are rows `starts[i]` up to,
+/// but not including, `starts[i + 1]`. Set `struct_size` first.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct tree_strokes_columns {
@@ -100,7 +100,7 @@ pub struct tree_strokes_columns {
     pub starts: *const u64,
     /// Number of points of all strokes.
     pub n_points: usize,
-    /// Two floats for each point, in pixels from the top left of the picture.
+    /// Two floats for each point, in pixels from the top left of the picture where nothing else is said.
     pub points: *const f32,
 }
 
@@ -188,7 +188,7 @@ pub unsafe extern "C" fn tree_attractor_from_strokes(
     })
 }
 
-/// Strokes read from a drawing, or a session's branches as strokes.
+/// Strokes read from a drawing, a session's branches as strokes, or outlines.
 pub struct tree_strokes {
     starts: Vec<u64>,
     points: Vec<Vec2>,
@@ -202,6 +202,17 @@ impl tree_strokes {
             made.starts.push(made.points.len() as u64);
         }
         made
+    }
+
+    /// A view of the strokes.
+    pub(crate) fn columns(&self) -> tree_strokes_columns {
+        tree_strokes_columns {
+            n_strokes: self.starts.len().saturating_sub(1),
+            starts: column(&self.starts),
+            n_points: self.points.len(),
+            points: column(&self.points).cast(),
+            ..tree_strokes_columns::default_value()
+        }
     }
 }
 
@@ -245,14 +256,7 @@ pub unsafe extern "C" fn tree_strokes_view(
 ) -> tree_status {
     call(|| {
         let strokes = unsafe { get(strokes, "strokes") }?;
-        let found = tree_strokes_columns {
-            n_strokes: strokes.starts.len().saturating_sub(1),
-            starts: column(&strokes.starts),
-            n_points: strokes.points.len(),
-            points: column(&strokes.points).cast(),
-            ..tree_strokes_columns::default_value()
-        };
-        unsafe { write(columns, "columns", &found) }
+        unsafe { write(columns, "columns", &strokes.columns()) }
     })
 }
 

@@ -60,8 +60,10 @@ void test_mesh(void);
 void test_instance(void);
 void test_engine(void);
 void test_io(void);
+void test_sketch(void);
 void test_preview(void);
 void test_photo(void);
+void test_sketch_in(void);
 void test_threads(void);
 
 #endif

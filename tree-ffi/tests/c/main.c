@@ -42,8 +42,10 @@ int main(void) {
     test_instance();
     test_engine();
     test_io();
+    test_sketch();
     test_preview();
     test_photo();
+    test_sketch_in();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

@@ -4,12 +4,14 @@ use crate::common::header::Header;
 
 /// Places for one number or one struct without a size.
 pub(crate) const SINGLES: &[&str] = &[
+    "difference",
     "gap",
     "length",
     "measure",
     "metres",
     "n_runs",
     "phase",
+    "posterior",
     "radius",
     "reach",
     "row",
@@ -21,7 +23,7 @@ pub(crate) const SINGLES: &[&str] = &[
 ];
 
 /// Yes or no, as an argument.
-pub(crate) const FLAGS: &[&str] = &["plain", "with_stalks"];
+pub(crate) const FLAGS: &[&str] = &["plain", "with_crown", "with_stalks"];
 
 /// Objects and arrays that may be left out.
 pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
@@ -30,6 +32,14 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
             (function, argument),
             ("tree_packed_unpack", "mesh")
                 | ("tree_grid_new", "values")
+                | ("tree_sketch_branches_propagate", "crown" | "obstacles")
+                | ("tree_sketch_grow_crown", "crown")
+                | ("tree_sketch_infer", "pins")
+                | ("tree_sketch_session_set_templates", "templates")
+                | ("tree_sketch_session_set_obstacles", "obstacles")
+                | ("tree_from_sketch", "templates" | "obstacles")
+                | ("tree_crown_close", "spots")
+                | ("tree_templates_select", "crown")
                 | ("tree_attractor_livewire" | "tree_matte_turned", "photo")
         )
 }
@@ -41,7 +51,7 @@ pub(crate) fn is_required(argument: &str) -> bool {
 
 /// Arrays that have one count with those after them.
 pub(crate) fn shares_count(argument: &str) -> bool {
-    argument == "edges"
+    matches!(argument, "depths" | "edges")
 }
 
 /// Numbers in one item of an array that is taken.
@@ -51,6 +61,7 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
         ("tree_convert_uvs", "from") | (_, "edges" | "profile") => 2,
         (_, "eraser" | "seeds" | "spots" | "stroke") => 2,
         ("tree_traces_flow", "starts") => 3,
+        (_, "ways") => 6,
         (_, "from" | "points" | "positions" | "indices") => 3,
         _ => 1,
     }
@@ -60,7 +71,7 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
 pub(crate) fn fixed(argument: &str) -> usize {
     match argument {
         "columns" => 12,
-        "at_pixel" | "base_pixel" | "by_pixels" => 2,
+        "at" | "at_pixel" | "base_pixel" | "by_pixels" => 2,
         _ => 3,
     }
 }
@@ -78,6 +89,7 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("grid_sample" | "grid_nearest", _) => "points.size() / 3",
         ("grid_draw_points", _) => "3 * static_cast<size_t>(n_points)",
         ("grid_from_views" | "carved_solve", _) => "views.size()",
+        ("sketch_branches_orders" | "sketch_branches_relations", _) => "view().n_segments",
         ("direction_field_sample", _) => "spots.size()",
         ("way_sample" | "way_directions", _) => "points.size()",
         ("matte_sample", _) => "spots.size() / 2",
@@ -89,6 +101,14 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("graph_search", _) => "view().n_nodes",
         ("volume_sample", _) => "3 * n_points",
         ("volume_contains" | "volume_distance", _) => "points.size() / 3",
+        ("plan_points_to_drawing" | "plan_points_from_drawing" | "convex_hull", _) => {
+            "spots.size()"
+        }
+        ("crown_contains", _) => "spots.size() / 2",
+        ("crown_levels", _) => "points.size() / 3",
+        ("crown_exits", _) => "ways.size() / 6",
+        ("footprint_of", _) => "TREE_FOOTPRINT_DIRECTIONS",
+        ("templates_select", _) => "count()",
         (name, _) if name.starts_with("convert_") => "from.size()",
         (name, _) if name.starts_with("skeleton_") => "view().n_nodes",
         _ => return None,
@@ -99,6 +119,8 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
 pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
     match (function, argument) {
         ("tree_silhouette_seeds", "seeds") => Some("2 * n_seeds"),
+        ("tree_sketch_branches_relations", "relations") => Some("n_relations"),
+        ("tree_convex_hull", "corners") => Some("2 * n_corners"),
         ("tree_mesh_points", "first") => Some("n_points"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
         _ => None,

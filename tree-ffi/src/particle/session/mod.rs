@@ -64,7 +64,7 @@ fn stage(found: tree_photo_stage) -> Result<Stage> {
 /// after it: painting density keeps the branches found in the pictures, another seed keeps density and
 /// fields. A call that fails or is cancelled leaves the session as it was, with the stages done by then.
 ///
-/// It is the only object of the library that changes: do not use it from two threads at once. A call that
+/// It is an object that changes: do not use it from two threads at once. A call that
 /// comes while another is at work on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands
 /// out is copied, does not change with it, and outlives it.
 pub struct tree_photo_session(Mutex<Held>);
