@@ -4258,6 +4258,10 @@ typedef struct tree_clean_params {
     // Whether strokes without a role may be taken for a crown, the ground, sides of a trunk or marks on its
     // bark. Default yes; no: what is not marked is a branch.
     uint32_t guess;
+    // Forks on one branch closer together than this share are one, 0 (off) to 0.1. Default 0.01.
+    float gather;
+    // 0.
+    uint32_t reserved;
 } tree_clean_params;
 
 // How a drawn crown is understood. Begin with `tree_crown_params_init`.
@@ -7494,14 +7498,6 @@ tree_status tree_sketch_branches_view(const struct tree_sketch_branches *branche
 tree_status tree_sketch_branches_orders(const struct tree_sketch_branches *branches,
                                         uint32_t *orders,
                                         size_t capacity);
-
-// The same branches with their depths smoothed along axes, `n_passes` times, 0 to 1000: inference gives a depth for
-// each fork, and branches that bend there sharply as seen from the side. x and y stay to the bit, and so do the
-// base and all tips. To be done before propagation, which `TREE_ERROR_INVALID` reminds of. Free them with
-// `tree_sketch_branches_free`.
-tree_status tree_sketch_branches_smooth_depth(const struct tree_sketch_branches *branches,
-                                              uint32_t n_passes,
-                                              struct tree_sketch_branches **smooth);
 
 // Frees branches. What was made of them lives on.
 tree_status tree_sketch_branches_free(struct tree_sketch_branches *branches);

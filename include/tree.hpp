@@ -1755,7 +1755,6 @@ public:
     SketchBranchesColumns view() const && = delete;
     std::vector<uint32_t> orders() const;
     bool orders(Span<uint32_t> orders) const;
-    SketchBranches smooth_depth(uint32_t n_passes) const;
     Skeleton wood(Ref<tree_sketch_finish_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     SketchOmega sketch_omega_fit() const;
     std::tuple<std::vector<tree_sketch_relation>, size_t> relations() const;
@@ -3834,11 +3833,6 @@ inline std::vector<uint32_t> SketchBranches::orders() const {
 }
 inline bool SketchBranches::orders(Span<uint32_t> orders) const {
     return detail::done(tree_sketch_branches_orders(get(), orders.data(), orders.size()));
-}
-inline SketchBranches SketchBranches::smooth_depth(uint32_t n_passes) const {
-    SketchBranches smooth;
-    detail::done(tree_sketch_branches_smooth_depth(get(), n_passes, smooth.place()));
-    return smooth;
 }
 inline bool CleanParams::check() const {
     return detail::done(tree_clean_params_check(this));

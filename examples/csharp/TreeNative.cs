@@ -6279,6 +6279,14 @@ namespace TreeFamily.Native
         /// bark. Default yes; no: what is not marked is a branch.
         /// </summary>
         public uint guess;
+        /// <summary>
+        /// Forks on one branch closer together than this share are one, 0 (off) to 0.1. Default 0.01.
+        /// </summary>
+        public float gather;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -11899,15 +11907,6 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_sketch_branches_orders(tree_sketch_branches* branches, uint* orders, UIntPtr capacity);
-
-        /// <summary>
-        /// The same branches with their depths smoothed along axes, `n_passes` times, 0 to 1000: inference gives a depth for
-        /// each fork, and branches that bend there sharply as seen from the side. x and y stay to the bit, and so do the
-        /// base and all tips. To be done before propagation, which `TREE_ERROR_INVALID` reminds of. Free them with
-        /// `tree_sketch_branches_free`.
-        /// </summary>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_sketch_branches_smooth_depth(tree_sketch_branches* branches, uint n_passes, tree_sketch_branches** smooth);
 
         /// <summary>
         /// Frees branches. What was made of them lives on.

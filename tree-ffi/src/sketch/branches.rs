@@ -1,14 +1,13 @@
 //! Branch segments in space: of a sketch, and with what grew on them.
 
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_ENUM, TREE_ERROR_INVALID, TREE_ERROR_PARAMETER, Versioned,
-    call, fill, free, get, out, read, slice, tree_status, vec3s, write,
+    Failure, Handle, Result, TREE_ERROR_ENUM, TREE_ERROR_INVALID, Versioned, call, fill, free, get,
+    out, read, slice, tree_status, vec3s, write,
 };
 use crate::control::{limits, tree_control};
 use crate::mesh::column;
 use glam::Vec3;
 use std::ptr::null;
-use tree_model::sketch::finish::smooth_depth;
 use tree_model::sketch::propagate::Propagated;
 use tree_model::sketch::{Branches, Label};
 use tree_model::tree_core::Resource;
@@ -18,9 +17,6 @@ use tree_model::tree_core::Resource;
 pub type tree_sketch_label = u32;
 /// The segment continues its parent's axis.
 pub const TREE_SKETCH_APICAL: u32 = 0xffff_ffff;
-
-/// Most passes of smoothing: far beyond those that still change anything.
-const PASSES_MAX: u32 = 1000;
 
 /// In C's form.
 pub(super) fn label_number(label: Label) -> tree_sketch_label {
@@ -216,29 +212,6 @@ pub unsafe extern "C" fn tree_sketch_branches_orders(
     call(|| {
         let found = unsafe { get(branches, "branches") }?.grown.branches.orders();
         unsafe { fill(orders, capacity, &found, "orders") }
-    })
-}
-
-/// The same branches with their depths smoothed along axes, `n_passes` times, 0 to 1000: inference gives a depth for
-/// each fork, and branches that bend there sharply as seen from the side. x and y stay to the bit, and so do the
-/// base and all tips. To be done before propagation, which `TREE_ERROR_INVALID` reminds of. Free them with
-/// `tree_sketch_branches_free`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_sketch_branches_smooth_depth(
-    branches: *const tree_sketch_branches,
-    n_passes: u32,
-    smooth: *mut *mut tree_sketch_branches,
-) -> tree_status {
-    call(|| {
-        let place = unsafe { out(smooth, "smooth") }?;
-        let branches = unsafe { get(branches, "branches") }?.sketched()?;
-        if n_passes > PASSES_MAX {
-            let text = format!("n_passes is {n_passes}, it must be 0 to {PASSES_MAX}");
-            return Err(Failure::new(TREE_ERROR_PARAMETER, text));
-        }
-        let made = Propagated::bare(smooth_depth(branches, n_passes));
-        place.put(tree_sketch_branches::new(made));
-        Ok(())
     })
 }
 

@@ -48,6 +48,10 @@ pub struct tree_clean_params {
     /// Whether strokes without a role may be taken for a crown, the ground, sides of a trunk or marks on its
     /// bark. Default yes; no: what is not marked is a branch.
     pub guess: u32,
+    /// Forks on one branch closer together than this share are one, 0 (off) to 0.1. Default 0.01.
+    pub gather: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -61,7 +65,8 @@ unsafe impl Versioned for tree_clean_params {
 
 impl tree_clean_params {
     pub(crate) fn of(params: &CleanParams) -> Self {
-        let CleanParams { height, spacing, snap, merge, reach, isolated, root, guess } = *params;
+        let CleanParams { height, spacing, snap, merge, reach, isolated, root, guess, gather } =
+            *params;
         Self {
             struct_size: size_of::<Self>(),
             height,
@@ -77,6 +82,8 @@ impl tree_clean_params {
             has_root: root.is_some().into(),
             root: root.unwrap_or_default().to_array(),
             guess: guess.into(),
+            gather,
+            reserved: 0,
         }
     }
 
@@ -97,6 +104,7 @@ impl tree_clean_params {
             },
             root: (self.has_root != 0).then(|| Vec2::from_array(self.root)),
             guess: self.guess != 0,
+            gather: self.gather,
         })
     }
 }

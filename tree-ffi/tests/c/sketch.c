@@ -218,7 +218,6 @@ static void test_branches(void) {
     tree_sketch_branches *again = NULL;
     FAILS(TREE_ERROR_INVALID, "before propagation",
           tree_sketch_branches_propagate(grown, NULL, NULL, NULL, NULL, 3, NULL, NULL, &again));
-    FAILS(TREE_ERROR_INVALID, "before propagation", tree_sketch_branches_smooth_depth(grown, 1, &again));
 
     /* A crown keeps growth in; wood, twigs and leaves of what grew. */
     static const float outline[] = {-2, 2, 2, 2, 2, 6, -2, 6, -2, 2};
@@ -339,18 +338,6 @@ static void test_inference(void) {
         seen++;
     }
     CHECK(seen == 1);
-    tree_sketch_branches *smooth = NULL;
-    OK(tree_sketch_branches_smooth_depth(branches, 4, &smooth));
-    tree_sketch_branches_columns smoothed = {.struct_size = sizeof smoothed};
-    OK(tree_sketch_branches_view(smooth, &smoothed));
-    size_t n_moved = 0;
-    for (size_t i = 0; i < segments.n_points; i++) {
-        CHECK(smoothed.points[3 * i] == segments.points[3 * i]);
-        n_moved += smoothed.points[3 * i + 2] != segments.points[3 * i + 2];
-    }
-    CHECK(n_moved > 0);
-    OK(tree_sketch_branches_free(smooth));
-    FAILS(TREE_ERROR_PARAMETER, "n_passes", tree_sketch_branches_smooth_depth(branches, 1001, &smooth));
     OK(tree_sketch_branches_free(branches));
     OK(tree_inferred_free(inferred));
     pin.node = 100000;

@@ -35,9 +35,6 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
             short.map_err(|error| error.to_string())
         };
         let short: Vec<f64> = cases.into_par_iter().map(short).collect::<Result<_, _>>()?;
-        if std::env::var("DUMP").is_ok() {
-            eprintln!("{short:?}");
-        }
         let worst = short.into_iter().fold(0.0, f64::max);
         let metric = "posterior below the best";
         table.row(&Row {

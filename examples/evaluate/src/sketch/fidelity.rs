@@ -78,11 +78,7 @@ impl Worst {
         };
         self.off_strokes = self.off_strokes.max(off(&ours.concat(), &lines));
         self.off_branches = self.off_branches.max(off(&lines.concat(), &ours));
-        let t = through_each_other(&inferred.branches, &wood);
-        if std::env::var("DUMP").is_ok() {
-            eprintln!("through {t} interpenetrations {}", inferred.interpenetrations);
-        }
-        self.through += t;
+        self.through += through_each_other(&inferred.branches, &wood);
         if let Some(crown) = session.crown(control)? {
             let (mut inside, mut all) = (0.0, 0.0);
             for i in grown.n_sketched..grown.branches.len() {
@@ -161,17 +157,7 @@ fn through_each_other(branches: &Branches, wood: &Skeleton) -> u32 {
     let mut n = 0;
     for a in first..branches.len() {
         for b in a + 1..branches.len() {
-            let t = touch(branches, &thick, a, b);
-            if t && std::env::var("DUMP").is_ok() {
-                eprintln!(
-                    "{a} {b} parents {} {} radii {:.3} {:.3}",
-                    branches.parents()[a],
-                    branches.parents()[b],
-                    thick[a][0].1,
-                    thick[b][0].1
-                );
-            }
-            n += u32::from(t);
+            n += u32::from(touch(branches, &thick, a, b));
         }
     }
     n
