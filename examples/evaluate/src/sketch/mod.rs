@@ -15,15 +15,6 @@ use tree_model::tree_core::Tree;
 use tree_model::tree_core::glam::Vec2;
 
 pub(crate) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
-    if let Ok(only) = std::env::var("ONLY") {
-        return match only.as_str() {
-            "speed" => speed::rows(table),
-            "fidelity" => fidelity::rows(table),
-            "exhaustive" => exhaustive::rows(table),
-            "trip" => round_trip::rows(table),
-            _ => shared::rows(table),
-        };
-    }
     // First, before the machine is warm.
     speed::rows(table)?;
     fidelity::rows(table)?;

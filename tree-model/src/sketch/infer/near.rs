@@ -19,8 +19,8 @@ const HALF: f64 = 0.5;
 const PIPE: f64 = 2.49;
 /// Branches nearer along the tree than this many clearances join there, and may touch.
 const JOINING: f64 = 3.0;
-/// How steeply an overlap is punished: at none of the clearance left, 18 nats.
-const STEEPNESS: f64 = 6.0;
+/// How steeply an overlap is punished: 72 nats at none of the clearance left, 3 at four fifths.
+const STEEPNESS: f64 = 12.0;
 
 /// The end of one segment and the middle or end of another.
 #[derive(Clone, Copy)]

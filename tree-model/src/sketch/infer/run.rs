@@ -190,6 +190,7 @@ impl Run<'_> {
                 break;
             }
         }
+        self.separate()?;
         self.control.report("branches", 1.0)?;
         Ok(())
     }
@@ -220,7 +221,7 @@ impl Run<'_> {
         let segments = self.graph.segments();
         for _ in 0..HOPS {
             let before = self.total;
-            let mut starts: Vec<State> = Vec::new();
+            let mut starts = self.anywhere();
             for i in 1..segments.len() {
                 let below = segments.parent(i).map_or(0.0, |parent| self.state.depths[parent]);
                 for slope in SLOPES.into_iter().filter(|_| !self.graph.pinned[i]) {
@@ -244,6 +245,32 @@ impl Run<'_> {
             }
         }
         Ok(())
+    }
+
+    /// States with depths and labels drawn at random.
+    fn anywhere(&self) -> Vec<State> {
+        /// As many find the best in nearly all sketches of six segments, whatever the factors.
+        const STARTS: u64 = 128;
+        let segments = self.graph.segments();
+        let start = |number: u64| {
+            let mut rng = Seed(0).stream("anywhere").child(number).rng();
+            let mut state = self.state.clone();
+            for i in 1..segments.len() {
+                let below = segments.parent(i).map_or(0.0, |parent| state.depths[parent]);
+                let slope = f64::from(tree_core::seed::normal(&mut rng));
+                if !self.graph.pinned[i] {
+                    state.depths[i] = below + slope * segments.chord(i).length();
+                }
+                let siblings =
+                    segments.parent(i).map_or(&[][..], |parent| segments.children(parent));
+                let other = tree_core::seed::uniform(&mut rng, 0.0, siblings.len() as f32) as usize;
+                if let Some(&other) = siblings.get(other) {
+                    state.labels.swap(i, other as usize);
+                }
+            }
+            state
+        };
+        (0..STARTS).map(start).collect()
     }
 
     /// Refines every state and keeps the best, if it is better than what there is.
