@@ -20,7 +20,7 @@ const LEAVES: [f32; 2] = [600.0, 18_000.0];
 /// Most blades: a compound leaf has many.
 const MOST_BLADES: f32 = 120_000.0;
 /// Leaves are made larger by at most this factor where there are no more of them.
-const LARGER: f32 = 3.5;
+const LARGER: f32 = 2.5;
 /// Places for leaves that shoots are to offer, against leaves asked for: some are crowded, some outside the crown.
 const SPARE: f32 = 1.5;
 /// Twigs for each tip of a branch, at least: without, branches end bluntly.

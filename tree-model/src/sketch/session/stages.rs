@@ -14,6 +14,9 @@ use crate::sketch::template::{Choice, DrawnShape, SelectParams, Template, select
 use crate::sketch::{Drawing, Plan};
 use tree_core::{Control, Seed, Skeleton, Volume};
 
+/// Orders of axes that grow on what has fronds: they do not branch.
+const FROND_ORDERS: u32 = 1;
+
 /// A branch that would stick out of the crown ends at this share of the way to its surface.
 const BELOW_SURFACE: f32 = 0.85;
 
@@ -231,16 +234,20 @@ impl Session {
     pub fn propagated(&mut self, control: &Control) -> Result<&Propagated> {
         if self.propagated.is_none() {
             self.inferred(control)?;
+            let mut params = self.params.propagate.clone();
+            if self.finish_params()?.has_fronds() {
+                params.orders = params.orders.min(FROND_ORDERS);
+            }
             let inferred = missing(self.inferred.as_ref())?;
             let crown = self
                 .cleaned
                 .as_ref()
                 .and_then(|clean| clean.crown.as_ref())
                 .map(|(crown, _)| crown);
-            let (params, obstacles) = (&self.params.propagate, self.obstacles.as_ref());
+            let obstacles = self.obstacles.as_ref();
             let control = control.part(0.5, 0.7);
             let (branches, omega) = (&inferred.branches, &inferred.omega);
-            let grown = propagate(branches, omega, crown, obstacles, params, self.seed, &control)?;
+            let grown = propagate(branches, omega, crown, obstacles, &params, self.seed, &control)?;
             self.propagated = Some(grown);
             self.runs[Stage::Propagate as usize] += 1;
         }

@@ -69,3 +69,17 @@ fn no_segment_is_inferred_to_be_more_than_twice_as_long_as_drawn() {
         }
     }
 }
+
+#[test]
+fn fronds_of_a_palm_bear_no_branches() {
+    let strokes = vec![
+        branch([[50.0, 120.0], [50.0, 40.0]]),
+        branch([[50.0, 40.0], [20.0, 25.0]]),
+        branch([[50.0, 40.0], [80.0, 25.0]]),
+        branch([[50.0, 40.0], [45.0, 10.0]]),
+    ];
+    let params = SketchParams { template: Some("palm".into()), ..Default::default() };
+    let mut session = Session::new(Drawing { strokes }, params, Seed(1)).unwrap();
+    let branches = &session.propagated(&Control::default()).unwrap().branches;
+    assert!(branches.orders().into_iter().max() <= Some(1));
+}
