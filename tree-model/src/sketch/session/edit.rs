@@ -96,10 +96,9 @@ impl Session {
             if own != below
                 && gone.get(below) == Some(&true)
                 && self.begins_at(&strokes, &parents, own, node)
+                && let Some(slot) = gone.get_mut(own)
             {
-                if let Some(slot) = gone.get_mut(own) {
-                    *slot = true;
-                }
+                *slot = true;
             }
         }
         let list: Vec<usize> = (0..gone.len()).filter(|&i| gone[i] && !self.erased[i]).collect();

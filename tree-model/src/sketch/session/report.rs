@@ -50,7 +50,9 @@ impl SketchReport {
             0 => {}
             1 => out.push("at one crossing of the drawing branches run through each other".into()),
             n => {
-                out.push(format!("at {n} crossings of the drawing branches run through each other"))
+                out.push(format!(
+                    "at {n} crossings of the drawing branches run through each other"
+                ));
             }
         }
         out

@@ -10,7 +10,7 @@ use crate::sketch::finish::{SketchFinish, grow_crown, grow_wood};
 use crate::sketch::infer::{InferParams, Inferred, Pin, infer_with};
 use crate::sketch::omega::Omega;
 use crate::sketch::propagate::{Propagated, propagate};
-use crate::sketch::template::{Choice, DrawnShape, SelectParams, Template, select};
+use crate::sketch::template::{Choice, DrawnShape, Template, select};
 use crate::sketch::{Drawing, Plan};
 use tree_core::{Control, Seed, Skeleton, Volume};
 
@@ -286,7 +286,7 @@ impl Session {
             let index = self.template_index()?;
             let template = &self.templates()?[index];
             if self.params.species.is_none() {
-                tree = named(tree, &template.name)?;
+                tree = named(&tree, &template.name)?;
             }
             let inferred = missing(self.inferred.as_ref())?;
             let score = self
@@ -307,7 +307,7 @@ impl Session {
                     - u32::from(inferred.branches.has_imagined_root()),
                 posterior: inferred.posterior.total(),
                 interpenetrations: inferred.interpenetrations,
-                propagate: missing(self.propagated.as_ref())?.report.clone(),
+                propagate: missing(self.propagated.as_ref())?.report,
                 finish,
             };
             self.tree = Some(SketchTree { tree, report });
@@ -326,18 +326,19 @@ impl Session {
             if self.params.template.is_none() && self.kept.is_none() {
                 let points: Vec<_> = cleaned.crown.concat();
                 let drawn = DrawnShape::measure(&cleaned.plan, &points);
-                let params = if points.is_empty() || is_forked(&cleaned.plan) {
-                    self.params.select.clone()
-                } else {
+                let cloud_alone = !points.is_empty() && !is_forked(&cleaned.plan);
+                let mut params = self.params.select.clone();
+                if cloud_alone {
                     // One stem under a cloud says nothing of branches: not that there are none.
-                    SelectParams {
-                        branches: 0.0,
-                        shape: 0.0,
-                        directions: 0.0,
-                        ..self.params.select.clone()
-                    }
-                };
-                self.choices = Some(select(&drawn, self.templates()?, &params)?);
+                    (params.branches, params.shape, params.directions) = (0.0, 0.0, 0.0);
+                }
+                let templates = self.templates()?;
+                let mut choices = select(&drawn, templates, &params)?;
+                if cloud_alone {
+                    // Nobody draws a palm's crown as a cloud.
+                    choices.sort_by_key(|choice| is_palm(&templates[choice.template]));
+                }
+                self.choices = Some(choices);
                 self.runs[Stage::Select as usize] += 1;
             }
             let height = match self.params.height {
@@ -412,6 +413,11 @@ fn keep_in(crown: &Crown, inferred: &Inferred, known: &[Pin]) -> Vec<Pin> {
     (skipped.max(1)..branches.len()).filter_map(sticks_out).collect()
 }
 
+/// Whether a template has fronds.
+fn is_palm(template: &Template) -> bool {
+    SketchFinish { species: template.species.clone(), ..Default::default() }.has_fronds()
+}
+
 /// Whether a plan has a fork.
 fn is_forked(plan: &Plan) -> bool {
     let mut parents = plan.parents()[1..].to_vec();
@@ -438,7 +444,7 @@ fn above_root_branch(plan: &Plan) -> Vec<glam::Vec2> {
 }
 
 /// The tree under the name of its template.
-fn named(tree: tree_core::Tree, name: &str) -> Result<tree_core::Tree> {
+fn named(tree: &tree_core::Tree, name: &str) -> Result<tree_core::Tree> {
     let species = tree_core::Species { name: name.into(), ..tree.species().clone() };
     Ok(tree_core::Tree::new(tree.skeleton().clone(), tree.foliage().clone(), species)?)
 }
