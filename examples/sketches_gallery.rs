@@ -27,6 +27,17 @@ const GAP: u32 = 4;
 /// Rows beside one another in a sheet.
 const ACROSS: usize = 2;
 
+/// Drawings for which the template is named: what kind of tree a palm's or a conifer's outline means is not found out.
+const TEMPLATES: [(&str, &str); 7] = [
+    ("map_tree_05.svg", "spruce"),
+    ("map_tree_07.svg", "spruce"),
+    ("map_tree_13.svg", "palm"),
+    ("evergreen_with_branches.svg", "spruce"),
+    ("lucide_tree-pine.svg", "spruce"),
+    ("openmoji_1F334.svg", "palm"),
+    ("quickdraw_palm_tree.ndjson", "palm"),
+];
+
 /// Drawings of a file of many, from 1.
 const LINES: [usize; 6] = [1, 2, 3, 4, 5, 6];
 
@@ -36,7 +47,7 @@ const LUCIDE: &str = "Lucide, ISC";
 const OPENMOJI: &str = "OpenMoji, CC BY-SA 4.0";
 
 /// Sheets: their files' names, drawings, and credits.
-const SHEETS: [(&str, &[(&str, &str)]); 3] = [
+const SHEETS: [(&str, &[(&str, &str)]); 4] = [
     (
         "sketches_pen.jpg",
         &[
@@ -51,9 +62,12 @@ const SHEETS: [(&str, &[(&str, &str)]); 3] = [
             ("evergreen_with_branches.svg", OPENCLIPART),
             ("lucide_tree-deciduous.svg", LUCIDE),
             ("lucide_tree-pine.svg", LUCIDE),
-            ("openmoji_1F333.svg", OPENMOJI),
-            ("openmoji_1F334.svg", OPENMOJI),
         ],
+    ),
+    // Apart: who passes it on has to do so under the same licence.
+    (
+        "sketches_openmoji.jpg",
+        &[("openmoji_1F333.svg", OPENMOJI), ("openmoji_1F334.svg", OPENMOJI)],
     ),
     ("sketches_trees.jpg", &[("quickdraw_tree.ndjson", QUICKDRAW)]),
     (
@@ -83,10 +97,11 @@ fn main() -> Outcome {
             let text = file::read_text(&path, &Control::default().limits)?;
             let drawings = paper::read_drawings(&path, &text)?;
             let one = drawings.len() == 1;
+            let template = TEMPLATES.iter().find(|(of, _)| of == file).map(|(_, name)| *name);
             for (i, drawing) in drawings.into_iter().enumerate() {
                 if one || LINES.contains(&(i + 1)) {
                     print!("  {}: ", i + 1);
-                    rows.push(row(drawing, seed, stages)?);
+                    rows.push(row(drawing, template, seed, stages)?);
                 }
             }
         }
@@ -101,9 +116,16 @@ fn main() -> Outcome {
 }
 
 /// A drawing, the tree made of it from the front and from the side.
-fn row(drawing: Drawing, seed: Seed, stages: bool) -> Outcome<Vec<RgbaImage>> {
+fn row(
+    drawing: Drawing,
+    template: Option<&str>,
+    seed: Seed,
+    stages: bool,
+) -> Outcome<Vec<RgbaImage>> {
     let control = Control::default();
-    let mut session = Session::new(drawing.clone(), SketchParams::default(), seed)?;
+    let params =
+        SketchParams { template: template.map(ToOwned::to_owned), ..SketchParams::default() };
+    let mut session = Session::new(drawing.clone(), params, seed)?;
     let start = Instant::now();
     let grown = session.tree(&control)?.clone();
     let (time, report) = (start.elapsed().as_secs_f64(), &grown.report);

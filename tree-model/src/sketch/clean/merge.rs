@@ -69,6 +69,16 @@ impl Grid {
         }
     }
 
+    /// Whether a point is within the cell's size of any segment.
+    fn is_near(&self, point: Vec2) -> bool {
+        let centre = (point / self.cell).floor().as_ivec2();
+        (0..9).any(|i| {
+            let bucket = self.bucket(centre + IVec2::new(i % 3 - 1, i / 3 - 1));
+            let mut segments = self.buckets[bucket].iter();
+            segments.any(|segment| closest(point, segment.a, segment.b).1 < self.cell)
+        })
+    }
+
     /// The stroke nearest to a point among those that run this way there, and how far to its right the point is.
     fn along(&self, point: Vec2, way: Vec2, within: f32) -> Option<(u32, f32)> {
         let centre = (point / self.cell).floor().as_ivec2();
@@ -108,7 +118,8 @@ pub(super) fn merge(
     let n: usize = inks.iter().map(|ink| ink.points.len()).sum();
     let mut grid = Grid::new(within + spacing, n);
     let mut kept: Vec<(usize, Ink)> = Vec::with_capacity(inks.len());
-    let rule = Rule { within, drift: DRIFT, inside: LONG * unit, foot: f32::INFINITY };
+    let rule =
+        Rule { within, drift: DRIFT, inside: LONG * unit, foot: f32::INFINITY, hooks: false };
     for (_, _, index) in order {
         control.check()?;
         let ink = &inks[index];
@@ -131,7 +142,7 @@ pub(super) fn leave_out_ink(
 ) -> Vec<Ink> {
     let foot = Extent::all(&inks).high.y - FOOT * unit;
     // Ink goes all round: it may wander from side to side of the line and be cut anywhere.
-    let rule = Rule { within, drift: f32::INFINITY, inside: 0.0, foot };
+    let rule = Rule { within, drift: f32::INFINITY, inside: 0.0, foot, hooks: true };
     let n = crowns.iter().map(|ink| ink.points.len()).sum();
     let mut grid = Grid::new(within + spacing, n);
     crowns.iter().for_each(|ink| grid.add(ink));
@@ -154,6 +165,28 @@ struct Rule {
     inside: f32,
     /// What is left and reaches down to here stays even if it is short.
     foot: f32,
+    /// Whether what is left goes if most of it is near: hooks of ink.
+    hooks: bool,
+}
+
+impl Rule {
+    /// A piece without what is near at its ends, where hooks go.
+    fn without_hooks(
+        &self,
+        points: &[Vec2],
+        grid: &Grid,
+        from: usize,
+        to: usize,
+    ) -> (usize, usize) {
+        let (mut from, mut to) = (from, to);
+        while self.hooks && to > from && grid.is_near(points[to]) {
+            to -= 1;
+        }
+        while self.hooks && to > from && grid.is_near(points[from]) {
+            from += 1;
+        }
+        (from, to)
+    }
 }
 
 /// What is left of a stroke beside those in the grid.
@@ -190,8 +223,11 @@ fn remaining(
     };
     let stays = |from: usize, to: usize| {
         let piece = &points[from..=to];
-        let least = if piece.iter().any(|p| p.y > rule.foot) { FOOT_REST } else { REST };
-        length(piece) >= least * within
+        if piece.iter().any(|p| p.y > rule.foot) {
+            return length(piece) >= FOOT_REST * within;
+        }
+        let near = || piece.iter().filter(|&&p| grid.is_near(p)).count();
+        length(piece) >= REST * within && !(rule.hooks && 2 * near() > piece.len())
     };
     let covered: Vec<(usize, usize)> = runs.iter().filter(is_run).map(|r| (r.1, r.2)).collect();
     if covered.is_empty() {
@@ -199,15 +235,13 @@ fn remaining(
     }
     // Between runs, from the last point of one to the first of the next: so that it joins there.
     let mut pieces = Vec::new();
-    let mut from = 0;
-    for &(start, end) in &covered {
-        if start > from && stays(from, start) {
-            pieces.push((from, start));
+    let mut next = 0;
+    for (start, end) in covered.iter().copied().chain([(last, last)]) {
+        let (from, to) = rule.without_hooks(points, grid, next, start);
+        if to > from && stays(from, to) {
+            pieces.push((from, to));
         }
-        from = end;
-    }
-    if last > from && stays(from, last) {
-        pieces.push((from, last));
+        next = end;
     }
     let into = covered
         .iter()

@@ -16,7 +16,7 @@ const TOP: f32 = 0.7;
 const LOWER: f32 = 0.2;
 
 /// Tips are spread over this share of the crown's width to either side of its middle, ...
-const SPREAD: f32 = 0.3;
+const SPREAD: f32 = 0.22;
 
 /// ... and by at most so many times their own distance.
 const MOST_SPREAD: f32 = 3.0;

@@ -218,13 +218,16 @@ fn leave_out_specks(inks: &mut Vec<Ink>, shapes: &[Shape], unit: f32, report: &m
     let wood = (0..inks.len()).filter(|&i| inks[i].role != Some(Role::Crown));
     let largest = wood.map(size).fold(0.0, f32::max);
     let limit = unit * if largest > MARK * unit { SPECK } else { MARK };
+    let foot = Extent::all(inks.iter()).high.y;
+    // A short stem below a cloud is all the wood there is.
+    let stands = |i: usize| largest <= MARK * unit && shapes[i].extent.high.y >= foot;
     let is_speck = |i: usize| {
         let (first, last) = ends(&inks[i].points);
         let near = |k: usize| {
             let at = |end: Vec2| touches(&inks[k], &shapes[k], end, 0.5 * FREE * unit);
             k != i && inks[k].role != Some(Role::Crown) && (at(first) || at(last))
         };
-        inks[i].role.is_none() && size(i) < limit && !(0..inks.len()).any(near)
+        inks[i].role.is_none() && size(i) < limit && !stands(i) && !(0..inks.len()).any(near)
     };
     let specks: Vec<bool> = (0..inks.len()).map(is_speck).collect();
     leave_out(inks, &specks, RepairKind::Speck, report);

@@ -425,3 +425,79 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_stroke_that_crosses_another_at_a_shallow_angle_stays_whole() {
+    let across = branch(&[(47.0, 40.0), (53.0, 10.0)]);
+    let cleaned = run([branch(&TRUNK), across]);
+    assert!(!has(&cleaned, |kind| matches!(kind, RepairKind::MergedPartly(_))));
+}
+
+#[test]
+fn a_lateral_at_an_acute_angle_keeps_its_beginning() {
+    let cleaned = run([branch(&TRUNK), branch(&[(50.0, 60.0), (62.0, 10.0)])]);
+    let plan = &cleaned.plan;
+    let fork = n_children(plan).iter().position(|&n| n == 2).unwrap();
+    let at = plan.to_drawing(plan.positions()[fork]);
+    assert!((at.y - 60.0).abs() < 1.5, "{at}");
+}
+
+#[test]
+fn opposite_branches_drawn_almost_at_one_place_have_one_fork() {
+    let strokes = || {
+        let left = branch(&[(50.0, 60.0), (10.0, 30.0)]);
+        [branch(&TRUNK), left, branch(&[(50.0, 59.4), (90.0, 30.0)])]
+    };
+    let forks = |gather| {
+        let cleaned = run_with(strokes(), &CleanParams { gather, ..Default::default() });
+        n_children(&cleaned.plan).into_iter().filter(|&n| n > 1).collect::<Vec<_>>()
+    };
+    assert_eq!(forks(0.01), [3]);
+    assert_eq!(forks(0.0), [2, 2]);
+}
+
+#[test]
+fn flares_of_roots_are_not_the_base() {
+    let trunk = Stroke::new(line(&[(44.0, 100.0), (50.0, 90.0), (50.0, 0.0)]));
+    let flare = Stroke::new(line(&[(50.0, 90.0), (57.0, 99.0)]));
+    let limb = Stroke::new(line(&RIGHT));
+    let cleaned = run([trunk, flare, limb]);
+    assert!(has(&cleaned, |kind| *kind == RepairKind::RootFlare), "{:?}", cleaned.report);
+    assert!((cleaned.plan.base - Vec2::new(50.0, 100.0)).length() < 0.5, "{}", cleaned.plan.base);
+    assert_eq!(n_tips(&cleaned.plan), 2);
+}
+
+#[test]
+fn drawn_branches_low_on_the_trunk_are_no_flares() {
+    let low = branch(&[(50.0, 90.0), (70.0, 95.0)]);
+    let cleaned = run([branch(&TRUNK), low, branch(&RIGHT)]);
+    assert!(!has(&cleaned, |kind| *kind == RepairKind::RootFlare));
+}
+
+#[test]
+fn a_stem_below_a_cloud_is_drawn_on_into_it() {
+    let cloud = Stroke::of(Role::Crown, circle((50.0, 50.0), 40.0));
+    for stem in [line(&[(50.0, 120.0), (50.0, 92.0)]), line(&[(50.0, 120.0), (50.0, 85.0)])] {
+        let cleaned = run([Stroke::new(stem), cloud.clone()]);
+        assert!(has(&cleaned, |kind| *kind == RepairKind::DrawnOn(1)), "{:?}", cleaned.report);
+        let top = cleaned.plan.positions().iter().map(|p| p.y).fold(0.0, f32::max);
+        assert!((7.5..8.0).contains(&top), "{top}");
+    }
+}
+
+#[test]
+fn branches_that_fill_a_crown_are_left_as_they_are() {
+    let cloud = Stroke::of(Role::Crown, circle((50.0, 40.0), 50.0));
+    let cleaned = run([branch(&TRUNK), branch(&LEFT), branch(&RIGHT), cloud]);
+    assert!(!has(&cleaned, |kind| matches!(kind, RepairKind::DrawnOn(_))));
+}
+
+#[test]
+fn a_short_trunk_below_the_ink_of_a_crown_is_no_ink() {
+    // Ink all round the crown and, below, a trunk: one filled area.
+    let crown = Stroke { closed: true, ..Stroke::of(Role::Crown, circle((50.0, 50.0), 40.0)) };
+    let outline = line(&[(47.0, 90.0), (53.0, 90.0), (53.0, 101.0), (47.0, 101.0)]);
+    let trunk = Stroke { points: outline, closed: true, filled: true, ..Stroke::default() };
+    let cleaned = run([crown, trunk]);
+    assert!(!has(&cleaned, |kind| *kind == RepairKind::ImaginedTrunk), "{:?}", cleaned.report);
+}

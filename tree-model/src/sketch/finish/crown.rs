@@ -103,14 +103,14 @@ pub fn grow_crown(
     Ok((tree, report))
 }
 
-/// Length of a palm's drawn fronds: the median of its lateral axes; `None` where there is none.
+/// Length of a palm's longest frond: of its lateral axes; `None` where there is none. Short ones bear leaflets all along,
+/// long ones too.
 fn frond_length(wood: &Skeleton) -> Option<f32> {
     let axes = wood.axes(Continuation::Thickest);
     let lengths = wood.segment_lengths();
     let length = |nodes: &[u32]| nodes.iter().map(|&node| lengths[node as usize]).sum::<f32>();
-    let mut all: Vec<f32> = axes.iter().skip(1).map(|axis| length(axis.nodes)).collect();
-    all.sort_by(f32::total_cmp);
-    all.get(all.len() / 2).copied().filter(|&length| length > 0.0)
+    let all = axes.iter().skip(1).map(|axis| length(axis.nodes));
+    all.reduce(f32::max).filter(|&length| length > 0.0)
 }
 
 /// How many leaves are wanted.

@@ -85,7 +85,7 @@ impl SketchFinish {
     }
 
     /// Whether branches of the species are fronds.
-    pub(super) fn has_fronds(&self) -> bool {
+    pub(in crate::sketch) fn has_fronds(&self) -> bool {
         TWIGLESS.contains(&self.species.as_str())
     }
 }

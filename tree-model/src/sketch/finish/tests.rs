@@ -178,3 +178,18 @@ proptest! {
         prop_assert!(tree.skeleton().check().is_ok());
     }
 }
+
+#[test]
+fn a_trunk_is_as_thick_as_its_height_says_not_its_width() {
+    let radius = |width: f32| {
+        let mut b = Builder::default();
+        let trunk = b.add(None, Label::Apical, [0.0, 1.0, 0.0]);
+        b.add(Some(trunk), Label::Apical, [width, 4.0, 0.0]);
+        let params = PropagateParams { max_segments: 1, ..Default::default() };
+        let control = Control::default();
+        let grown = propagate(&b.build(), &omega(), None, None, &params, Seed(1), &control);
+        let wood = wood(&grown.unwrap());
+        wood.radii()[0] / wood.bounds().size().y
+    };
+    assert!((radius(1.0) - radius(8.0)).abs() < 1e-5);
+}

@@ -22,6 +22,8 @@ mod edit;
 mod params;
 mod report;
 mod stages;
+#[cfg(test)]
+mod tests;
 
 pub use params::SketchParams;
 pub use report::{SketchReport, SketchTree};

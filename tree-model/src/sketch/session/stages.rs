@@ -10,9 +10,15 @@ use crate::sketch::finish::{SketchFinish, grow_crown, grow_wood};
 use crate::sketch::infer::{InferParams, Inferred, Pin, infer_with};
 use crate::sketch::omega::Omega;
 use crate::sketch::propagate::{Propagated, propagate};
-use crate::sketch::template::{Choice, DrawnShape, SelectParams, Template, select};
+use crate::sketch::template::{Choice, DrawnShape, Template, select};
 use crate::sketch::{Drawing, Plan};
 use tree_core::{Control, Seed, Skeleton, Volume};
+
+/// Orders of axes that grow on what has fronds: they do not branch.
+const FROND_ORDERS: u32 = 1;
+
+/// A branch that would stick out of the crown ends at this share of the way to its surface.
+const BELOW_SURFACE: f32 = 0.85;
 
 /// What a session makes, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -202,7 +208,13 @@ impl Session {
         params.keep_omega |= self.kept.is_some();
         let omega = self.kept.as_ref().map_or(&template.omega, |kept| &kept.omega);
         let control = control.part(0.1, 0.5);
-        let inferred = infer_with(&plan, omega, pins, &params, self.seed, &control)?;
+        let mut inferred = infer_with(&plan, omega, pins, &params, self.seed, &control)?;
+        let crown = self.cleaned.as_ref().and_then(|clean| clean.crown.as_ref());
+        let kept_in = crown.map_or_else(Vec::new, |(crown, _)| keep_in(crown, &inferred, pins));
+        if !kept_in.is_empty() {
+            let pins = [pins, &kept_in[..]].concat();
+            inferred = infer_with(&plan, omega, &pins, &params, self.seed, &control)?;
+        }
         self.kept = Some(Kept {
             depths: Depths::of(&plan, &inferred),
             omega: inferred.omega.clone(),
@@ -222,16 +234,20 @@ impl Session {
     pub fn propagated(&mut self, control: &Control) -> Result<&Propagated> {
         if self.propagated.is_none() {
             self.inferred(control)?;
+            let mut params = self.params.propagate.clone();
+            if self.finish_params()?.has_fronds() {
+                params.orders = params.orders.min(FROND_ORDERS);
+            }
             let inferred = missing(self.inferred.as_ref())?;
             let crown = self
                 .cleaned
                 .as_ref()
                 .and_then(|clean| clean.crown.as_ref())
                 .map(|(crown, _)| crown);
-            let (params, obstacles) = (&self.params.propagate, self.obstacles.as_ref());
+            let obstacles = self.obstacles.as_ref();
             let control = control.part(0.5, 0.7);
             let (branches, omega) = (&inferred.branches, &inferred.omega);
-            let grown = propagate(branches, omega, crown, obstacles, params, self.seed, &control)?;
+            let grown = propagate(branches, omega, crown, obstacles, &params, self.seed, &control)?;
             self.propagated = Some(grown);
             self.runs[Stage::Propagate as usize] += 1;
         }
@@ -310,18 +326,19 @@ impl Session {
             if self.params.template.is_none() && self.kept.is_none() {
                 let points: Vec<_> = cleaned.crown.concat();
                 let drawn = DrawnShape::measure(&cleaned.plan, &points);
-                let params = if points.is_empty() || is_forked(&cleaned.plan) {
-                    self.params.select.clone()
-                } else {
+                let cloud_alone = !points.is_empty() && !is_forked(&cleaned.plan);
+                let mut params = self.params.select.clone();
+                if cloud_alone {
                     // One stem under a cloud says nothing of branches: not that there are none.
-                    SelectParams {
-                        branches: 0.0,
-                        shape: 0.0,
-                        directions: 0.0,
-                        ..self.params.select.clone()
-                    }
-                };
-                self.choices = Some(select(&drawn, self.templates()?, &params)?);
+                    (params.branches, params.shape, params.directions) = (0.0, 0.0, 0.0);
+                }
+                let templates = self.templates()?;
+                let mut choices = select(&drawn, templates, &params)?;
+                if cloud_alone {
+                    // Nobody draws a palm's crown as a cloud.
+                    choices.sort_by_key(|choice| is_palm(&templates[choice.template]));
+                }
+                self.choices = Some(choices);
                 self.runs[Stage::Select as usize] += 1;
             }
             let height = match self.params.height {
@@ -373,6 +390,32 @@ impl Session {
             ..self.params.finish.clone()
         })
     }
+}
+
+/// Depths of tips and forks that are drawn in the crown and would stick out of it towards the viewer or away: just below its
+/// surface. What is known stays.
+fn keep_in(crown: &Crown, inferred: &Inferred, known: &[Pin]) -> Vec<Pin> {
+    let branches = &inferred.branches;
+    let skipped = usize::from(branches.has_imagined_root());
+    let sticks_out = |segment: usize| {
+        let end = branches.end(segment);
+        let node = *inferred.nodes(segment).last()?;
+        if !crown.contains(end.truncate())
+            || crown.contains_3d(end)
+            || known.iter().any(|pin| pin.node == node)
+        {
+            return None;
+        }
+        // The way out from the plane.
+        let out = crown.exit(end.with_z(0.0), end).unwrap_or(1.0);
+        Some(Pin { node, depth: BELOW_SURFACE * out * end.z })
+    };
+    (skipped.max(1)..branches.len()).filter_map(sticks_out).collect()
+}
+
+/// Whether a template has fronds.
+fn is_palm(template: &Template) -> bool {
+    SketchFinish { species: template.species.clone(), ..Default::default() }.has_fronds()
 }
 
 /// Whether a plan has a fork.
