@@ -101,7 +101,7 @@ fn main() -> Outcome {
             for (i, drawing) in drawings.into_iter().enumerate() {
                 if one || LINES.contains(&(i + 1)) {
                     print!("  {}: ", i + 1);
-                    rows.push(row(drawing, template, seed, stages)?);
+                    rows.push(row(&drawing, template, seed, stages)?);
                 }
             }
         }
@@ -117,7 +117,7 @@ fn main() -> Outcome {
 
 /// A drawing, the tree made of it from the front and from the side.
 fn row(
-    drawing: Drawing,
+    drawing: &Drawing,
     template: Option<&str>,
     seed: Seed,
     stages: bool,
@@ -141,15 +141,15 @@ fn row(
     let mesh = tree_mesh::build(&grown.tree, &look, &MeshParams::default(), &control)?.mesh;
     let cleaned = session.cleaned(&control)?.clone();
     let frames =
-        [Side::Front, Side::Right].map(|side| Frame::around(side, &cleaned, &drawing, &mesh, TILE));
+        [Side::Front, Side::Right].map(|side| Frame::around(side, &cleaned, drawing, &mesh, TILE));
     let style = Style { ground: None, ..Style::studio() };
     let mut paper = Paper::new(frames[0]);
-    paper.drawing(&drawing, &cleaned, 1.6, INK);
+    paper.drawing(drawing, &cleaned, 1.6, INK);
     let mut row = vec![tile(paper.picture())?];
     if stages {
         let crown = session.crown(&control)?.cloned();
         let mut paper = Paper::new(frames[0]);
-        paper.cleaned(&drawing, &cleaned, crown.as_ref());
+        paper.cleaned(drawing, &cleaned, crown.as_ref());
         row.push(tile(paper.picture())?);
         let branches = &session.inferred(&control)?.branches;
         for frame in frames {
