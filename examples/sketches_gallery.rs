@@ -149,7 +149,7 @@ fn row(
     if stages {
         let crown = session.crown(&control)?.cloned();
         let mut paper = Paper::new(frames[0]);
-        paper.cleaned(&drawing, &cleaned, crown.as_ref());
+        paper.cleaned(drawing, &cleaned, crown.as_ref());
         row.push(tile(paper.picture())?);
         let branches = &session.inferred(&control)?.branches;
         for frame in frames {
