@@ -683,6 +683,12 @@
 // Something else: `tree_plan_repairs_text` says what.
 #define TREE_REPAIR_OTHER 21
 
+// It shows the flare of a root at the trunk's foot, which was left out.
+#define TREE_REPAIR_ROOT_FLARE 22
+
+// No branch reaches into the crown, stroke `other`: this one was drawn on.
+#define TREE_REPAIR_DRAWN_ON 23
+
 // Of stroke `stroke`, `count` points were not finite or absurdly far away, and were left out.
 #define TREE_CROWN_POINTS_DROPPED 0
 

@@ -8643,6 +8643,16 @@ namespace TreeFamily.Native
         public const int TREE_REPAIR_OTHER = 21;
 
         /// <summary>
+        /// It shows the flare of a root at the trunk's foot, which was left out.
+        /// </summary>
+        public const int TREE_REPAIR_ROOT_FLARE = 22;
+
+        /// <summary>
+        /// No branch reaches into the crown, stroke `other`: this one was drawn on.
+        /// </summary>
+        public const int TREE_REPAIR_DRAWN_ON = 23;
+
+        /// <summary>
         /// Of stroke `stroke`, `count` points were not finite or absurdly far away, and were left out.
         /// </summary>
         public const int TREE_CROWN_POINTS_DROPPED = 0;

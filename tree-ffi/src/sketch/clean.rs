@@ -171,6 +171,10 @@ pub const TREE_REPAIR_ISOLATED: u32 = 19;
 pub const TREE_REPAIR_IMAGINED_TRUNK: u32 = 20;
 /// Something else: `tree_plan_repairs_text` says what.
 pub const TREE_REPAIR_OTHER: u32 = 21;
+/// It shows the flare of a root at the trunk's foot, which was left out.
+pub const TREE_REPAIR_ROOT_FLARE: u32 = 22;
+/// No branch reaches into the crown, stroke `other`: this one was drawn on.
+pub const TREE_REPAIR_DRAWN_ON: u32 = 23;
 
 /// One thing that was done to one stroke of a drawing. Fields that its kind does not name are 0.
 #[repr(C)]
@@ -218,6 +222,8 @@ impl tree_clean_repair {
             K::SecondRoot(share) => far(TREE_REPAIR_SECOND_ROOT, share),
             K::Isolated(share) => far(TREE_REPAIR_ISOLATED, share),
             K::ImaginedTrunk => plain(TREE_REPAIR_IMAGINED_TRUNK),
+            K::RootFlare => plain(TREE_REPAIR_ROOT_FLARE),
+            K::DrawnOn(other) => by(TREE_REPAIR_DRAWN_ON, other),
             _ => plain(TREE_REPAIR_OTHER),
         }
     }

@@ -3,7 +3,7 @@
 use crate::table::{Aim, Row, Table};
 use rayon::prelude::*;
 use std::error::Error;
-use tree_model::sketch::infer::{FactorGraph, InferParams, Inferred, infer};
+use tree_model::sketch::infer::{FactorGraph, InferParams, Inferred, STEEPEST, infer};
 use tree_model::sketch::template::{EXEMPLARS, MainBranches, SEED, Template, main_branches};
 use tree_model::sketch::{Label, Omega, Plan};
 use tree_model::tree_core::glam::Vec2;
@@ -13,7 +13,7 @@ use tree_model::tree_core::{Control, NO_PARENT, Seed, seed};
 const SMALL: u64 = 1;
 const SEGMENTS: usize = 6;
 /// Slopes at which each segment is tried; the best combinations are then refined.
-const SLOPES: [f64; 11] = [-4.0, -2.0, -1.2, -0.7, -0.3, 0.0, 0.3, 0.7, 1.2, 2.0, 4.0];
+const SLOPES: [f64; 11] = [-1.73, -1.3, -0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9, 1.3, 1.73];
 const REFINED: usize = 40;
 /// Rounding of a sum of hundreds of logarithms.
 const ROUNDING: f64 = 1e-9;
@@ -125,7 +125,7 @@ fn shortfall(
     let graph = FactorGraph::new(plan, omega, params, seed, &control)?;
     let search = Search { graph: &graph, omega };
     let best = search.best()?;
-    Ok(1.0 - (ours - best).min(0.0).exp())
+    Ok(1.0 - libm::exp((ours - best).min(0.0)))
 }
 
 /// A search over all depths, in steps and then refined, and all labels.
@@ -135,7 +135,15 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// The posterior; none for depths that inference does not take.
     fn value(&self, depths: &[f64], labels: &[Label]) -> Result<f64, Box<dyn Error>> {
+        let steep = |i: usize| {
+            let rise = depths[i] - depths[self.graph.parents()[i] as usize];
+            rise.abs() > STEEPEST * self.graph.length(i) * (1.0 + 1e-9)
+        };
+        if (1..depths.len()).any(steep) {
+            return Ok(f64::NEG_INFINITY);
+        }
         Ok(self.graph.posterior(self.omega, depths, labels)?.total())
     }
 

@@ -34,3 +34,4 @@ pub use graph::FactorGraph;
 pub use params::InferParams;
 pub use posterior::Posterior;
 pub use run::{FactorRow, Inferred, Pin, Step, TraceRow, infer, infer_with};
+pub use segments::STEEPEST;

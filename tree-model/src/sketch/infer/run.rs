@@ -215,7 +215,7 @@ impl Run<'_> {
     /// until nothing is better.
     fn hop(&mut self) -> Result<()> {
         /// Tangents of the slopes tried.
-        const SLOPES: [f64; 8] = [-3.0, -1.5, -0.7, -0.2, 0.2, 0.7, 1.5, 3.0];
+        const SLOPES: [f64; 8] = [-1.7, -1.1, -0.6, -0.2, 0.2, 0.6, 1.1, 1.7];
         /// Times all are tried, at most.
         const HOPS: u32 = 4;
         let segments = self.graph.segments();
@@ -257,7 +257,7 @@ impl Run<'_> {
             let mut state = self.state.clone();
             for i in 1..segments.len() {
                 let below = segments.parent(i).map_or(0.0, |parent| state.depths[parent]);
-                let slope = f64::from(tree_core::seed::normal(&mut rng));
+                let slope = f64::from(tree_core::seed::uniform(&mut rng, -1.7, 1.7));
                 if !self.graph.pinned[i] {
                     state.depths[i] = below + slope * segments.chord(i).length();
                 }

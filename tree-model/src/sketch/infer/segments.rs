@@ -10,7 +10,7 @@ const ROOT_SHARE: f64 = 0.1;
 
 /// No depth is sought that makes a segment steeper than this tangent against the drawing's plane: it is at most twice as
 /// long as drawn. Nobody draws a branch that points at the eye, or not as a branch.
-pub(super) const STEEPEST: f64 = 1.732;
+pub const STEEPEST: f64 = 1.732;
 
 /// Segments in the plane, in columns. Parents come first, generation by generation.
 #[derive(Clone, Debug)]
