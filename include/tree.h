@@ -7792,7 +7792,8 @@ tree_status tree_sketch_infer_params_thesis(struct tree_sketch_infer_params *par
 
 // Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's, by inference in a Markov
 // random field (Neubert 2012, sections 4.4 to 4.6): a sketch is seen from the front, x and y of every branch are
-// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay.
+// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay. Ends that are
+// drawn inside `crown`, which may be NULL, stay in its surface of local revolution as far as the factors allow.
 //
 // `omega`, `params` and `control` may be NULL. Free the result with `tree_inferred_free`. `TREE_ERROR_PARAMETER`
 // names what is out of range, `TREE_ERROR_INVALID` a pin that is at no fork or tip of the plan.
@@ -7800,6 +7801,7 @@ tree_status tree_sketch_infer(const struct tree_plan *plan,
                               const struct tree_sketch_omega *omega,
                               const struct tree_sketch_pin *pins,
                               size_t n_pins,
+                              const struct tree_crown *crown,
                               const struct tree_sketch_infer_params *params,
                               uint64_t seed,
                               const struct tree_control *control,

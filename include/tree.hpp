@@ -1653,7 +1653,7 @@ public:
 class Plan : public detail::Object<tree_plan, tree_plan_free> {
 public:
     using Object::Object;
-    Inferred sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    Inferred sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, const Crown &crown, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
     static Plan from_columns(Ref<tree_plan_columns> columns, Ref<tree_control> control = nullptr);
     PlanColumns view() const &;
     PlanColumns view() const && = delete;
@@ -4029,9 +4029,9 @@ inline size_t convex_hull(Span<const float> spots, Ref<tree_control> control, Sp
 inline bool SketchInferParams::thesis() {
     return detail::done(tree_sketch_infer_params_thesis(this));
 }
-inline Inferred Plan::sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control) const {
+inline Inferred Plan::sketch_infer(Ref<tree_sketch_omega> omega, Span<const tree_sketch_pin> pins, const Crown &crown, Ref<tree_sketch_infer_params> params, uint64_t seed, Ref<tree_control> control) const {
     Inferred inferred;
-    detail::done(tree_sketch_infer(get(), omega, pins.data(), pins.size(), params, seed, control, inferred.place()), control);
+    detail::done(tree_sketch_infer(get(), omega, pins.data(), pins.size(), crown.get(), params, seed, control, inferred.place()), control);
     return inferred;
 }
 inline InferredColumns Inferred::view() const & {

@@ -12248,13 +12248,14 @@ namespace TreeFamily.Native
         /// <summary>
         /// Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's, by inference in a Markov
         /// random field (Neubert 2012, sections 4.4 to 4.6): a sketch is seen from the front, x and y of every branch are
-        /// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay.
+        /// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay. Ends that are
+        /// drawn inside `crown`, which may be NULL, stay in its surface of local revolution as far as the factors allow.
         ///
         /// `omega`, `params` and `control` may be NULL. Free the result with `tree_inferred_free`. `TREE_ERROR_PARAMETER`
         /// names what is out of range, `TREE_ERROR_INVALID` a pin that is at no fork or tip of the plan.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_sketch_infer(tree_plan* plan, tree_sketch_omega* omega, tree_sketch_pin* pins, UIntPtr n_pins, tree_sketch_infer_params* @params, ulong seed, tree_control* control, tree_inferred** inferred);
+        public static extern int tree_sketch_infer(tree_plan* plan, tree_sketch_omega* omega, tree_sketch_pin* pins, UIntPtr n_pins, tree_crown* crown, tree_sketch_infer_params* @params, ulong seed, tree_control* control, tree_inferred** inferred);
 
         /// <summary>
         /// Views what was inferred. Set `columns-&gt;struct_size` first.

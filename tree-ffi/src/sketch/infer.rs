@@ -2,9 +2,10 @@
 
 use super::branches::tree_sketch_branches;
 use super::omega::{omega, tree_sketch_omega};
-use super::tree_plan;
+use super::{tree_crown, tree_plan};
 use crate::border::{
-    Handle, Versioned, call, free, get, init, out, read_or_default, slice, tree_status, write,
+    Handle, Versioned, call, free, get, get_opt, init, out, read_or_default, slice, tree_status,
+    write,
 };
 use crate::control::{limits, run, tree_control};
 use crate::mesh::column;
@@ -304,7 +305,8 @@ unsafe impl Versioned for tree_inferred_columns {
 
 /// Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's, by inference in a Markov
 /// random field (Neubert 2012, sections 4.4 to 4.6): a sketch is seen from the front, x and y of every branch are
-/// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay.
+/// drawn, its depth z is not. Depths that are known go in as `n_pins` `pins`, NULL for none, and stay. Ends that are
+/// drawn inside `crown`, which may be NULL, stay in its surface of local revolution as far as the factors allow.
 ///
 /// `omega`, `params` and `control` may be NULL. Free the result with `tree_inferred_free`. `TREE_ERROR_PARAMETER`
 /// names what is out of range, `TREE_ERROR_INVALID` a pin that is at no fork or tip of the plan.
@@ -314,6 +316,7 @@ pub unsafe extern "C" fn tree_sketch_infer(
     omega: *const tree_sketch_omega,
     pins: *const tree_sketch_pin,
     n_pins: usize,
+    crown: *const tree_crown,
     params: *const tree_sketch_infer_params,
     seed: u64,
     control: *const tree_control,
@@ -328,8 +331,10 @@ pub unsafe extern "C" fn tree_sketch_infer(
         let pins: Vec<_> =
             pins.iter().map(|pin| Pin { node: pin.node, depth: pin.depth }).collect();
         let params = unsafe { read_or_default(params, "params") }?.rust();
+        let crown = unsafe { get_opt(crown, "crown") }?.map(tree_crown::rust);
+        let known = (&pins[..], crown);
         let body =
-            |control: &Control| Ok(infer_with(plan, &omega, &pins, &params, Seed(seed), control)?);
+            |control: &Control| Ok(infer_with(plan, &omega, known, &params, Seed(seed), control)?);
         place.put(tree_inferred::new(unsafe { run(control, body) }?));
         Ok(())
     })

@@ -266,7 +266,7 @@ static void test_inference(void) {
     tree_plan_columns plane = {.struct_size = sizeof plane};
     OK(tree_plan_view(plan, &plane));
     tree_inferred *inferred = NULL;
-    OK(tree_sketch_infer(plan, NULL, NULL, 0, NULL, 5, NULL, &inferred));
+    OK(tree_sketch_infer(plan, NULL, NULL, 0, NULL, NULL, 5, NULL, &inferred));
     tree_inferred_columns found = {.struct_size = sizeof found};
     OK(tree_inferred_view(inferred, &found));
     CHECK(found.n_segments == 7 && found.n_factors == 6 && found.n_trace > 1);
@@ -327,7 +327,7 @@ static void test_inference(void) {
     OK(tree_sketch_infer_params_thesis(&thesis));
     CHECK(thesis.beam == 1 && thesis.struct_size == sizeof thesis);
     tree_sketch_pin pin = {(uint32_t)plane.n_nodes - 1, 1.25f};
-    OK(tree_sketch_infer(plan, &omega, &pin, 1, &thesis, 5, NULL, &inferred));
+    OK(tree_sketch_infer(plan, &omega, &pin, 1, NULL, &thesis, 5, NULL, &inferred));
     OK(tree_inferred_branches(inferred, &branches));
     OK(tree_inferred_view(inferred, &found));
     OK(tree_sketch_branches_view(branches, &segments));
@@ -342,10 +342,10 @@ static void test_inference(void) {
     OK(tree_inferred_free(inferred));
     pin.node = 100000;
     FAILS(TREE_ERROR_INVALID, "pins[0]",
-          tree_sketch_infer(plan, &omega, &pin, 1, &thesis, 5, NULL, &inferred));
+          tree_sketch_infer(plan, &omega, &pin, 1, NULL, &thesis, 5, NULL, &inferred));
     thesis.rounds = 101;
     FAILS(TREE_ERROR_PARAMETER, "infer.rounds",
-          tree_sketch_infer(plan, &omega, NULL, 0, &thesis, 5, NULL, &inferred));
+          tree_sketch_infer(plan, &omega, NULL, 0, NULL, &thesis, 5, NULL, &inferred));
     OK(tree_plan_free(plan));
     OK(tree_drawing_free(drawing));
 }

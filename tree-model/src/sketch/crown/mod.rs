@@ -211,6 +211,13 @@ impl Crown {
     pub fn level(&self, point: Vec3) -> f32 {
         self.solid.level(point).unwrap_or(f32::INFINITY)
     }
+
+    /// How far the crown reaches towards the viewer, and away, behind a point of the plan, in metres; `None` for a point
+    /// outside.
+    #[must_use]
+    pub fn half_depth(&self, point: Vec2) -> Option<f32> {
+        self.solid.half_depth(point)
+    }
 }
 
 /// Whether a point can be one of a plan.

@@ -115,7 +115,20 @@ impl Solid {
 
     /// Share of the way from the axis to the surface in the stretch that holds the point's x; `None` where none does.
     pub(super) fn level(&self, point: Vec3) -> Option<f32> {
-        let point = point.as_dvec3();
+        let (x, half) = self.across(point.truncate())?;
+        let z = f64::from(point.z) / (half * self.depth);
+        Some((x * x + z * z).sqrt() as f32)
+    }
+
+    /// See [`Crown::half_depth`](super::Crown::half_depth).
+    pub(super) fn half_depth(&self, point: Vec2) -> Option<f32> {
+        let (x, half) = self.across(point)?;
+        Some((half * self.depth * (1.0 - x * x).max(0.0).sqrt()) as f32)
+    }
+
+    /// Where a point of the plan is across its stretch, -1 to 1, and half the stretch's width.
+    fn across(&self, point: Vec2) -> Option<(f64, f64)> {
+        let point = point.as_dvec2();
         let band = self.band(point.y)?;
         let up = point.y - self.heights[band];
         for stretch in self.stretches(band) {
@@ -123,9 +136,7 @@ impl Solid {
             let right = stretch.right + up * stretch.right_slope;
             if point.x >= left && point.x < right {
                 let half = 0.5 * (right - left);
-                let (x, z) =
-                    ((point.x - 0.5 * (left + right)) / half, point.z / (half * self.depth));
-                return Some((x * x + z * z).sqrt() as f32);
+                return Some(((point.x - 0.5 * (left + right)) / half, half));
             }
         }
         None

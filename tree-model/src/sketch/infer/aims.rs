@@ -11,6 +11,7 @@
 //! angles and lengths come out as they are in Ω, where the product of Eq. 4.16 alone would favour depth.
 
 use super::densities::{Densities, Density};
+use super::factors::room;
 use super::segments::{STEEPEST, Segments};
 use crate::sketch::branches::Label;
 use crate::sketch::frame::{across, angle, carried, roll, wrapped};
@@ -77,6 +78,7 @@ impl Aims {
     /// `bending` as in [`InferParams`](super::InferParams), `shortest` the least length of a segment.
     pub(super) fn draw(
         segments: &Segments,
+        rooms: &[f64],
         template: &Omega,
         (spread, bending, shortest): (f64, f64, f64),
         seed: Seed,
@@ -90,6 +92,7 @@ impl Aims {
         let n = segments.len();
         let mut draft = Draft {
             segments,
+            rooms,
             omega: Densities::of(template.clone()),
             seed,
             bending,
@@ -118,6 +121,7 @@ impl Aims {
 /// One tree drawn from the posterior.
 struct Draft<'a> {
     segments: &'a Segments,
+    rooms: &'a [f64],
     omega: Densities,
     seed: Seed,
     bending: f64,
@@ -239,6 +243,7 @@ impl Draft<'_> {
             let bend = (rise(v) - rise(along)) / self.bending;
             ln -= 0.5 * bend * bend;
         }
+        ln += room(self.segments, self.rooms, i, depth);
         Given { scale, divergence, roll: turn, ln }
     }
 }

@@ -134,6 +134,7 @@ impl Placing<'_> {
             depths[child] = depth;
             graph.factors.child(omega, fork, chord.extend(depth - base), child, label)
                 + graph.crossed_before(&depths, child)
+                + graph.room(&depths, child)
         };
         if graph.pinned[child] {
             let depth = self.hypothesis.state.depths[child];
@@ -181,7 +182,8 @@ impl Placing<'_> {
             let c = child as usize;
             let v = graph.factors.vector(&next.state.depths, c);
             next.ln += graph.factors.child(omega, fork, v, c, next.state.labels[c]);
-            next.ln += graph.crossed_before(&next.state.depths, c);
+            next.ln +=
+                graph.crossed_before(&next.state.depths, c) + graph.room(&next.state.depths, c);
         }
         next
     }

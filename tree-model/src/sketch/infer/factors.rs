@@ -55,6 +55,14 @@ pub(super) fn weight(residual: f64) -> f64 {
     1.0 / (share * share)
 }
 
+/// ln of the factor that keeps an end in the crown: 0 inside.
+pub(super) fn room(segments: &Segments, rooms: &[f64], i: usize, depth: f64) -> f64 {
+    /// An end outside by this share of the drawing's size is a standard deviation off.
+    const SOFTNESS: f64 = 0.01;
+    let out = (depth.abs() - rooms[i]).max(0.0) / (SOFTNESS * segments.extent);
+    -0.5 * out * out
+}
+
 /// ½ r² for small r, levelling off.
 pub(super) fn robust(residual: f64) -> f64 {
     let square = residual * residual;
@@ -63,6 +71,8 @@ pub(super) fn robust(residual: f64) -> f64 {
 
 /// All that factors need and that does not change while depths and labels are sought.
 pub(super) struct Factors {
+    /// How deep the crown is at each segment's end; no end where none is drawn.
+    pub(super) rooms: Vec<f64>,
     pub(super) segments: Segments,
     pub(super) aims: Aims,
     pub(super) follow: f64,
@@ -74,14 +84,17 @@ pub(super) struct Factors {
 impl Factors {
     pub(super) fn new(
         segments: Segments,
+        rooms: Vec<f64>,
         template: &Omega,
         params: &InferParams,
         seed: Seed,
     ) -> Self {
         let shortest = SHORTEST * segments.extent;
         let how = (params.spread.into(), params.bending.into(), shortest);
+        let aims = Aims::draw(&segments, &rooms, template, how, seed);
         Self {
-            aims: Aims::draw(&segments, template, how, seed),
+            rooms,
+            aims,
             follow: params.follow.into(),
             bending: params.bending.into(),
             shortest,

@@ -11,8 +11,10 @@ use super::run::Pin;
 use super::segments::Segments;
 use crate::error::{ModelError, Result};
 use crate::sketch::branches::Label;
+use crate::sketch::crown::Crown;
 use crate::sketch::omega::Omega;
 use crate::sketch::plan::Plan;
+use glam::DVec2;
 use tree_core::{Control, Resource, Seed};
 
 /// The factor graph of a sketch: what any depths and labels are worth.
@@ -34,7 +36,7 @@ impl FactorGraph {
         seed: Seed,
         control: &Control,
     ) -> Result<Self> {
-        Ok(Self { graph: build(plan, template, &[], params, seed, control)? })
+        Ok(Self { graph: build(plan, template, (&[], None), params, seed, control)? })
     }
 
     /// Parent of each segment; [`NO_PARENT`](tree_core::NO_PARENT) for segment 0.
@@ -74,7 +76,7 @@ impl FactorGraph {
 pub(super) fn build(
     plan: &Plan,
     template: &Omega,
-    pins: &[Pin],
+    (pins, crown): (&[Pin], Option<&Crown>),
     params: &InferParams,
     seed: Seed,
     control: &Control,
@@ -92,7 +94,11 @@ pub(super) fn build(
     let (start, pinned) = pinned(&segments, pins)?;
     let near = Near::new(&segments, crossings, params.competition.into());
     let prior = OmegaPrior::new(template, params.template_weight.into());
-    let factors = Factors::new(segments, template, params, seed);
+    let room = |end: &DVec2| {
+        crown.and_then(|crown| crown.half_depth(end.as_vec2())).map_or(f64::INFINITY, f64::from)
+    };
+    let rooms = segments.ends.iter().map(room).collect();
+    let factors = Factors::new(segments, rooms, template, params, seed);
     Ok(Graph::new(factors, near, prior, start, pinned))
 }
 

@@ -2,7 +2,7 @@
 
 use super::aims::Quantity;
 use super::densities::Densities;
-use super::factors::Factors;
+use super::factors::{Factors, room};
 use super::near::Near;
 use super::omega_step::OmegaPrior;
 use super::segments::Segments;
@@ -21,7 +21,7 @@ pub(super) struct State {
 pub struct Posterior {
     /// Sum of the factors between segments and their parents (Eq. 4.17).
     pub branches: f64,
-    /// Competition for space (Eq. 4.22).
+    /// Competition for space (Eq. 4.22), and what ends outside the drawn crown cost.
     pub competition: f64,
     /// Branches that cross without room, 0 where none does.
     pub crossings: f64,
@@ -147,7 +147,12 @@ impl Graph {
             .get(segment)
             .iter()
             .map(|&i| near.pair(segments, depths, &near.pairs[i as usize]));
-        pairs.sum::<f64>() + self.crossed(depths, segment)
+        pairs.sum::<f64>() + self.crossed(depths, segment) + self.room(depths, segment)
+    }
+
+    /// What the crown has to say on the end of `segment`.
+    pub(super) fn room(&self, depths: &[f64], segment: usize) -> f64 {
+        room(self.segments(), &self.factors.rooms, segment, depths[segment])
     }
 
     /// Crossings that change with the depth of `segment`.
@@ -172,7 +177,12 @@ impl Graph {
         let factor = |i| self.factors.segment(omega, depths, labels, &orders, i);
         Posterior {
             branches: (0..segments.len()).map(factor).sum(),
-            competition: near.pairs.iter().map(|pair| near.pair(segments, depths, pair)).sum(),
+            competition: near
+                .pairs
+                .iter()
+                .map(|pair| near.pair(segments, depths, pair))
+                .sum::<f64>()
+                + (0..segments.len()).map(|i| self.room(depths, i)).sum::<f64>(),
             crossings: near.crossings.iter().map(|c| near.crossing(segments, depths, c)).sum(),
             omega: self.prior.ln(&omega.omega),
         }

@@ -10,6 +10,7 @@ use super::params::InferParams;
 use super::posterior::{Graph, Posterior, State};
 use crate::error::Result;
 use crate::sketch::branches::{Branches, Label};
+use crate::sketch::crown::Crown;
 use crate::sketch::omega::Omega;
 use crate::sketch::plan::Plan;
 use rayon::prelude::*;
@@ -124,22 +125,23 @@ pub fn infer(
     seed: Seed,
     control: &Control,
 ) -> Result<Inferred> {
-    infer_with(plan, template, &[], params, seed, control)
+    infer_with(plan, template, (&[], None), params, seed, control)
 }
 
-/// [`infer`] where some depths are known and stay as they are.
+/// [`infer`] where some depths are known and stay as they are, and ends drawn inside `crown` stay in its surface of local
+/// revolution as far as the factors allow.
 ///
 /// # Errors
 /// As [`infer`]; [`ModelError::Sketch`] for a pin that is not finite or not at a fork or tip of the plan.
 pub fn infer_with(
     plan: &Plan,
     template: &Omega,
-    pins: &[Pin],
+    (pins, crown): (&[Pin], Option<&Crown>),
     params: &InferParams,
     seed: Seed,
     control: &Control,
 ) -> Result<Inferred> {
-    let graph = build(plan, template, pins, params, seed, control)?;
+    let graph = build(plan, template, (pins, crown), params, seed, control)?;
     let start = graph.start.clone();
     let mut run = Run {
         graph: &graph,

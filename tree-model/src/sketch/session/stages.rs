@@ -17,9 +17,6 @@ use tree_core::{Control, Seed, Skeleton, Volume};
 /// Orders of axes that grow on what has fronds: they do not branch.
 const FROND_ORDERS: u32 = 1;
 
-/// A branch that would stick out of the crown ends at this share of the way to its surface.
-const BELOW_SURFACE: f32 = 0.85;
-
 /// What a session makes, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
@@ -208,13 +205,9 @@ impl Session {
         params.keep_omega |= self.kept.is_some();
         let omega = self.kept.as_ref().map_or(&template.omega, |kept| &kept.omega);
         let control = control.part(0.1, 0.5);
-        let mut inferred = infer_with(&plan, omega, pins, &params, self.seed, &control)?;
         let crown = self.cleaned.as_ref().and_then(|clean| clean.crown.as_ref());
-        let kept_in = crown.map_or_else(Vec::new, |(crown, _)| keep_in(crown, &inferred, pins));
-        if !kept_in.is_empty() {
-            let pins = [pins, &kept_in[..]].concat();
-            inferred = infer_with(&plan, omega, &pins, &params, self.seed, &control)?;
-        }
+        let known = (pins, crown.map(|(crown, _)| crown));
+        let inferred = infer_with(&plan, omega, known, &params, self.seed, &control)?;
         self.kept = Some(Kept {
             depths: Depths::of(&plan, &inferred),
             omega: inferred.omega.clone(),
@@ -390,27 +383,6 @@ impl Session {
             ..self.params.finish.clone()
         })
     }
-}
-
-/// Depths of tips and forks that are drawn in the crown and would stick out of it towards the viewer or away: just below its
-/// surface. What is known stays.
-fn keep_in(crown: &Crown, inferred: &Inferred, known: &[Pin]) -> Vec<Pin> {
-    let branches = &inferred.branches;
-    let skipped = usize::from(branches.has_imagined_root());
-    let sticks_out = |segment: usize| {
-        let end = branches.end(segment);
-        let node = *inferred.nodes(segment).last()?;
-        if !crown.contains(end.truncate())
-            || crown.contains_3d(end)
-            || known.iter().any(|pin| pin.node == node)
-        {
-            return None;
-        }
-        // The way out from the plane.
-        let out = crown.exit(end.with_z(0.0), end).unwrap_or(1.0);
-        Some(Pin { node, depth: BELOW_SURFACE * out * end.z })
-    };
-    (skipped.max(1)..branches.len()).filter_map(sticks_out).collect()
 }
 
 /// Whether a template has fronds.
