@@ -58,7 +58,7 @@ pub(super) fn weight(residual: f64) -> f64 {
 /// ln of the factor that keeps an end in the crown: 0 inside.
 pub(super) fn room(segments: &Segments, rooms: &[f64], i: usize, depth: f64) -> f64 {
     /// An end outside by this share of the drawing's size is a standard deviation off.
-    const SOFTNESS: f64 = 0.01;
+    const SOFTNESS: f64 = 0.003;
     let out = (depth.abs() - rooms[i]).max(0.0) / (SOFTNESS * segments.extent);
     -0.5 * out * out
 }

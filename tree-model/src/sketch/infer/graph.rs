@@ -94,8 +94,11 @@ pub(super) fn build(
     let (start, pinned) = pinned(&segments, pins)?;
     let near = Near::new(&segments, crossings, params.competition.into());
     let prior = OmegaPrior::new(template, params.template_weight.into());
+    /// Ends are kept this share of the way from the plane to the crown's surface.
+    const ROOM: f64 = 0.9;
     let room = |end: &DVec2| {
-        crown.and_then(|crown| crown.half_depth(end.as_vec2())).map_or(f64::INFINITY, f64::from)
+        let deep = crown.and_then(|crown| crown.half_depth(end.as_vec2()));
+        deep.map_or(f64::INFINITY, |deep| ROOM * f64::from(deep))
     };
     let rooms = segments.ends.iter().map(room).collect();
     let factors = Factors::new(segments, rooms, template, params, seed);
