@@ -1,11 +1,11 @@
 //! Crowns: what was drawn as a crown becomes closed polygons and a solid (Neubert 2012, sections 4.7 and 4.8).
 //!
-//! 1. [`close`](self::close): strokes become closed loops. Ends that lie close are joined; what stays open is ordered
+//! 1. `close`: strokes become closed loops. Ends that lie close are joined; what stays open is ordered
 //!    round the crown, and each gap is closed by what the convex hull of the stroke ends and the branches gives there
 //!    (figure 4.15). The drawn curve stays where it is.
-//! 2. [`unite`](self::unite): loops that cross themselves or each other become simple polygons; loops inside others
+//! 2. `unite`: loops that cross themselves or each other become simple polygons; loops inside others
 //!    are details and go.
-//! 3. [`solid`](self::solid): the surface of local revolution (Okabe, Owada & Igarashi 2005): at every height each stretch
+//! 3. `solid`: the surface of local revolution (Okabe, Owada & Igarashi 2005): at every height each stretch
 //!    of the crown's inside is swept to a circle about its own middle.
 //!
 //! The thesis takes the hull of everything for the crown. That would lose concave crowns, so here it only fills gaps;

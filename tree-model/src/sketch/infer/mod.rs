@@ -4,13 +4,13 @@
 //!
 //! 1. The branches are split into segments from fork to fork. Depth and label (apical, or which lateral) of each
 //!    are the variables of a factor graph; its factors say how a segment lies to its parent (Eq. 4.16), by Ω.
-//! 2. [Bottom-up](bottom_up) inference places generation by generation.
-//! 3. [ICM](icm) raises the posterior depth by depth, with competition for space and room where branches cross
-//!    ([near]; Eq. 4.22 to 4.24).
-//! 4. Ω is [estimated](omega_step) anew (Eq. 4.25), and 3 and 4 are repeated. With [`InferParams::keep_omega`] Ω stays.
+//! 2. Bottom-up inference places generation by generation.
+//! 3. ICM raises the posterior depth by depth, with competition for space and room where branches cross
+//!    (`near`; Eq. 4.22 to 4.24).
+//! 4. Ω is estimated anew (Eq. 4.25), and 3 and 4 are repeated. With [`InferParams::keep_omega`] Ω stays.
 //!
 //! Every step raises the posterior or leaves it: [`Inferred::trace`]. What the pages of each step say on departures is
-//! in short: [aims](aims) of each segment within Ω, parameters by order, sides carried by laterals, a beam, heavy tails,
+//! in short: aims of each segment within Ω, parameters by order, sides carried by laterals, a beam, heavy tails,
 //! factors for strokes, exact competition.
 //!
 //! Cost: O(segments · neighbours · sweeps · rounds), some 0.3 ms a segment.

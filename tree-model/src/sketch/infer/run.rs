@@ -114,7 +114,7 @@ impl Inferred {
 /// Infers depths, labels and, unless it is to be kept, Ω, which begins as the template's.
 ///
 /// # Errors
-/// [`ModelError::Parameter`] for parameters or Ω out of range; [`ModelError::Limit`]; [`ModelError::Cancelled`].
+/// [`ModelError::Parameter`](crate::ModelError::Parameter) for parameters or Ω out of range; [`ModelError::Limit`](crate::ModelError::Limit); [`ModelError::Cancelled`](crate::ModelError::Cancelled).
 ///
 /// # Complexity
 /// See the module.
@@ -132,7 +132,7 @@ pub fn infer(
 /// revolution as far as the factors allow.
 ///
 /// # Errors
-/// As [`infer`]; [`ModelError::Sketch`] for a pin that is not finite or not at a fork or tip of the plan.
+/// As [`infer`]; [`ModelError::Sketch`](crate::ModelError::Sketch) for a pin that is not finite or not at a fork or tip of the plan.
 pub fn infer_with(
     plan: &Plan,
     template: &Omega,
