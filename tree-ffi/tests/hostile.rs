@@ -116,7 +116,10 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_crown", "tree_crown_from_polygons(&a_triangle, 1, NULL, &made)"),
     ("tree_midlines", "tree_midlines_of(&a_triangle, NULL, NULL, &made)"),
     ("tree_templates", "tree_templates_builtin(&made)"),
-    ("tree_inferred", "tree_sketch_infer(live_tree_plan(), NULL, NULL, 0, NULL, NULL, 1, NULL, &made)"),
+    (
+        "tree_inferred",
+        "tree_sketch_infer(live_tree_plan(), NULL, NULL, 0, NULL, NULL, 1, NULL, &made)",
+    ),
     ("tree_factor_graph", "tree_factor_graph_new(live_tree_plan(), NULL, NULL, 1, NULL, &made)"),
     ("tree_sketch_branches", "tree_inferred_branches(live_tree_inferred(), &made)"),
     (

@@ -29,6 +29,8 @@ mod params;
 mod posterior;
 mod run;
 mod segments;
+#[cfg(test)]
+mod tests;
 
 pub use graph::FactorGraph;
 pub use params::InferParams;
