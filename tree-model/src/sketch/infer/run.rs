@@ -22,6 +22,9 @@ const BEAM_BUDGET: usize = 1200;
 const REFINE_BUDGET: usize = 48;
 /// In a sketch of so few segments all of them are.
 const FEW_SEGMENTS: usize = 8;
+/// Where sketches are small, so many times the usual passes of ICM, until changes are this share of the usual.
+const MANY: u32 = 6;
+const CLOSE: f64 = 0.02;
 /// Swinging branches is left out where segments squared are above this.
 const SWING_BUDGET: usize = 90_000;
 /// Rounds of separating branches that still cross.
@@ -223,7 +226,7 @@ impl Run<'_> {
         let segments = self.graph.segments();
         for _ in 0..HOPS {
             let before = self.total;
-            let mut starts = self.anywhere();
+            let mut starts: Vec<State> = Vec::new();
             for i in 1..segments.len() {
                 let below = segments.parent(i).map_or(0.0, |parent| self.state.depths[parent]);
                 for slope in SLOPES.into_iter().filter(|_| !self.graph.pinned[i]) {
@@ -249,42 +252,23 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// States with depths and labels drawn at random.
-    fn anywhere(&self) -> Vec<State> {
-        /// As many find the best in nearly all sketches of six segments, whatever the factors.
-        const STARTS: u64 = 128;
-        let segments = self.graph.segments();
-        let start = |number: u64| {
-            let mut rng = Seed(0).stream("anywhere").child(number).rng();
-            let mut state = self.state.clone();
-            for i in 1..segments.len() {
-                let below = segments.parent(i).map_or(0.0, |parent| state.depths[parent]);
-                let slope = f64::from(tree_core::seed::uniform(&mut rng, -1.7, 1.7));
-                if !self.graph.pinned[i] {
-                    state.depths[i] = below + slope * segments.chord(i).length();
-                }
-                let siblings =
-                    segments.parent(i).map_or(&[][..], |parent| segments.children(parent));
-                let other = tree_core::seed::uniform(&mut rng, 0.0, siblings.len() as f32) as usize;
-                if let Some(&other) = siblings.get(other) {
-                    state.labels.swap(i, other as usize);
-                }
-            }
-            state
-        };
-        (0..STARTS).map(start).collect()
-    }
-
-    /// Refines every state and keeps the best, if it is better than what there is.
+    /// Refines every state roughly and the most promising closely; keeps the best, if it is better than what there is.
     fn take_best(&mut self, states: Vec<State>) -> Result<()> {
-        let refined: Result<Vec<(f64, State)>> = states
-            .into_par_iter()
-            .map(|mut state| {
-                self.icm(&mut state, 1.0)?;
+        /// Passes of ICM that tell which states are promising, and how many of those there are.
+        const ROUGH: u32 = 2;
+        const PROMISING: usize = 6;
+        let refined = |states: Vec<State>, sweeps: u32| -> Result<Vec<(f64, State)>> {
+            let refine = |mut state: State| {
+                self.passes(&mut state, 1.0, (sweeps, CLOSE))?;
                 Ok((self.graph.total(&self.omega, &state), state))
-            })
-            .collect();
-        for (total, state) in refined? {
+            };
+            states.into_par_iter().map(refine).collect()
+        };
+        let mut rough = refined(states, ROUGH)?;
+        rough.sort_by(|a, b| b.0.total_cmp(&a.0));
+        rough.truncate(PROMISING);
+        let promising = rough.into_iter().map(|(_, state)| state).collect();
+        for (total, state) in refined(promising, MANY * self.params.sweeps)? {
             if total > self.total {
                 (self.state, self.total) = (state, total);
             }
@@ -311,19 +295,23 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Passes of ICM until depths have settled.
+    /// Passes of ICM until depths have settled; small sketches settle closely, which costs little.
     fn icm(&self, state: &mut State, first: f64) -> Result<()> {
-        let wiring = self.graph.wiring(&state.labels);
-        let mut share = first;
-        // Small sketches settle closely: that costs little.
-        let (sweeps, settled) = match self.graph.segments().len() {
-            0..=FEW_SEGMENTS => (6 * self.params.sweeps, 0.02),
+        let how = match self.graph.segments().len() {
+            0..=FEW_SEGMENTS => (MANY * self.params.sweeps, CLOSE),
             _ => (self.params.sweeps, 1.0),
         };
+        self.passes(state, first, how)
+    }
+
+    /// At most so many passes of ICM, until depths change by less than so many times what counts as settled.
+    fn passes(&self, state: &mut State, first: f64, (sweeps, close): (u32, f64)) -> Result<()> {
+        let wiring = self.graph.wiring(&state.labels);
+        let settled = close * f64::from(self.params.settled) * self.graph.segments().extent;
+        let mut share = first;
         for _ in 0..sweeps {
             self.control.check()?;
-            let change = sweep(self.graph, &self.omega, state, &wiring, share);
-            if change <= settled * f64::from(self.params.settled) * self.graph.segments().extent {
+            if sweep(self.graph, &self.omega, state, &wiring, share) <= settled {
                 break;
             }
             share = (share * 0.6).max(0.02);
