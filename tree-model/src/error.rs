@@ -150,6 +150,14 @@ pub enum ModelError {
         /// What is wrong with it, where, and what would be right.
         problem: String,
     },
+    /// A drawn outline, or a stroke drawn into one, cannot be used.
+    #[error("{what}: {problem}")]
+    Silhouette {
+        /// What was drawn: "crown", "trunk", "branch 3", "leaf", "L1 stroke 2 'left'".
+        what: String,
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
     /// There is no preset of this name.
     #[error("no preset named '{name}'; there are {known}")]
     UnknownPreset {

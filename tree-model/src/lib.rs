@@ -7,6 +7,7 @@
 //! * [`path`]: a rough volume becomes a tree of least-cost paths (Xu & Mould 2012).
 //! * [`particle`]: photographs become a tree by a flow of particles (Neubert 2012).
 //! * [`sketch`]: a freehand drawing becomes a tree by a Markov random field (Neubert 2012).
+//! * [`silhouette`]: drawn outlines become a tree, level by level (Wither et al. 2009).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
 //! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
 
@@ -14,6 +15,8 @@ mod error;
 pub mod foliage;
 pub mod particle;
 pub mod path;
+mod plane;
+pub mod silhouette;
 pub mod skeletonize;
 pub mod sketch;
 #[cfg(feature = "svg")]

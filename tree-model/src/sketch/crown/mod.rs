@@ -21,8 +21,8 @@ mod report;
 mod solid;
 mod unite;
 
-use super::midline::{arrange, fill};
 use crate::error::{ModelError, Result, check};
+use crate::plane::{arrange, fill};
 use glam::{Vec2, Vec3};
 use solid::Solid;
 use tree_core::{Control, Resource};

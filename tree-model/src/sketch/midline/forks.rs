@@ -4,7 +4,7 @@
 //! than the trunk and what goes on above. So forks that lie closer together than they are wide are looked at as one,
 //! with all the ways that lead out of it.
 
-use super::axis::Axis;
+use crate::plane::axis::Axis;
 use glam::DVec2;
 
 /// Directions at a fork are taken between these multiples of its half-width: nearer by, lines bend into the fork.

@@ -1,9 +1,9 @@
 //! Lines out of a pruned axis: at forks the straightest pair goes on.
 
 use super::Midline;
-use super::axis::Axis;
-use super::fill::Frame;
 use super::forks;
+use crate::plane::axis::Axis;
+use crate::plane::fill::Frame;
 use glam::DVec2;
 use std::collections::VecDeque;
 

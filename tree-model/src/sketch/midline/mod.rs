@@ -3,10 +3,10 @@
 //! Many drawings show the trunk and its branches as one outline. The strokes meant are the area's middle lines: here
 //! the chordal axis (Prasad 1997; Igarashi, Matsuoka & Tanaka 1999 use it for freehand outlines).
 //!
-//! 1. [`fill`](self::fill): the outline is made simple: sides are cut where they cross ([`arrange`](self::arrange)), and
+//! 1. [`fill`](crate::plane::fill): the outline is made simple: sides are cut where they cross ([`arrange`](crate::plane::arrange)), and
 //!    of a constrained Delaunay triangulation the triangles are in or out by winding; their border is the outline that
 //!    counts.
-//! 2. [`axis`](self::axis): the border is drawn anew with even spacing and triangulated. An edge between two inner
+//! 2. [`axis`](crate::plane::axis): the border is drawn anew with even spacing and triangulated. An edge between two inner
 //!    triangles is a chord across the area; the chords' middles are joined through every triangle. A triangle with one
 //!    chord is a tip, with two a sleeve, with three a fork.
 //! 3. [`prune`](self::prune): at holes the line is cut where it is narrowest; spurs shorter than a share of the local
@@ -20,18 +20,16 @@
 //! O(n log n) for n points on the border, about 4,000 at most, and O(spurs · n) for the pruning: 1 ms for a
 //! trunk with twenty branches.
 
-pub(in crate::sketch) mod arrange;
-mod axis;
-pub(in crate::sketch) mod fill;
 mod forks;
 mod lines;
 mod prune;
 
 use crate::error::{Result, check};
-use fill::{Fill, Frame};
+use crate::plane::axis;
+use crate::plane::fill::{self, Fill, Frame};
 use glam::{DVec2, Vec2};
 
-pub use fill::FillRule;
+pub use crate::plane::fill::FillRule;
 
 /// Distance of points on the border, as a share of the mean width of the area.
 const SPACING: f64 = 0.4;

@@ -1,7 +1,7 @@
 //! Cuts cycles and spurs off an axis.
 
-use super::axis::Axis;
-use super::fill::sides;
+use crate::plane::axis::Axis;
+use crate::plane::fill::sides;
 use glam::DVec2;
 
 /// A shortened end is lengthened by at most this multiple of what was pruned off it.

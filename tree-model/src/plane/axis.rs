@@ -4,16 +4,16 @@ use super::fill::{Fill, NONE};
 use glam::DVec2;
 
 /// A tree of nodes, once cycles are cut; before that a graph.
-pub(super) struct Axis {
-    pub(super) at: Vec<DVec2>,
+pub(crate) struct Axis {
+    pub(crate) at: Vec<DVec2>,
     /// The chord a node is the middle of; zero at tips and forks.
-    pub(super) chords: Vec<DVec2>,
+    pub(crate) chords: Vec<DVec2>,
     /// Half the width about each node; 0 at tips.
-    pub(super) radii: Vec<f64>,
+    pub(crate) radii: Vec<f64>,
     /// Nodes joined to each node.
-    pub(super) joined: Vec<Vec<u32>>,
+    pub(crate) joined: Vec<Vec<u32>>,
     /// Length of what was pruned beyond a node.
-    pub(super) lost: Vec<f64>,
+    pub(crate) lost: Vec<f64>,
     /// Length of everything that hangs on each node, seen from the first node of its tree, and that of the tree.
     weights: Vec<(f64, f64)>,
     /// The neighbour towards the first node of the tree; [`NONE`] for that one.
@@ -22,7 +22,7 @@ pub(super) struct Axis {
 
 impl Axis {
     /// The axis of an area. O(triangles).
-    pub(super) fn of(fill: &Fill) -> Self {
+    pub(crate) fn of(fill: &Fill) -> Self {
         let mut axis = Self {
             at: Vec::new(),
             chords: Vec::new(),
@@ -89,23 +89,23 @@ impl Axis {
         (self.at.len() - 1) as u32
     }
 
-    pub(super) fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
         self.joined[a as usize].push(b);
         self.joined[b as usize].push(a);
     }
 
     /// Number of nodes joined to a node.
-    pub(super) fn degree(&self, node: u32) -> usize {
+    pub(crate) fn degree(&self, node: u32) -> usize {
         self.joined[node as usize].len()
     }
 
     /// Distance of two nodes.
-    pub(super) fn length(&self, a: u32, b: u32) -> f64 {
+    pub(crate) fn length(&self, a: u32, b: u32) -> f64 {
         self.at[a as usize].distance(self.at[b as usize])
     }
 
     /// The nodes from `from` by way of `next` on to the first that is no mere passage.
-    pub(super) fn chain(&self, from: u32, next: u32) -> Vec<u32> {
+    pub(crate) fn chain(&self, from: u32, next: u32) -> Vec<u32> {
         let mut out = vec![from, next];
         let (mut before, mut at) = (from, next);
         while let &[a, b] = self.joined[at as usize].as_slice() {
@@ -116,7 +116,7 @@ impl Axis {
     }
 
     /// Prepares [`beyond`](Self::beyond), once the axis is a forest. O(n).
-    pub(super) fn weigh(&mut self) {
+    pub(crate) fn weigh(&mut self) {
         let n = self.at.len();
         self.weights = vec![(-1.0, 0.0); n];
         self.towards = vec![NONE; n];
@@ -147,7 +147,7 @@ impl Axis {
     }
 
     /// Length of all lines that are reached from `node` by way of its neighbour `next`.
-    pub(super) fn beyond(&self, node: u32, next: u32) -> f64 {
+    pub(crate) fn beyond(&self, node: u32, next: u32) -> f64 {
         let (here, there) = (self.weights[node as usize], self.weights[next as usize]);
         if self.towards[next as usize] == node { there.0 } else { here.1 - here.0 }
     }

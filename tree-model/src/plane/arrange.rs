@@ -97,7 +97,7 @@ fn pairs(contours: &[Vec<DVec2>], mut visit: impl FnMut(&Side, &Side) -> bool) {
 
 /// Number of pairs of sides that have a point in common although they do not follow each other, or lie on one another
 /// although they do; counted to `most`.
-pub(in crate::sketch) fn crossings(contours: &[Vec<DVec2>], most: usize) -> usize {
+pub(crate) fn crossings(contours: &[Vec<DVec2>], most: usize) -> usize {
     let mut count = 0;
     pairs(contours, |s, t| {
         count += usize::from(if s.follows(t) { s.folds_back(t) } else { s.meets(t) });
@@ -107,7 +107,7 @@ pub(in crate::sketch) fn crossings(contours: &[Vec<DVec2>], most: usize) -> usiz
 }
 
 /// The contours with corners wherever their sides meet. They wind round what they wound round before, within a unit.
-pub(super) fn arrange(contours: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
+pub(crate) fn arrange(contours: &[Vec<DVec2>]) -> Vec<Vec<DVec2>> {
     let mut contours = contours.to_vec();
     for _ in 0..ROUNDS {
         let cuts = cuts(&contours);

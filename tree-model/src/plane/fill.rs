@@ -9,10 +9,10 @@ use glam::{DVec2, Vec2};
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
 
 /// Half the side of the frame that drawings are brought to.
-pub(in crate::sketch) const HALF: f64 = 4_194_304.0;
+pub(crate) const HALF: f64 = 4_194_304.0;
 
 /// Contours with more corners than this together are thinned.
-pub(in crate::sketch) const MOST_CORNERS: usize = 4096;
+pub(crate) const MOST_CORNERS: usize = 4096;
 
 /// Contours that cross themselves more often than this are thinned: a scribble has no outline to keep.
 const MOST_CROSSINGS: usize = 20_000;
@@ -21,7 +21,7 @@ const MOST_CROSSINGS: usize = 20_000;
 const LARGEST: f32 = 1e15;
 
 /// No triangle lies there.
-pub(in crate::sketch) const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;
 
 /// Rows of the winding test: lines are sought only in the row of the point asked for.
 const ROWS: usize = 256;
@@ -38,7 +38,7 @@ pub enum FillRule {
 }
 
 /// Where a drawing was before it was brought to ±[`HALF`].
-pub(in crate::sketch) struct Frame {
+pub(crate) struct Frame {
     centre: DVec2,
     /// Units of the drawing for one unit of the frame.
     scale: f64,
@@ -47,7 +47,7 @@ pub(in crate::sketch) struct Frame {
 impl Frame {
     /// The frame of contours, and the contours in it: finite, without repeated points, three points at least, at
     /// most [`MOST_CORNERS`] together. `None` where nothing is left.
-    pub(in crate::sketch) fn of(contours: &[Vec<Vec2>]) -> Option<(Self, Vec<Vec<DVec2>>)> {
+    pub(crate) fn of(contours: &[Vec<Vec2>]) -> Option<(Self, Vec<Vec<DVec2>>)> {
         let good = |p: &&Vec2| p.x.abs() <= LARGEST && p.y.abs() <= LARGEST;
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         for point in contours.iter().flatten().filter(good) {
@@ -70,21 +70,21 @@ impl Frame {
         (!out.is_empty()).then_some((frame, out))
     }
 
-    pub(in crate::sketch) fn to_frame(&self, point: Vec2) -> DVec2 {
+    pub(crate) fn to_frame(&self, point: Vec2) -> DVec2 {
         ((point.as_dvec2() - self.centre) / self.scale).round()
     }
 
-    pub(in crate::sketch) fn to_drawing(&self, point: DVec2) -> Vec2 {
+    pub(crate) fn to_drawing(&self, point: DVec2) -> Vec2 {
         (self.centre + point * self.scale).as_vec2()
     }
 
-    pub(in crate::sketch) fn length(&self, length: f64) -> f32 {
+    pub(crate) fn length(&self, length: f64) -> f32 {
         (length * self.scale) as f32
     }
 }
 
 /// Drops repeated points, and the last where it is the first again.
-pub(super) fn tidy(points: &mut Vec<DVec2>) {
+pub(crate) fn tidy(points: &mut Vec<DVec2>) {
     points.dedup();
     while points.len() > 1 && points.first() == points.last() {
         points.pop();
@@ -126,17 +126,17 @@ fn thin(contours: &mut [Vec<DVec2>]) {
 }
 
 /// The sides of a closed contour.
-pub(in crate::sketch) fn sides(contour: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
+pub(crate) fn sides(contour: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
     contour.iter().copied().zip(contour.iter().copied().cycle().skip(1))
 }
 
 /// Area of a contour, above 0 where it runs against the clock.
-pub(in crate::sketch) fn area(contour: &[DVec2]) -> f64 {
+pub(crate) fn area(contour: &[DVec2]) -> f64 {
     0.5 * sides(contour).map(|(a, b)| a.perp_dot(b)).sum::<f64>()
 }
 
 /// The contour without points that lie within `tolerance` of the line between those kept (Douglas & Peucker 1973).
-pub(in crate::sketch) fn simplify(contour: &[DVec2], tolerance: f64) -> Vec<DVec2> {
+pub(crate) fn simplify(contour: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     let Some(&first) = contour.first() else { return Vec::new() };
     let far = |from: DVec2| {
         let ranked = contour.iter().map(|p| p.distance_squared(from)).enumerate();
@@ -152,7 +152,7 @@ pub(in crate::sketch) fn simplify(contour: &[DVec2], tolerance: f64) -> Vec<DVec
 }
 
 /// The same for an open line; its ends stay.
-pub(in crate::sketch) fn simplify_line(line: &[DVec2], tolerance: f64) -> Vec<DVec2> {
+pub(crate) fn simplify_line(line: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     if line.len() < 3 {
         return line.to_vec();
     }
@@ -172,7 +172,7 @@ pub(in crate::sketch) fn simplify_line(line: &[DVec2], tolerance: f64) -> Vec<DV
 }
 
 /// Distance from a point to a segment.
-pub(in crate::sketch) fn distance_to(point: DVec2, a: DVec2, b: DVec2) -> f64 {
+pub(crate) fn distance_to(point: DVec2, a: DVec2, b: DVec2) -> f64 {
     let side = b - a;
     let length = side.length_squared();
     let along = if length > 0.0 { ((point - a).dot(side) / length).clamp(0.0, 1.0) } else { 0.0 };
@@ -180,12 +180,12 @@ pub(in crate::sketch) fn distance_to(point: DVec2, a: DVec2, b: DVec2) -> f64 {
 }
 
 /// The inner triangles of an area.
-pub(in crate::sketch) struct Fill {
-    pub(in crate::sketch) points: Vec<DVec2>,
+pub(crate) struct Fill {
+    pub(crate) points: Vec<DVec2>,
     /// Corners against the clock.
-    pub(in crate::sketch) triangles: Vec<[u32; 3]>,
+    pub(crate) triangles: Vec<[u32; 3]>,
     /// The inner triangle across the side from corner i to corner i + 1, or [`NONE`].
-    pub(in crate::sketch) neighbours: Vec<[u32; 3]>,
+    pub(crate) neighbours: Vec<[u32; 3]>,
 }
 
 #[derive(Clone, Copy)]
@@ -200,7 +200,7 @@ impl HasPosition for Corner {
 
 impl Fill {
     /// Triangulates what lies inside contours in a [`Frame`]; `None` where nothing does.
-    pub(in crate::sketch) fn of(contours: &[Vec<DVec2>], rule: FillRule) -> Option<Self> {
+    pub(crate) fn of(contours: &[Vec<DVec2>], rule: FillRule) -> Option<Self> {
         let contours = arrange(contours);
         let mut cdt = ConstrainedDelaunayTriangulation::<Corner>::new();
         // All corners come before the sides: a corner put on a side would have to cut it.
@@ -241,7 +241,7 @@ impl Fill {
     }
 
     /// The border of the area: contours that neither cross nor touch themselves, outer ones against the clock, holes with it.
-    pub(in crate::sketch) fn border(&self) -> Vec<Vec<DVec2>> {
+    pub(crate) fn border(&self) -> Vec<Vec<DVec2>> {
         let mut seen = vec![[false; 3]; self.triangles.len()];
         let mut out = Vec::new();
         for first in 0..self.triangles.len() {
@@ -298,13 +298,13 @@ impl Fill {
 }
 
 /// Sides by rows, for winding numbers.
-pub(in crate::sketch) struct Winding {
+pub(crate) struct Winding {
     /// The contour and the ends of each side, by rows of equal height.
     rows: Vec<Vec<(u32, DVec2, DVec2)>>,
 }
 
 impl Winding {
-    pub(in crate::sketch) fn of(contours: &[Vec<DVec2>]) -> Self {
+    pub(crate) fn of(contours: &[Vec<DVec2>]) -> Self {
         let mut rows = vec![Vec::new(); ROWS];
         for (which, contour) in contours.iter().enumerate() {
             for (a, b) in sides(contour) {
@@ -321,7 +321,7 @@ impl Winding {
         ((share * ROWS as f64) as usize).min(ROWS - 1)
     }
 
-    pub(in crate::sketch) fn is_inside(&self, point: DVec2, rule: FillRule) -> bool {
+    pub(crate) fn is_inside(&self, point: DVec2, rule: FillRule) -> bool {
         let (mut contour, mut winding, mut wound) = (0, 0, 0);
         for &(which, a, b) in &self.rows[Self::row(point.y)] {
             if which != contour && rule == FillRule::EvenOdd {

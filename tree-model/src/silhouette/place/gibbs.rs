@@ -1,0 +1,1 @@
+//! The Gibbs process (section 5.4).

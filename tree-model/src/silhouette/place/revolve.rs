@@ -1,0 +1,1 @@
+//! The pseudo-surface of revolution between outlines (section 5.6).
