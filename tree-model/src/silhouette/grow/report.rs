@@ -1,0 +1,35 @@
+//! What grew.
+
+use tree_core::Tree;
+
+/// How a plan became a tree.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct GrowReport {
+    /// Branches of every level, the trunk first.
+    pub branches: Vec<u64>,
+    /// Of those on the trunk, how many were sketched. The others were added in space.
+    pub sketched: u64,
+    /// Leaves.
+    pub leaves: u64,
+    /// Branches without room in the outline of their parent, which were left out.
+    pub without_room: u64,
+    /// Different patterns that were made.
+    pub patterns: u64,
+}
+
+impl GrowReport {
+    /// Leaves and branches together: the paper's count of elements.
+    #[must_use]
+    pub fn elements(&self) -> u64 {
+        self.leaves + self.branches.iter().sum::<u64>()
+    }
+}
+
+/// A tree and how it grew.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grown {
+    /// The tree.
+    pub tree: Tree,
+    /// Counts.
+    pub report: GrowReport,
+}

@@ -1,0 +1,63 @@
+//! Shapes that branches are made of, with what is asked of them often.
+
+use crate::silhouette::branch::Shape;
+use crate::silhouette::place::revolve::{Section, Surface};
+use crate::silhouette::plan::System;
+use crate::silhouette::{Line, Outline};
+use glam::{Vec2, Vec3};
+
+/// A branch's form in the frame of its span: its axis, and how far its foliage reaches to all sides.
+pub(super) struct Form {
+    /// From (0, 0) to (0, 1).
+    pub(super) line: Line,
+    /// The angle from the span to the direction it leaves in, towards the outer side.
+    pub(super) leaving: f32,
+    /// How far its outline reaches along the span, in spans.
+    pub(super) reach: f32,
+    surface: Surface,
+}
+
+impl Form {
+    pub(super) fn of(shape: &Shape) -> Self {
+        Self::new(&shape.line, &shape.outline, &[])
+    }
+
+    /// Of a system in the frame of its span.
+    pub(super) fn of_system(system: &System) -> Self {
+        let more: Vec<Section<'_>> = system
+            .sections
+            .iter()
+            .map(|section| Section { azimuth: section.azimuth, outline: &section.outline })
+            .collect();
+        Self::new(&system.axis, &system.outline, &more)
+    }
+
+    fn new(line: &Line, outline: &Outline, more: &[Section<'_>]) -> Self {
+        let mut sections = vec![Section { azimuth: 0.0, outline }];
+        sections.extend_from_slice(more);
+        let foot = line.tangent(0.0);
+        Self {
+            line: line.clone(),
+            leaving: libm::atan2f(foot.x, foot.y),
+            reach: outline.bounds().1.y.max(1.0),
+            surface: Surface::of(line, &sections),
+        }
+    }
+
+    /// How far it is from a point of the axis along a direction in space to the surface, where the direction stands at
+    /// `azimuth` round the axis. `None` from outside.
+    pub(super) fn room(&self, base: Vec2, way: Vec3, azimuth: f32) -> Option<f32> {
+        let (sin, cos) = libm::sincosf(azimuth);
+        let across = way.x * cos + way.z * sin;
+        let within = Vec2::new(across, way.y);
+        let share = within.length();
+        let exit = self.surface.exit(Vec2::new(base.x * cos, base.y), within / share, azimuth)?;
+        let room = exit / share;
+        room.is_finite().then_some(room)
+    }
+
+    /// Its outline as seen from the side at an azimuth, in (distance from the axis, along the span).
+    pub(super) fn profile(&self, azimuth: f32) -> Option<Outline> {
+        self.surface.profile(azimuth)
+    }
+}

@@ -1,0 +1,163 @@
+//! An axis with an outline and branches.
+
+use super::cover::{self, Coverage, CoverParams};
+use super::{Lateral, Origin, crown};
+use crate::error::Result;
+use crate::silhouette::branch::{BranchingAngles, InferParams, infer};
+use crate::silhouette::bump::{Bump, BumpParams, bumps};
+use crate::silhouette::sub::{SubParams, sub_outline};
+use crate::silhouette::{Line, Outline};
+use glam::Vec2;
+
+/// How the branches of a system are found.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+pub struct SystemParams {
+    /// How bumps are found.
+    pub bumps: BumpParams,
+    /// How branches are inferred.
+    pub infer: InferParams,
+    /// How sub-silhouettes are made.
+    pub sub: SubParams,
+    /// How gaps are filled.
+    pub cover: CoverParams,
+}
+
+impl SystemParams {
+    /// Checks every range.
+    ///
+    /// # Errors
+    /// [`ModelError::Parameter`](crate::ModelError::Parameter) naming the first field out of range.
+    pub fn validate(&self) -> Result<()> {
+        self.bumps.validate()?;
+        self.infer.validate()?;
+        self.sub.validate()?;
+        self.cover.validate()
+    }
+}
+
+/// An outline drawn in another plane through the axis.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Section {
+    /// How far the plane is turned about the axis, in radians from +X towards +Z.
+    pub azimuth: f32,
+    /// The outline as seen with that plane in front.
+    pub outline: Outline,
+}
+
+/// An axis, the outline of its foliage and its branches, in the plane.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct System {
+    /// The trunk or branch.
+    pub axis: Line,
+    /// The outline of its foliage.
+    pub outline: Outline,
+    /// Outlines in further planes.
+    pub sections: Vec<Section>,
+    /// The angles at which branches leave.
+    pub angles: BranchingAngles,
+    /// The branches.
+    pub laterals: Vec<Lateral>,
+}
+
+impl System {
+    /// A system without branches yet.
+    #[must_use]
+    pub fn new(axis: Line, outline: Outline, angles: BranchingAngles) -> Self {
+        Self { axis, outline, sections: Vec::new(), angles, laterals: Vec::new() }
+    }
+
+    /// Infers branches: those of bumps, then those that gaps need. Branches that were there and are not of bumps or
+    /// coverage stay. `next_id` gives names. Returns what was covered.
+    ///
+    /// # Complexity
+    /// O(n log n) for n points of the outline, and some microseconds for each branch.
+    pub fn grow(&mut self, params: &SystemParams, next_id: &mut u32) -> Coverage {
+        self.laterals.retain(|lateral| lateral.origin == Origin::Drawn);
+        let within = crown::foliage_part(&self.axis, &self.outline);
+        let mut name = || {
+            *next_id += 1;
+            *next_id
+        };
+        for bump in bumps(&self.outline, &params.bumps) {
+            if crown::is_foot(&self.axis, within, &bump) || self.has_one_at(&bump) {
+                continue;
+            }
+            let found = infer(
+                &self.axis,
+                &self.angles,
+                (bump.centre, bump.tangent),
+                within,
+                &params.infer,
+            );
+            if let Some(found) = found {
+                let (radius, stretch) = (bump.radius, Some(bump.stretch));
+                let lateral =
+                    self.lateral(name(), Origin::Bump, found.t, found.line, (radius, stretch), params);
+                self.laterals.push(lateral);
+            }
+        }
+        cover::cover(self, within, params, &mut name)
+    }
+
+    /// A branch of this system with its sub-silhouette.
+    pub(crate) fn lateral(
+        &self,
+        id: u32,
+        origin: Origin,
+        t: f32,
+        line: Line,
+        (radius, stretch): (f32, Option<[f32; 2]>),
+        params: &SystemParams,
+    ) -> Lateral {
+        let outline = sub_outline(&self.outline, &line, radius, stretch, &params.sub).outline;
+        let left = self.axis.tangent(t).perp_dot(line.span()) > 0.0;
+        Lateral {
+            id,
+            origin,
+            t,
+            left,
+            line,
+            outline,
+            radius,
+            stretch,
+            azimuth: None,
+            style: None,
+            system: None,
+        }
+    }
+
+    /// Whether a drawn branch ends in a bump.
+    fn has_one_at(&self, bump: &Bump) -> bool {
+        let near = bump.radius.max(0.5 * bump.centre.distance(bump.tip));
+        self.laterals.iter().any(|lateral| lateral.line.end().distance(bump.centre) <= near)
+    }
+
+    /// Infers a branch's line anew, for changed angles.
+    pub(crate) fn line_to(&self, lateral: &Lateral, params: &SystemParams) -> Option<(f32, Line)> {
+        let within = crown::foliage_part(&self.axis, &self.outline);
+        let tangent = lateral.line.tangent(1.0);
+        let end = (lateral.line.end(), tangent);
+        infer(&self.axis, &self.angles, end, within, &params.infer).map(|found| (found.t, found.line))
+    }
+
+    /// Moves everything by a map of the plane that keeps shapes.
+    pub(crate) fn carry(&mut self, map: &impl Fn(Vec2) -> Vec2) {
+        let line = |line: &Line| Line::new(line.points().iter().map(|&point| map(point)).collect());
+        self.axis = line(&self.axis).unwrap_or_else(|| self.axis.clone());
+        self.outline = self.outline.transformed(map);
+        for section in &mut self.sections {
+            section.outline = section.outline.transformed(map);
+        }
+        for lateral in &mut self.laterals {
+            lateral.line = line(&lateral.line).unwrap_or_else(|| lateral.line.clone());
+            lateral.outline = lateral.outline.transformed(map);
+            if let Some(system) = &mut lateral.system {
+                let map: &dyn Fn(Vec2) -> Vec2 = map;
+                system.carry(&map);
+            }
+        }
+    }
+}
