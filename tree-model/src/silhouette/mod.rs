@@ -9,4 +9,4 @@ pub mod outline;
 pub mod place;
 
 pub use line::Line;
-pub use outline::Outline;
+pub use outline::{LeafOutline, Outline, OutlineParams, OutlineRepair};
