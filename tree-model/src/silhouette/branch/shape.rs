@@ -61,7 +61,7 @@ impl Shape {
         let in_frame = line.points().iter().map(|&point| span.to_frame(point)).collect();
         Some(Self {
             line: Line::new(in_frame)?,
-            outline: outline.transformed(|point| span.to_frame(point)),
+            outline: outline.transformed(|point| span.to_frame(point))?,
         })
     }
 

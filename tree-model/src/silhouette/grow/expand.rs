@@ -177,7 +177,7 @@ impl Growth<'_> {
             .par_iter()
             .map(|&(style, n, variant)| {
                 let arrangement = self.styles.styles[style as usize].arrangement;
-                ready(n, arrangement, variant, seed)
+                ready(n, &arrangement, variant.into(), seed)
             })
             .collect();
         self.sites.extend(wanted.into_iter().zip(new?));

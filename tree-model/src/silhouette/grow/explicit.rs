@@ -83,7 +83,7 @@ impl Explicit<'_> {
         let free = Domain { along: [low.max(0.0), high.min(1.0)], azimuth: [0.0, TAU] };
         domains.extend(std::iter::repeat_n(free, n_added));
         let seed = seed.stream("azimuths");
-        Ok(arrange(&domains, rules.arrangement, &self.params.gibbs, seed, self.control)?.sites)
+        Ok(arrange(&domains, &rules.arrangement, &self.params.gibbs, seed, self.control)?.sites)
     }
 
     /// A sketched branch: seen from the front it is as it was drawn.
@@ -106,7 +106,7 @@ impl Explicit<'_> {
         };
         let points = lateral.line.points().iter().map(|&point| map(point)).collect();
         let Some(line) = Line::new(points) else { return Ok(None) };
-        let outline = lateral.outline.transformed(map);
+        let Some(outline) = lateral.outline.transformed(map) else { return Ok(None) };
         let spans = Span::new(line.start(), line.end(), lateral.left);
         let Some((span, shape)) = spans.zip(Shape::of(&line, &outline, lateral.left)) else {
             return Ok(None);

@@ -152,7 +152,7 @@ impl GrowParams {
     }
 
     /// The parameters of axes of a level.
-    pub(super) fn level(&self, level: u32) -> LevelParams {
+    pub(in crate::silhouette) fn level(&self, level: u32) -> LevelParams {
         let last = self.levels.len().saturating_sub(1);
         self.levels.get((level as usize).min(last)).cloned().unwrap_or_default()
     }

@@ -150,10 +150,9 @@ fn places(style: &Style, sites: &[Site], rng: &mut Rng) -> Vec<f32> {
         Spacing::Absolute { mean, sd } => (sd / mean).min(1.0),
         Spacing::Count(_) => LOOSE,
     };
-    let per_node = style.arrangement.per_node().max(1) as usize;
     let mut place = 0.0;
     let mut out = Vec::with_capacity(sites.len());
-    for node in sites.chunks(per_node) {
+    for node in sites.chunk_by(|a, b| a.node == b.node) {
         place += (1.0 + share * normal(rng)).max(0.05);
         out.extend(node.iter().map(|_| place));
     }

@@ -84,7 +84,7 @@ impl Styles {
         // From the finest level up: exemplars name the styles of their own branches.
         for level in (0..=depth).rev() {
             let mut drawn = Vec::new();
-            systems_at(&plan.system, None, level, &mut drawn);
+            drawn_at(plan, level, &mut drawn);
             styles.fallback(plan, level, depth, params);
             for (branch, system) in drawn {
                 let style = styles.measure(plan, system, level, depth, params);
@@ -132,7 +132,7 @@ impl Styles {
         } else {
             let mut source = Vec::new();
             for coarser in (0..level).rev() {
-                systems_at(&plan.system, None, coarser, &mut source);
+                drawn_at(plan, coarser, &mut source);
                 if !source.is_empty() {
                     break;
                 }
@@ -182,7 +182,21 @@ impl Styles {
     }
 }
 
-/// All drawn systems of a level, with the branches that bear them.
+/// All systems of a level that may be copied, with the branches that bear them.
+fn drawn_at<'a>(
+    plan: &'a Plan,
+    level: u32,
+    out: &mut Vec<(Option<&'a Lateral>, &'a System)>,
+) {
+    systems_at(&plan.system, None, level, out);
+    for lender in &plan.lenders {
+        if let (Some(inner), 1..) = (&lender.system, level) {
+            systems_at(inner, Some(lender), level - 1, out);
+        }
+    }
+}
+
+/// All drawn systems of a level within one, with the branches that bear them.
 fn systems_at<'a>(
     system: &'a System,
     branch: Option<&'a Lateral>,

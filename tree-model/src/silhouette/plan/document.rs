@@ -1,6 +1,6 @@
 //! The whole of what was drawn.
 
-use super::System;
+use super::{Lateral, System};
 use crate::silhouette::outline::LeafOutline;
 
 /// A leaf as it was drawn.
@@ -21,13 +21,16 @@ pub struct Plan {
     pub system: System,
     /// The leaf, where one was drawn.
     pub leaf: Option<DrawnLeaf>,
+    /// Branches of other trees, with their systems, whose styles this one may copy.
+    pub lenders: Vec<Lateral>,
 }
 
 impl Plan {
     /// How many levels of outlines were drawn: 1 for the crown only, 2 with that of a branch, and so on.
     #[must_use]
     pub fn n_levels(&self) -> u32 {
-        depth(&self.system)
+        let lent = self.lenders.iter().filter_map(|lateral| lateral.system.as_deref());
+        depth(&self.system).max(1 + lent.map(depth).max().unwrap_or(0))
     }
 }
 

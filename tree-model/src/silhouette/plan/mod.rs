@@ -6,9 +6,13 @@
 
 mod cover;
 mod crown;
+mod document;
 mod lateral;
 mod system;
 
-pub use cover::{Coverage, CoverParams};
+pub use cover::{CoverParams, Coverage};
+pub(super) use crown::axis_of;
+pub use document::{DrawnLeaf, Plan};
 pub use lateral::{Lateral, Origin};
+pub(super) use system::turned_base;
 pub use system::{Section, System, SystemParams};

@@ -143,21 +143,60 @@ impl System {
         infer(&self.axis, &self.angles, end, within, &params.infer).map(|found| (found.t, found.line))
     }
 
-    /// Moves everything by a map of the plane that keeps shapes.
+    /// Moves everything by a map of the plane that keeps lines straight.
     pub(crate) fn carry(&mut self, map: &impl Fn(Vec2) -> Vec2) {
         let line = |line: &Line| Line::new(line.points().iter().map(|&point| map(point)).collect());
         self.axis = line(&self.axis).unwrap_or_else(|| self.axis.clone());
-        self.outline = self.outline.transformed(map);
-        for section in &mut self.sections {
-            section.outline = section.outline.transformed(map);
-        }
+        let outline = |outline: &mut Outline| {
+            if let Some(moved) = outline.transformed(map) {
+                *outline = moved;
+            }
+        };
+        outline(&mut self.outline);
+        self.sections.iter_mut().for_each(|section| outline(&mut section.outline));
         for lateral in &mut self.laterals {
             lateral.line = line(&lateral.line).unwrap_or_else(|| lateral.line.clone());
-            lateral.outline = lateral.outline.transformed(map);
+            outline(&mut lateral.outline);
+            lateral.left = self.axis.tangent(lateral.t).perp_dot(lateral.line.span()) > 0.0;
             if let Some(system) = &mut lateral.system {
                 let map: &dyn Fn(Vec2) -> Vec2 = map;
                 system.carry(&map);
             }
         }
     }
+}
+
+/// Where a branch with a given end leaves the axis at the branching angle, when its span stands off by `leaving` from the
+/// direction it leaves in: of such places the one with the shortest span; where there is none, the one that comes nearest.
+pub(crate) fn turned_base(system: &System, end: Vec2, left: bool, leaving: f32) -> Option<f32> {
+    /// Places tried.
+    const PLACES: usize = 64;
+    /// Halvings between two places.
+    const HALVINGS: usize = 20;
+    let [low, high] = crown::foliage_part(&system.axis, &system.outline);
+    let off = |t: f32| {
+        let way = end - system.axis.at(t);
+        let along = system.axis.tangent(t);
+        let angle = libm::atan2f(along.perp_dot(way), along.dot(way));
+        (if left { angle } else { -angle }) - (system.angles.at(t) - leaving)
+    };
+    let place = |i: usize| low + (high - low) * i as f32 / (PLACES - 1) as f32;
+    let mut best: Option<(f32, f32)> = None;
+    for i in 1..PLACES {
+        let (mut a, mut b) = (place(i - 1), place(i));
+        // Behind the end the angle jumps from π to -π: no crossing.
+        if off(a) * off(b) > 0.0 || (off(a) - off(b)).abs() > 3.0 {
+            continue;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (a + b);
+            if off(a) * off(middle) <= 0.0 { b = middle } else { a = middle }
+        }
+        let span = end.distance(system.axis.at(a));
+        if best.is_none_or(|(shortest, _)| span < shortest) {
+            best = Some((span, a));
+        }
+    }
+    let nearest = (0..PLACES).map(place).min_by(|a, b| off(*a).abs().total_cmp(&off(*b).abs()));
+    best.map(|(_, t)| t).or(nearest)
 }
