@@ -78,6 +78,11 @@ impl Frame {
                 show(if side == Side::Front { point } else { point * Vec2::Y });
             }
         }
+        Self::of(side, low, high, px)
+    }
+
+    /// A frame of about `px` pixels along its longer side round what lies between two corners, in metres.
+    pub(crate) fn of(side: Side, low: Vec2, high: Vec2, px: u32) -> Self {
         let margin = MARGIN * (high - low).max_element();
         let (low, high) = (low - margin, high + margin);
         let scale = px as f32 / (high - low).max_element();

@@ -51,6 +51,23 @@ pub struct LeafMesh {
 }
 
 impl LeafMesh {
+    /// A flat leaf of a triangulated outline, in lengths of the leaf: base at the origin, apex at about (0, 1), triangles
+    /// against the clock. Its picture, if it has one, spans the outline's bounds.
+    #[must_use]
+    pub fn flat(points: &[Vec2], triangles: &[[u32; 3]]) -> Self {
+        let low = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+        let high = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+        let size = (high - low).max(Vec2::splat(f32::MIN_POSITIVE));
+        let uv = |point: &Vec2| Vec2::new(point.x - low.x, high.y - point.y) / size;
+        Self {
+            positions: points.iter().map(|point| point.extend(0.0)).collect(),
+            normals: vec![Vec3::Z; points.len()],
+            uvs: points.iter().map(uv).collect(),
+            uvs2: Vec::new(),
+            indices: triangles.concat(),
+        }
+    }
+
     /// Number of triangles.
     #[must_use]
     pub fn n_triangles(&self) -> usize {

@@ -216,7 +216,7 @@ impl Edge {
         let Some(first) = self.covered.iter().position(|&covered| covered) else {
             return Some((0, 1.0));
         };
-        let (mut best, mut run) = ((0, 0), 0);
+        let (mut best, mut run) = ((0, 0_usize), 0_usize);
         for i in (first..first + n).map(|i| i % n).chain([first]) {
             if self.covered[i] {
                 if run > best.1 {

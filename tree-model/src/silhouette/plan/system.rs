@@ -135,14 +135,6 @@ impl System {
         self.laterals.iter().any(|lateral| lateral.line.end().distance(bump.centre) <= near)
     }
 
-    /// Infers a branch's line anew, for changed angles.
-    pub(crate) fn line_to(&self, lateral: &Lateral, params: &SystemParams) -> Option<(f32, Line)> {
-        let within = crown::foliage_part(&self.axis, &self.outline);
-        let tangent = lateral.line.tangent(1.0);
-        let end = (lateral.line.end(), tangent);
-        infer(&self.axis, &self.angles, end, within, &params.infer).map(|found| (found.t, found.line))
-    }
-
     /// Moves everything by a map of the plane that keeps lines straight.
     pub(crate) fn carry(&mut self, map: &impl Fn(Vec2) -> Vec2) {
         let line = |line: &Line| Line::new(line.points().iter().map(|&point| map(point)).collect());
