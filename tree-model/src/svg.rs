@@ -35,6 +35,8 @@ const MAX_NODES: u32 = 1_000_000;
 #[derive(Default)]
 pub(crate) struct Drawing {
     pub(crate) shapes: Vec<Shape>,
+    /// Every element but the outermost: shapes, and the groups they are in.
+    pub(crate) elements: Vec<Element>,
     /// What the drawing shows of its plane: its view box, or its width and height.
     pub(crate) view: Option<Rect>,
 }
@@ -48,7 +50,24 @@ pub(crate) struct Shape {
     /// What it shows in a sketch, by a name (id, class, label, name) of its own or of the innermost group that has
     /// such a name.
     pub(crate) role: Option<Role>,
+    /// Whether it is filled by the even-odd rule.
+    pub(crate) even_odd: bool,
+    /// Index of its element.
+    pub(crate) element: Option<usize>,
 }
+
+/// A named place in a drawing.
+pub(crate) struct Element {
+    /// Its id, class, label and name, those that it has.
+    pub(crate) names: Vec<String>,
+    /// Whether it is a group.
+    pub(crate) is_group: bool,
+    /// Index of the element it is in; `None` in the outermost.
+    pub(crate) outer: Option<usize>,
+}
+
+/// The attributes that name an element, the first first.
+const NAMING: [&str; 4] = ["id", "class", "label", "name"];
 
 /// What an element has from the groups it is in.
 #[derive(Clone, Copy)]
@@ -56,6 +75,8 @@ struct Inherited {
     affine: Affine,
     paint: Paint,
     role: Option<Role>,
+    even_odd: bool,
+    element: Option<usize>,
 }
 
 /// A polyline of at least two points.
@@ -76,8 +97,14 @@ pub(crate) fn read(text: &str) -> Result<Drawing> {
     let document = Document::parse_with_options(text, parsing)
         .map_err(|error| ModelError::Svg(error.to_string()))?;
     let root = document.root_element();
-    let mut drawing = Drawing { shapes: Vec::new(), view: view(root) };
-    let outer = Inherited { affine: Affine::IDENTITY, paint: Paint::default(), role: None };
+    let mut drawing = Drawing { view: view(root), ..Drawing::default() };
+    let outer = Inherited {
+        affine: Affine::IDENTITY,
+        paint: Paint::default(),
+        role: None,
+        even_odd: false,
+        element: None,
+    };
     drawing.collect(root, &outer, &Inks::of(root), 0)?;
     Ok(drawing)
 }
@@ -117,11 +144,20 @@ impl Drawing {
             return Ok(());
         }
         // The whole drawing's name says nothing about a part of it.
-        let own = if depth > 0 { role(node) } else { None };
+        let (own, element) = if depth > 0 {
+            let names = names(node).map(String::from).collect();
+            self.elements.push(Element { names, is_group: name == "g", outer: outer.element });
+            (role(node), Some(self.elements.len() - 1))
+        } else {
+            (None, None)
+        };
+        let even_odd = property(node, "fill-rule").map_or(outer.even_odd, |rule| rule == "evenodd");
         let here = Inherited {
             affine: outer.affine * transform(node)?,
             paint: outer.paint.within(node, inks),
             role: own.or(outer.role),
+            even_odd,
+            element,
         };
         if let Some(path) = outline(node)? {
             self.add(node, &(here.affine * path), &here);
@@ -159,17 +195,21 @@ impl Drawing {
             }
         }
         let id = node.attribute("id").map(String::from);
-        let Inherited { paint, role, .. } = *here;
-        self.shapes.push(Shape { id, bounds, contours: finished, paint, role });
+        let Inherited { paint, role, even_odd, element, .. } = *here;
+        self.shapes.push(Shape { id, bounds, contours: finished, paint, role, even_odd, element });
     }
 }
 
 /// What the attributes that name an element say that it shows.
 fn role(node: Node<'_, '_>) -> Option<Role> {
-    const NAMING: [&str; 4] = ["id", "class", "label", "name"];
-    // Attributes are few: in the order of the list, not of the file.
-    NAMING.iter().find_map(|name| {
-        node.attributes().filter(|a| a.name() == *name).find_map(|a| role_named(a.value()))
+    names(node).find_map(role_named)
+}
+
+/// What an element is named: in the order of the list, not of the file.
+fn names<'a>(node: Node<'a, 'a>) -> impl Iterator<Item = &'a str> {
+    // Attributes are few.
+    NAMING.iter().flat_map(move |name| {
+        node.attributes().filter(move |a| a.name() == *name).map(|a| a.value())
     })
 }
 

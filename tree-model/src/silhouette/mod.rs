@@ -10,6 +10,7 @@ mod line;
 pub mod outline;
 pub mod place;
 pub mod plan;
+pub mod read;
 pub mod session;
 pub mod sub;
 
