@@ -7,6 +7,7 @@ pub mod bump;
 mod line;
 pub mod outline;
 pub mod place;
+pub mod sub;
 
 pub use line::Line;
 pub use outline::Outline;
