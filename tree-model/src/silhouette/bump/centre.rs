@@ -2,12 +2,15 @@
 
 use super::border::Border;
 use super::mesh::Mesh;
-use super::stand::End;
+use super::stand::{End, disc};
 use super::{Bump, Outline};
 use glam::{DVec2, Vec2};
 
 /// A disc still touches the tip when its radius comes this near to its distance, as a share: tips are uneven.
 const TOUCHES: f64 = 1.15;
+
+/// A disc wider than this share of the width the bump stands on is no more the bump's.
+const WIDEST: f64 = 0.6;
 
 /// The direction is measured from at least this share of the bump's width, and of its radius, farther in.
 const REACH: [f64; 2] = [0.35, 0.7];
@@ -25,8 +28,8 @@ pub(super) fn bump(outline: &Outline, border: &Border, mesh: &Mesh, end: &End) -
     let mut at = 0;
     let mut radius = 0.0;
     for (i, &place) in line.iter().enumerate() {
-        let free = if i + 1 == line.len() { end.body.1 } else { mesh.clearance(place) };
-        if place.distance(tip) > TOUCHES * free {
+        let free = mesh.clearance(place);
+        if place.distance(tip) > TOUCHES * free || free > WIDEST * end.neck {
             break;
         }
         (at, radius) = (i, free);
@@ -55,15 +58,13 @@ pub(super) fn bump(outline: &Outline, border: &Border, mesh: &Mesh, end: &End) -
 
 /// The one bump of an outline on which nothing stands out: about its widest place, its tip at the top. O(m² + n).
 pub(super) fn whole(outline: &Outline, border: &Border, mesh: &Mesh) -> Bump {
-    let disc = |place: DVec2| (place, mesh.clearance(place));
     let paths = mesh.terminals().into_iter().take(1).map(|terminal| terminal.path);
     let discs = paths.flat_map(|path| {
-        let chords: Vec<DVec2> =
-            path.windows(2).filter_map(|pair| mesh.chord(pair[0], pair[1])).collect();
-        chords.into_iter().map(disc)
+        path.windows(2).map(|pair| disc(mesh, pair)).collect::<Vec<_>>()
     });
     let middle = mesh.at().iter().sum::<DVec2>() / mesh.at().len().max(1) as f64;
-    let widest = discs.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_else(|| disc(middle));
+    let none = (middle, mesh.clearance(middle));
+    let widest = discs.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(none);
     let centre = border.frame.to_drawing(widest.0);
     let (mut top, mut at, mut along) = (centre, 0.0, 0.0);
     for (from, to) in outline.sides() {

@@ -1,7 +1,7 @@
 //! The chordal axis of a border, as the tree of its triangles.
 
 use super::border::Border;
-use crate::plane::fill::{Fill, FillRule, NONE};
+use crate::plane::fill::{Fill, FillRule, NONE, sides};
 use glam::DVec2;
 
 /// A tree of triangles. Terminals can be taken off it.
@@ -121,6 +121,15 @@ impl Mesh {
         let turned = u.length_squared() * v - v.length_squared() * u;
         let to_centre = -turned.perp() / cross;
         (a + to_centre, to_centre.length())
+    }
+
+    /// Whether a place lies inside the border. O(m).
+    pub(super) fn contains(&self, place: DVec2) -> bool {
+        let crosses = |&(a, b): &(DVec2, DVec2)| {
+            (a.y > place.y) != (b.y > place.y)
+                && place.x < a.x + (place.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        };
+        sides(&self.at).filter(crosses).count() % 2 == 1
     }
 
     /// Distance from a place to the points of the border.

@@ -51,16 +51,16 @@ pub struct Bump {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct BumpParams {
     /// How far a feature must stand out to be a bump, as a share of the width of what it stands on, 0.01 to 10.
-    /// Between clear valleys half of this is enough already, without any it takes twice as much. Default 0.2.
+    /// This holds for the middling: between clear valleys half of it is enough, without any it takes twice as much. Default 0.2.
     pub prominence: f32,
     /// Features that stand out less than this share of the outline's size (the longer side of its box) are no bumps
-    /// whatever their form: unsteadiness of the hand, single leaves, 0.001 to 0.5. Default 0.025.
+    /// whatever their form: unsteadiness of the hand, single leaves, 0.001 to 0.5. Default 0.02.
     pub detail: f32,
 }
 
 impl Default for BumpParams {
     fn default() -> Self {
-        Self { prominence: 0.2, detail: 0.025 }
+        Self { prominence: 0.2, detail: 0.02 }
     }
 }
 

@@ -6,17 +6,20 @@ use crate::plane::fill::{HALF, NONE};
 use glam::DVec2;
 
 /// What sticks out counts by this factor where there are no valleys beside it: a square's corners, which stick out by
-/// 0.29 of their width, are no bumps then, those of 70 degrees are.
-const BARE: f64 = 0.5;
+/// 0.29 of their width, are no bumps then, those of 75 degrees are.
+const BARE: f64 = 0.55;
 
 /// And by this much more between two clear valleys.
-const BETWEEN_VALLEYS: f64 = 1.0;
+const BETWEEN_VALLEYS: f64 = 1.45;
+
+/// Share of that which the less clear valley of the two decides.
+const LESS_CLEAR: f64 = 0.6;
 
 /// A valley is clear from this turn on, in radians, measured with straight lines from its deepest point to either rim.
-const CLEAR: f64 = 0.5;
+const CLEAR: f64 = 0.35;
 
 /// A line without forks has a waist where it is narrower than on both sides by this share of the least height of bumps.
-const WAIST: f64 = 1.0;
+const WAIST: f64 = 0.4;
 
 /// A terminal and what it stands on.
 #[derive(Clone, Debug)]
@@ -55,7 +58,8 @@ impl End {
 
     /// How much it stands out with valleys of these turns beside it.
     fn prominence(&self, valleys: [f64; 2]) -> f64 {
-        let clear = (valleys[0].min(valleys[1]) / CLEAR).clamp(0.0, 1.0);
+        let [one, other] = valleys.map(|turn| (turn / CLEAR).min(1.0));
+        let clear = LESS_CLEAR * one.min(other) + (1.0 - LESS_CLEAR) * one.max(other);
         self.height / self.neck.max(1.0) * (BARE + BETWEEN_VALLEYS * clear)
     }
 }
@@ -156,29 +160,43 @@ fn valley(at: &[DVec2], tips: [u32; 2], least: f64) -> f64 {
 fn line(mesh: &Mesh, least: f64) -> Vec<End> {
     let Some(terminal) = mesh.terminals().into_iter().next() else { return Vec::new() };
     let path = terminal.path;
-    let discs: Vec<(DVec2, f64)> = path
-        .windows(2)
-        .filter_map(|pair| mesh.chord(pair[0], pair[1]))
-        .map(|middle| (middle, mesh.clearance(middle)))
-        .collect();
-    let n = discs.len();
-    if n + 1 != path.len() || n == 0 {
+    let n = path.len();
+    if n < 3 {
         return Vec::new();
     }
-    let widest = (0..n).max_by(|&i, &j| discs[i].1.total_cmp(&discs[j].1)).unwrap_or(0);
-    let narrow = |i: usize| {
-        let most = |part: &[(DVec2, f64)]| part.iter().map(|disc| disc.1).fold(0.0, f64::max);
-        most(&discs[..i]).min(most(&discs[i..])) - discs[i].1
+    let discs: Vec<(DVec2, f64)> = (1..n - 1).map(|i| disc(mesh, &path[i..i + 2])).collect();
+    let radii: Vec<f64> = discs.iter().map(|disc| disc.1).collect();
+    let mut narrow = narrow(&radii).into_iter().enumerate();
+    let waist = narrow.by_ref().max_by(|a, b| a.1.total_cmp(&b.1));
+    let widest = radii.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i);
+    let place = waist.filter(|waist| waist.1 > WAIST * least).map_or(widest, |(i, _)| i);
+    let (body, at) = (discs[place], place + 1);
+    let end = |outer: usize, path: Vec<u32>, whole: &[u32]| {
+        let stretch = mesh.stretch(whole[outer], whole[at])?;
+        Some(End::new(mesh, Terminal { path, fork: NONE, stretch }, body, 2.0 * body.1))
     };
-    let waist = (0..n).max_by(|&i, &j| narrow(i).total_cmp(&narrow(j))).unwrap_or(0);
-    let place = if narrow(waist) > WAIST * least { waist } else { widest };
-    let (body, neck) = (discs[place], 2.0 * discs[place].1);
-    let inwards = |outer: usize, inner: usize, path: Vec<u32>, from: &[u32]| {
-        let stretch = mesh.stretch(from[outer], from[inner])?;
-        Some(End::new(mesh, Terminal { path, fork: NONE, stretch }, body, neck))
+    let back: Vec<u32> = path[at + 1..].iter().rev().copied().collect();
+    let both = [end(at - 1, path[..at].to_vec(), &path), end(at + 1, back, &path)];
+    both.into_iter().flatten().collect()
+}
+
+/// By how much each place is narrower than the widest on either side.
+fn narrow(radii: &[f64]) -> Vec<f64> {
+    let widest = |most: &mut f64, radius: &f64| {
+        *most = most.max(*radius);
+        Some(*most)
     };
-    let back: Vec<u32> = path[place + 1..].iter().rev().copied().collect();
-    let front = inwards(place, place + 1, path[..=place].to_vec(), &path);
-    let other = inwards(place + 1, place, back, &path);
-    front.into_iter().chain(other).collect()
+    let before: Vec<f64> = radii.iter().scan(0.0, widest).collect();
+    let mut after: Vec<f64> = radii.iter().rev().scan(0.0, widest).collect();
+    after.reverse();
+    (0..radii.len()).map(|i| before[i].min(after[i]) - radii[i]).collect()
+}
+
+/// The disc in a triangle of a line: about the middle of the circle through its corners, or where that lies outside
+/// about the middle of its chord. O(m).
+pub(super) fn disc(mesh: &Mesh, pair: &[u32]) -> (DVec2, f64) {
+    let round = mesh.circle(pair[0]).0;
+    let middle = mesh.chord(pair[0], pair[1]).unwrap_or(round);
+    let place = if mesh.contains(round) { round } else { middle };
+    (place, mesh.clearance(place))
 }

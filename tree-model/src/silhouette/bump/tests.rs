@@ -57,7 +57,7 @@ fn star(spikes: usize, inner: f32) -> Vec<Vec2> {
 fn conifer(tiers: usize) -> Vec<Vec2> {
     let mut right = vec![];
     for tier in 0..tiers {
-        let share = |t: f32| 1.0 - t / (tiers as f32 + 0.6);
+        let share = |t: f32| 1.0 - t / (tiers as f32 + 1.0);
         let low = tier as f32 / tiers as f32 * 2.4;
         right.push(Vec2::new(0.9 * share(tier as f32), low));
         let next = if tier + 1 == tiers { 0.0 } else { 0.5 * share(tier as f32 + 1.0) };
@@ -175,4 +175,60 @@ fn measure() {
         }
     }
     println!("all {hits}/{all}");
+}
+
+#[test]
+fn dump() {
+    for entry in std::fs::read_dir("/tmp/bump/in").unwrap().flatten() {
+        let text = std::fs::read_to_string(entry.path()).unwrap();
+        let points: Vec<Vec2> = text
+            .lines()
+            .filter_map(|l| l.split_once(' '))
+            .map(|(x, y)| Vec2::new(x.parse().unwrap(), y.parse().unwrap()))
+            .collect();
+        let shape = outline(simple(points));
+        let found = bumps(&shape, &BumpParams::default());
+        let time = std::time::Instant::now();
+        for _ in 0..20 {
+            let _ = bumps(&shape, &BumpParams::default());
+        }
+        let time = time.elapsed() / 20;
+        println!("{:?} {} points, {} bumps, {time:?}", entry.file_name(), shape.points().len(), found.len());
+        let mut out = String::new();
+        for p in shape.points() {
+            out += &format!("o {} {}\n", p.x, p.y);
+        }
+        let border = border::Border::of(&shape).unwrap();
+        let mut mesh = mesh::Mesh::of(&border).unwrap();
+        let _ = stand::ends(&mut mesh, &BumpParams::default());
+        for t in mesh.terminals() {
+            for c in t.path.windows(2).filter_map(|w| mesh.chord(w[0], w[1])) {
+                let c = border.frame.to_drawing(c);
+                out += &format!("a {} {}\n", c.x, c.y);
+            }
+        }
+        for b in &found {
+            out += &format!(
+                "b {} {} {} {} {} {} {} {} {}\n",
+                b.centre.x, b.centre.y, b.tip.x, b.tip.y, b.tangent.x, b.tangent.y, b.radius, b.stretch[0], b.stretch[1]
+            );
+        }
+        let (low, high) = shape.bounds();
+        let mut took = std::time::Duration::ZERO;
+        for b in &found {
+            let y = (b.centre.y - 0.25 * (high.y - low.y)).max(low.y + 0.1 * (high.y - low.y));
+            let root = Vec2::new(0.5 * (low.x + high.x), y.min(low.y + 0.7 * (high.y - low.y)));
+            let Some(branch) = crate::silhouette::Line::new(vec![root, b.centre]) else { continue };
+            let time = std::time::Instant::now();
+            let s = crate::silhouette::sub::sub_outline(&shape, &branch, b.radius, Some(b.stretch), &Default::default());
+            took += time.elapsed();
+            out += "s";
+            for p in s.outline.points() {
+                out += &format!(" {} {}", p.x, p.y);
+            }
+            out += &format!("\nr {} {} {} {}\n", root.x, root.y, b.centre.x, b.centre.y);
+        }
+        println!("   subs {:?} each", took / found.len() as u32);
+        std::fs::write(std::path::Path::new("/tmp/bump/out").join(entry.file_name()), out).unwrap();
+    }
 }
