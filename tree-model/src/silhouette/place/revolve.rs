@@ -24,28 +24,63 @@ use crate::plane::arrange::crossings;
 use crate::plane::fill::{Fill, FillRule, Frame, area};
 use glam::{Vec2, Vec3};
 use half::{BLOCK, BLOCKS, Half};
-use std::f32::consts::PI;
+use std::f32::consts::{PI, TAU};
 
 /// Outlines whose planes are closer than this, in radians, are one: the last of them counts.
 const SAME_PLANE: f32 = 0.01;
+
+/// Where less than this share of the axis' span is seen, its image no longer tells where it points.
+const LEAST_SEEN: f32 = 0.5;
 
 /// An outline and the plane it is drawn in.
 #[derive(Clone, Copy, Debug)]
 pub struct Section<'a> {
     /// Azimuth of the plane's right side in radians: 0 for the drawing seen along −Z, π/2 for one seen from its right side.
     pub azimuth: f32,
-    /// The outline in that plane, metres, x to the plane's right.
+    /// The outline as seen there, metres, x to the plane's right, y up, the tree's base at the origin: another view of
+    /// the same tree, turned about the vertical.
     pub outline: &'a Outline,
 }
 
 /// A closed surface round an axis, through outlines in planes through it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
+    view: View,
+    /// Ascending by azimuth; none where there was no outline.
+    halves: Vec<Half>,
+}
+
+/// The frame of the axis as a view shows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct View {
     origin: Vec2,
     /// Unit vector along the straight span of the axis.
     up: Vec2,
-    /// Ascending by azimuth; none where there was no outline.
-    halves: Vec<Half>,
+    /// How much shorter than it is the span is seen.
+    stretch: f32,
+}
+
+impl View {
+    /// Of the axis from `start` over `span`, turned about the vertical by the angle that `cos` is the cosine of. An axis that
+    /// is seen nearly end on is taken as it is in the first drawing: the view is then one of the plane through it.
+    fn of(start: Vec2, span: Vec2, cos: f32) -> Self {
+        let turned = Vec2::new(cos, 1.0);
+        let shown = (span * turned).length() / span.length();
+        if shown < LEAST_SEEN || !shown.is_finite() {
+            return Self {
+                origin: start,
+                up: span.try_normalize().unwrap_or(Vec2::Y),
+                stretch: 1.0,
+            };
+        }
+        let up = (span * turned).try_normalize().unwrap_or(Vec2::Y);
+        Self { origin: start * turned, up, stretch: 1.0 / shown }
+    }
+
+    fn to_frame(self, point: Vec2) -> Vec2 {
+        let way = point - self.origin;
+        Vec2::new(-self.up.perp_dot(way), self.up.dot(way) * self.stretch)
+    }
 }
 
 /// Two halves and the share of the second.
@@ -73,15 +108,16 @@ impl Surface {
     /// O(axis + outlines).
     #[must_use]
     pub fn of(axis: &Line, sections: &[Section<'_>]) -> Self {
-        let across = axis.end() - axis.start();
-        let up = across.try_normalize().unwrap_or(Vec2::Y);
-        let mut surface = Self { origin: axis.start(), up, halves: Vec::new() };
-        let local: Vec<Vec2> = axis.points().iter().map(|&p| surface.to_frame(p)).collect();
+        let (start, span) = (axis.start(), axis.span());
+        let view = View::of(start, span, 1.0);
+        let mut surface = Self { view, halves: Vec::new() };
+        let local: Vec<Vec2> = axis.points().iter().map(|&p| view.to_frame(p)).collect();
         for section in sections.iter().filter(|section| section.azimuth.is_finite()) {
+            let cos = libm::cosf(section.azimuth);
+            let view = View::of(start, span, cos);
             let outline: Vec<Vec2> =
-                section.outline.points().iter().map(|&p| surface.to_frame(p)).collect();
-            let shown = Vec2::new(libm::cosf(section.azimuth), 1.0);
-            let seen: Vec<Vec2> = local.iter().map(|&p| p * shown).collect();
+                section.outline.points().iter().map(|&p| view.to_frame(p)).collect();
+            let seen: Vec<Vec2> = local.iter().map(|&p| p * Vec2::new(cos, 1.0)).collect();
             for (half, turned) in half::split(&outline, &seen).into_iter().zip([0.0, PI]) {
                 surface.add(Half { azimuth: in_turn(section.azimuth + turned), ..half });
             }
@@ -106,20 +142,19 @@ impl Surface {
     /// Where the frame begins: the start of the axis, in the drawing.
     #[must_use]
     pub fn origin(&self) -> Vec2 {
-        self.origin
+        self.view.origin
     }
 
     /// The unit vector along the span of the axis, in the drawing.
     #[must_use]
     pub fn up(&self) -> Vec2 {
-        self.up
+        self.view.up
     }
 
     /// A point of the drawing in the frame of the axis: x across to the right, y along.
     #[must_use]
     pub fn to_frame(&self, point: Vec2) -> Vec2 {
-        let way = point - self.origin;
-        Vec2::new(-self.up.perp_dot(way), self.up.dot(way))
+        self.view.to_frame(point)
     }
 
     /// The half at an azimuth: points (r, y) in metres, from top to bottom. Empty where the surface is. O(points).
@@ -167,13 +202,15 @@ impl Surface {
 
     /// The halves on both sides of an azimuth. O(halves).
     fn blend(&self, azimuth: f32) -> Option<Blend<'_>> {
-        let azimuth = in_turn(azimuth);
-        let after = self.halves.partition_point(|half| half.azimuth <= azimuth);
+        // The remainder is slow, and most azimuths need none.
+        let azimuth = if (0.0..TAU).contains(&azimuth) { azimuth } else { in_turn(azimuth) };
+        let after = self.halves.iter().take_while(|half| half.azimuth <= azimuth).count();
         let from = if after > 0 { self.halves.get(after - 1) } else { self.halves.last() }?;
         let to = self.halves.get(after).or(self.halves.first())?;
-        // Two halves at one azimuth are never kept, but a single one may be all there is.
-        let gap = in_turn(to.azimuth - from.azimuth);
-        let t = if gap > 0.0 { in_turn(azimuth - from.azimuth) / gap } else { 0.0 };
+        let ahead = |from: f32, to: f32| if to < from { to - from + TAU } else { to - from };
+        // A single half may be all there is.
+        let gap = ahead(from.azimuth, to.azimuth);
+        let t = if gap > 0.0 { ahead(from.azimuth, azimuth) / gap } else { 0.0 };
         // A smooth step, within a hundredth of (1 − cos πt) / 2.
         Some(Blend { from, to, share: t * t * (3.0 - 2.0 * t) })
     }
@@ -191,21 +228,21 @@ impl Ray {
     /// Crosses one half; `side` −1 mirrors it to the left. Only blocks whose box the line meets are blended: the box of
     /// blended points lies in the blended box.
     fn chain(&mut self, blend: &Blend<'_>, side: f32) {
-        let mirror = Vec2::new(side, 1.0);
-        for block in 0..BLOCKS {
-            let (a, b) = (blend.from.boxes[block], blend.to.boxes[block]);
+        let (mirror, size) = (Vec2::new(side, 1.0), self.direction.abs());
+        let boxes = blend.from.boxes.iter().zip(&blend.to.boxes);
+        for (block, (a, b)) in boxes.enumerate() {
             let middle = a.0.lerp(b.0, blend.share) * mirror - self.from;
             let reach = a.1.lerp(b.1, blend.share);
-            let across = self.direction.y.abs() * reach.x + self.direction.x.abs() * reach.y;
-            let along = self.direction.x.abs() * reach.x + self.direction.y.abs() * reach.y;
-            if self.direction.perp_dot(middle).abs() > across
-                || self.direction.dot(middle) + along < 0.0
-            {
+            let across = size.y * reach.x + size.x * reach.y;
+            let apart = self.direction.perp_dot(middle).abs() > across;
+            if apart || self.direction.dot(middle) + size.dot(reach) < 0.0 {
                 continue;
             }
-            let mut last = blend.point(block * BLOCK) * mirror;
-            for i in block * BLOCK + 1..=(block + 1) * BLOCK {
-                let next = blend.point(i) * mirror;
+            let part = block * BLOCK..=(block + 1) * BLOCK;
+            let (a, b) = (&blend.from.points[part.clone()], &blend.to.points[part]);
+            let mut points = a.iter().zip(b).map(|(a, b)| a.lerp(*b, blend.share) * mirror);
+            let Some(mut last) = points.next() else { continue };
+            for next in points {
                 self.side(last, next);
                 last = next;
             }

@@ -157,6 +157,21 @@ fn any_axis_keeps_the_drawn_outline() {
 }
 
 #[test]
+fn a_leaning_axis_is_upright_where_its_lean_is_not_seen() {
+    let axis = line(&[(0.0, 0.0), (2.0, 4.0)]);
+    let drawn = lobed(Vec2::new(1.5, 3.0), 1.2, 4, 3);
+    let side = polygon(&[(0.0, 1.0), (1.0, 3.0), (0.0, 4.0), (-1.0, 3.0)]);
+    let sections = [(0.0, &drawn), (PI / 2.0, &side)];
+    let surface =
+        Surface::of(&axis, &sections.map(|(azimuth, outline)| Section { azimuth, outline }));
+    // As long along the axis as it is high, over the cosine of the lean.
+    let (low, high) = surface.profile(PI / 2.0).unwrap().bounds();
+    let length = 20.0_f32.sqrt() / 4.0;
+    assert!((low.x + 1.0).abs() < 0.02 && (high.x - 1.0).abs() < 0.02);
+    assert!((low.y - length).abs() < 0.02 && (high.y - 4.0 * length).abs() < 0.02);
+}
+
+#[test]
 fn no_outline_gives_no_surface() {
     let axis = line(&[(0.0, 0.0), (0.0, 4.0)]);
     let outline = askew();
