@@ -19,7 +19,7 @@ use tree_core::{Control, Seed};
 /// An added branch ends where this share of its way to the surface is done; its foliage goes on.
 const END: f32 = 0.78;
 /// Radius that stands for a bump's, as a share of the branch's length.
-const ROUND: f32 = 0.4;
+const ROUND: f32 = 0.3;
 /// Added branches begin no lower than this below the first sketched one, and no higher above the last.
 const BEYOND: f32 = 0.03;
 
@@ -125,7 +125,8 @@ impl Explicit<'_> {
         let turn = Around::new(along, site.azimuth).turn(angle);
         let frame = Frame { origin: base.extend(0.0), turn, scale: span.length() };
         let form = self.styles.add_form(Form::of(&shape));
-        Ok(Some(Child { node: 0, frame, form, inner }))
+        let is_free = lateral.azimuth.is_some();
+        Ok(Some(Child { node: 0, frame, form, inner, is_free }))
     }
 
     /// Added branches: copies of the nearest sketched ones, as long as the pseudo-surface of revolution has room.
@@ -155,7 +156,7 @@ impl Explicit<'_> {
             let fitted = fitted(form, &shape, base, length * way, site.azimuth);
             let frame = Frame { origin: base.extend(0.0), turn, scale: length };
             let inner = Inner::Style(self.styles.for_lateral(nearest, level + 1));
-            let child = Child { node: 0, frame, form: 0, inner };
+            let child = Child { node: 0, frame, form: 0, inner, is_free: false };
             Some((child, Form::of(&fitted.unwrap_or(shape))))
         };
         sites.par_iter().enumerate().filter_map(grow).collect()
