@@ -54,23 +54,32 @@ pub fn grow(plan: &Plan, params: &GrowParams, seed: Seed, control: &Control) -> 
     };
     let mut system = plan.system.clone();
     system.carry(&|point: Vec2| span.to_frame(point));
-    let explicit =
-        Explicit { styles: &mut styles, patterns: &mut patterns, params, depth, control };
-    let trunk = { explicit }.pattern(&system, 0, seed.stream("trunk"))?;
+    let fence = Fence::of(plan);
+    let frame = frame_of(axis.start(), axis.span(), span.length());
+    let mut explicit = Explicit {
+        styles: &mut styles,
+        patterns: &mut patterns,
+        params,
+        depth,
+        fence: &fence,
+        trunk: frame,
+        control,
+    };
+    let trunk = explicit.pattern(&system, 0, seed.stream("trunk"))?;
     let mut growth = Growth {
         styles,
         patterns,
         sites: BTreeMap::new(),
         made: BTreeMap::new(),
         params,
-        fence: params.fence.then(|| Fence::of(plan)),
+        fence,
         seed,
         positions: Vec::new(),
         parents: Vec::new(),
         leaves: Foliage::default(),
         report: GrowReport { sketched: plan.system.laterals.len() as u64, ..GrowReport::default() },
     };
-    growth.run(trunk, frame_of(axis.start(), axis.span(), span.length()), depth, control)?;
+    growth.run(trunk, frame, depth, control)?;
     growth.finish(plan, control)
 }
 
@@ -94,9 +103,6 @@ fn frame_of(base: Vec2, span: Vec2, scale: f32) -> Frame {
 fn bare(params: &GrowParams) -> Result<Tree> {
     Ok(Tree::bare(Skeleton::builder(Vec3::ZERO, 0.0)?.finish(), params.species.clone()))
 }
-
-/// The number of the trunk, which is free itself while what it bears is not.
-const TRUNK: u64 = u64::MAX;
 
 /// A branch to be set down.
 #[derive(Clone, Copy)]
@@ -122,7 +128,7 @@ struct Growth<'a> {
     sites: BTreeMap<(u32, u32, u32), Vec<Site>>,
     made: BTreeMap<Key, u32>,
     params: &'a GrowParams,
-    fence: Option<Fence>,
+    fence: Fence,
     seed: Seed,
     positions: Vec<Vec3>,
     parents: Vec<u32>,
@@ -136,7 +142,7 @@ impl Growth<'_> {
         self.parents.push(NO_PARENT);
         let inner = Inner::Pattern(trunk);
         let mut level =
-            vec![Instance { frame, node: 0, form: 0, inner, is_free: true, number: TRUNK }];
+            vec![Instance { frame, node: 0, form: 0, inner, is_free: false, number: 0 }];
         for depth_now in 0..=depth {
             if level.is_empty() {
                 break;
@@ -263,7 +269,8 @@ impl Growth<'_> {
 
     fn finish(mut self, plan: &Plan, control: &Control) -> Result<Grown> {
         control.report("gaps", 0.8)?;
-        let gaps = fill::Gaps { plan, params: self.params, leaf: self.styles.leaf_length() };
+        let leaf = self.styles.leaf_length();
+        let gaps = fill::Gaps { plan, params: self.params, fence: &self.fence, leaf };
         let wood = (&mut self.positions, &mut self.parents);
         self.report.filled =
             gaps.fill(wood, &mut self.leaves, self.seed.stream("gaps"), control)?;
@@ -311,17 +318,16 @@ impl Rows {
             self.positions.push(branch.frame.point(point));
             self.parents.push(node(i as u32 - 1));
         }
-        let fence = growth.fence.as_ref().filter(|_| !branch.is_free);
+        let fence = (growth.params.fence && !branch.is_free).then_some(&growth.fence);
         for child in &pattern.children {
             let frame = branch.frame.then(&child.frame);
             let frame = with_room_for_leaves(frame, child.inner, &growth.styles);
-            let Some(frame) = within(frame, fence) else {
+            let Some(frame) = within(frame, fence.filter(|_| !child.is_sketched)) else {
                 self.fenced += 1;
                 continue;
             };
             let (node, form, inner) = (node(child.node), child.form, child.inner);
-            // Those on the trunk are as they were drawn, or fitted.
-            let is_free = child.is_free || (branch.is_free && branch.number != TRUNK);
+            let is_free = child.is_free || branch.is_free;
             self.next.push(Instance { frame, node, form, inner, is_free, number: 0 });
         }
         let (Some(leaves), Inner::Style(style)) = (&growth.params.leaves, branch.inner) else {

@@ -12,7 +12,7 @@ const CELLS: usize = 256;
 /// The outline of a view as cells.
 pub(super) struct View {
     /// Whether it is seen from the side: then z is to the right.
-    is_side: bool,
+    pub(super) is_side: bool,
     pub(super) low: Vec2,
     pub(super) cell: f32,
     pub(super) size: [usize; 2],
@@ -64,6 +64,30 @@ impl View {
     fn contains(&self, point: Vec3) -> bool {
         self.cell_of(point).is_some_and(|cell| self.inside[cell])
     }
+
+    /// The point of the same height inside that is nearest, moved across the view; `None` where all of that height is
+    /// outside.
+    fn drawn_in(&self, point: Vec3) -> Option<Vec3> {
+        let place = (self.seen(point) - self.low) / self.cell;
+        let [width, height] = self.size;
+        if place.y < 0.0 || place.y >= height as f32 {
+            return None;
+        }
+        let row = place.y as usize * width;
+        let here = (place.x.clamp(0.0, width as f32 - 1.0)) as usize;
+        let is_inside = |x: &usize| self.inside[row + x];
+        let before = (0..=here).rev().find(is_inside);
+        let after = (here..width).find(is_inside);
+        let nearest = match (before, after) {
+            (Some(a), Some(b)) if here - a > b - here => b,
+            (a, b) => a.or(b)?,
+        };
+        if nearest == here {
+            return Some(point);
+        }
+        let across = self.low.x + self.cell * (nearest as f32 + 0.5);
+        Some(self.at_depth_of(Vec2::new(across, self.seen(point).y), point))
+    }
 }
 
 /// The views of a plan.
@@ -74,6 +98,16 @@ pub(super) struct Fence {
 impl Fence {
     pub(super) fn of(plan: &Plan) -> Self {
         Self { views: views(plan, CELLS) }
+    }
+
+    /// Whether a point is inside as seen from the side.
+    pub(super) fn is_in_profile(&self, point: Vec3) -> bool {
+        self.views.iter().filter(|view| view.is_side).all(|view| view.contains(point))
+    }
+
+    /// A point that is inside from all sides, at the same height and near; `None` where there is none.
+    pub(super) fn drawn_in(&self, point: Vec3) -> Option<Vec3> {
+        self.views.iter().try_fold(point, |point, view| view.drawn_in(point))
     }
 
     /// Whether a point is inside from all sides.

@@ -6,7 +6,7 @@
 //!
 //! O(nodes + leaves + cells).
 
-use super::fence::{View, views};
+use super::fence::{Fence, View, views};
 use super::params::GrowParams;
 use crate::error::Result;
 use crate::silhouette::plan::Plan;
@@ -19,10 +19,12 @@ use tree_core::{Control, Foliage, Leaf, Resource, Seed};
 const CELLS: usize = 60;
 /// Area of a leaf over its length squared, where none was drawn.
 const BLADE: f32 = 0.3;
-/// Leaves are seen slantwise: so much of their area counts.
+/// New leaves are seen slantwise: so much of their area counts.
 const SLANT: f32 = 0.5;
 /// Leaves added to one cell, at most.
 const MOST_LEAVES: f32 = 24.0;
+/// A leaf that sticks out is tried again, so much smaller.
+const SMALLER: f32 = 0.85;
 /// No cell is smaller than this many leaf lengths.
 const FINE: f32 = 0.5;
 /// Stands for a node where there is none.
@@ -32,6 +34,7 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Gaps<'a> {
     pub(super) plan: &'a Plan,
     pub(super) params: &'a GrowParams,
+    pub(super) fence: &'a Fence,
     /// Length of leaves in metres.
     pub(super) leaf: Option<f32>,
 }
@@ -63,6 +66,8 @@ impl Gaps<'_> {
                     continue;
                 }
                 let here = grow(view, cell, positions[node as usize], &mut rng);
+                let here = if self.params.fence { self.fence.drawn_in(here) } else { Some(here) };
+                let Some(here) = here else { continue };
                 control.limits.check(Resource::Nodes, positions.len() as u64 + 1)?;
                 positions.push(here);
                 parents.push(node);
@@ -83,14 +88,25 @@ impl Gaps<'_> {
         self.plan.leaf.as_ref().map_or(BLADE, |leaf| leaf.outline.area())
     }
 
-    /// A leaf about a node, its middle somewhere in the node's cell.
+    /// A leaf about a node, its middle somewhere in the node's cell, and if it can be all of it inside.
     fn leaf(&self, view: &View, (here, node): (Vec3, u32), length: f32, rng: &mut Rng) -> Leaf {
-        let size = length * uniform(rng, 0.8, 1.05);
-        let midrib = unit_vector(rng);
-        let off = 0.5 * view.cell * Vec2::new(uniform(rng, -1.0, 1.0), uniform(rng, -1.0, 1.0));
-        let middle = view.at_depth_of(view.seen(here) + off, here);
-        // Upper faces look up, as far as the midrib lets them.
-        let side = midrib.cross(Vec3::Y).try_normalize().unwrap_or(Vec3::X);
+        /// Leaves that are tried.
+        const TRIES: u32 = 4;
+        let mut size = length * uniform(rng, 0.8, 1.05);
+        let mut found = (here, Vec3::Y);
+        for _ in 0..TRIES {
+            let off = 0.5 * view.cell * Vec2::new(uniform(rng, -1.0, 1.0), uniform(rng, -1.0, 1.0));
+            found = (view.at_depth_of(view.seen(here) + off, here), unit_vector(rng));
+            let ends = [-0.5, 0.0, 0.5].map(|part| found.0 + part * size * found.1);
+            if !self.params.fence || ends.into_iter().all(|end| self.fence.contains(end)) {
+                break;
+            }
+            size *= SMALLER;
+        }
+        let (middle, midrib) = found;
+        // Upper faces look anywhere, but up rather than down.
+        let face = unit_vector(rng) + 0.5 * Vec3::Y;
+        let side = midrib.cross(face).try_normalize().unwrap_or(Vec3::X);
         let face = side.cross(midrib);
         let turn = Quat::from_mat3(&Mat3::from_cols(midrib.cross(face), midrib, face));
         let rotation = turn.normalize();
@@ -137,7 +153,9 @@ impl<'a> Grid<'a> {
         let columns = leaves.positions().iter().zip(leaves.rotations()).zip(leaves.sizes());
         for ((&position, &rotation), &size) in columns {
             let midrib = size * (rotation * Vec3::Y);
-            let share = SLANT * blade * size * size / 2.0;
+            let face = rotation * Vec3::Z;
+            let slant = if view.is_side { face.x } else { face.z };
+            let share = slant.abs() * blade * size * size / 2.0;
             for part in [0.3, 0.7] {
                 if let Some(cell) = view.cell_of(position + part * midrib) {
                     area[cell] += share;

@@ -32,7 +32,9 @@ pub(super) struct Child {
     pub(super) frame: Frame,
     pub(super) form: u32,
     pub(super) inner: Inner,
-    /// Whether it may leave the outlines.
+    /// Whether it was sketched: it is as long as it was drawn.
+    pub(super) is_sketched: bool,
+    /// Whether it, and all on it, may leave the outlines: it was drawn from elsewhere.
     pub(super) is_free: bool,
 }
 
@@ -129,6 +131,7 @@ pub(super) fn of_style(
                     frame,
                     form: exemplar.form,
                     inner,
+                    is_sketched: false,
                     is_free: false,
                 });
             }
