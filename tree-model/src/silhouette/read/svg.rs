@@ -247,7 +247,7 @@ fn middle_line(contour: &[Vec2]) -> Option<(Vec<Vec2>, f32)> {
     let grid = grid_over(&[contour.to_vec()])?;
     let mask = raster::mask(&grid, &[contour.to_vec()]);
     let (mask, _) = grid.bridge(&mask, 1, 1);
-    let trunk = super::trunk::Trunk::of(&grid, &mask, true)?;
+    let trunk = super::trunk::Trunk::given(&grid, &mask, f32::INFINITY)?;
     Some((trunk.line(&grid), trunk.width(&grid)))
 }
 

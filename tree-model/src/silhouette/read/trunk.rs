@@ -10,8 +10,18 @@ use glam::Vec2;
 /// How much higher a point counts, in heights of the tree, at half the tree's width from its middle, when the foot is
 /// sought: more than low branches hang below it.
 const ASIDE: f32 = 0.25;
-/// The lowest share of the height: root flare, of which the trunk's width is not taken.
+/// The lowest share of the height: roots and rounded ends, of which the trunk's width is not taken.
 const FLARE: f32 = 0.02;
+/// Teeth of roots may be narrower than the trunk up to this share of the height.
+const ROOTS: f32 = 0.06;
+/// The trunk's narrowest place is looked for in this lowest share of the height,
+const LOWEST: f32 = 0.45;
+/// over this share of the height, in which widths are alike.
+const STEADY: f32 = 0.03;
+/// Widths are alike within this factor.
+const ALIKE: f32 = 1.3;
+/// Below its narrowest place a trunk is hardly narrower: not by more than this factor. Pointed crowns are.
+const POINTED: f32 = 1.5;
 /// A trunk is narrower than this share of the tree's width.
 const NARROW: f32 = 0.4;
 /// The crown begins where the stretch is so many times as wide as the trunk at its narrowest,
@@ -20,12 +30,11 @@ const WIDER: f32 = 1.6;
 const WIDER_BY: f32 = 0.04;
 /// over this share of the height.
 const OVER: f32 = 0.02;
-/// A trunk is at least this share of the height long,
+/// A trunk is at least this share of the height long.
 const SHORTEST: f32 = 0.05;
-/// and about as narrow as at its narrowest (within this factor)
-const ALIKE: f32 = 1.3;
-/// over this share of the height. The rounded bottom of a crown widens faster.
-const STEADY: f32 = 0.03;
+/// Where the trunk is wider or narrower than its middle width by this factor, by roots or limbs, its middle is that of
+/// the nearest place where it is not.
+const ODD: f32 = 1.3;
 /// The trunk's middle line may deviate by this share of the silhouette's size when corners are left out.
 const TOLERANCE: f64 = 0.006;
 
@@ -38,46 +47,50 @@ pub(super) struct Trunk {
 }
 
 impl Trunk {
-    /// The trunk of a silhouette in one part; `None` where it has none. `given` says that the mask is nothing but
-    /// a trunk.
-    pub(super) fn of(grid: &Grid, mask: &[bool], given: bool) -> Option<Self> {
+    /// The trunk of a silhouette in one part; `None` where it has none.
+    pub(super) fn of(grid: &Grid, mask: &[bool]) -> Option<Self> {
         let tree = Extent::of(grid, mask)?;
-        let (column, base) = tree.foot(grid, mask);
+        let mut trunk = Self::follow(grid, mask, &tree)?;
         let share = |share: f32| ((share * tree.height()).ceil() as usize).max(1);
+        let widths: Vec<f32> = trunk.runs.iter().map(|&(from, to)| (to - from) as f32).collect();
+        let least = |widths: &[f32]| widths.iter().copied().fold(f32::INFINITY, f32::min);
+        let most = |widths: &[f32]| widths.iter().copied().fold(0.0, f32::max);
+        let full = tree.width();
+        // The narrowest place; of equals the lowest.
+        let places = widths.windows(share(STEADY)).enumerate().take(share(LOWEST));
+        let (at, narrow) = places
+            .skip(share(FLARE))
+            .map(|(at, near)| (at, least(near), most(near)))
+            .filter(|&(_, least, most)| most <= ALIKE * least && most < NARROW * full)
+            .map(|(at, _, most)| (at, most))
+            .reduce(|a, b| if b.1 < a.1 { b } else { a })?;
+        let below = &widths[share(ROOTS).min(at)..at];
+        let limit = (WIDER * narrow).max(narrow + WIDER_BY * full);
+        let is_wide = |near: &[f32]| least(near) > limit;
+        let crown = at + widths[at..].windows(share(OVER)).position(is_wide)?;
+        let is_trunk = least(below) * POINTED >= narrow && crown >= share(SHORTEST);
+        trunk.runs.truncate(crown);
+        is_trunk.then_some(trunk)
+    }
+
+    /// The trunk in a mask of nothing else, in one part. `None` where that is wider than a trunk in a silhouette of
+    /// this width in cells.
+    pub(super) fn given(grid: &Grid, mask: &[bool], full: f32) -> Option<Self> {
+        let trunk = Self::follow(grid, mask, &Extent::of(grid, mask)?)?;
+        (trunk.median() < NARROW * full).then_some(trunk)
+    }
+
+    /// Stretches from the foot to the top.
+    fn follow(grid: &Grid, mask: &[bool], tree: &Extent) -> Option<Self> {
+        let (column, base) = tree.foot(grid, mask);
         let mut run = run_at(grid, mask, base, column)?;
         let mut runs = vec![run];
-        let full = tree.width();
-        let mut narrow = f32::INFINITY;
-        let mut wide = 0;
-        let mut ended = false;
         for y in (tree.top..base).rev() {
             let Some(next) = run_above(grid, mask, y, run) else { break };
             run = next;
             runs.push(run);
-            let width = (run.1 - run.0) as f32;
-            if runs.len() > share(FLARE) {
-                if width > (WIDER * narrow).max(narrow + WIDER_BY * full) {
-                    wide += 1;
-                } else {
-                    wide = 0;
-                    narrow = narrow.min(width);
-                }
-                if wide >= share(OVER) && !given {
-                    ended = true;
-                    break;
-                }
-            }
         }
-        if given {
-            return Some(Self { base, runs });
-        }
-        runs.truncate(runs.len() - wide);
-        let alike = |&&(a, b): &&(usize, usize)| (b - a) as f32 <= ALIKE * narrow;
-        let is_trunk = ended
-            && narrow < NARROW * full
-            && runs.len() >= share(SHORTEST)
-            && runs.iter().filter(alike).count() >= share(STEADY);
-        is_trunk.then_some(Self { base, runs })
+        Some(Self { base, runs })
     }
 
     /// Takes the trunk out of a mask, and what lies beside its foot.
@@ -97,17 +110,29 @@ impl Trunk {
 
     /// The middle line, from the foot up, in units of the drawing.
     pub(super) fn line(&self, grid: &Grid) -> Vec<Vec2> {
-        let middle = |i: usize| {
-            let (from, to) = self.runs[i];
-            0.5 * (from + to) as f32
-        };
         let n = self.runs.len();
-        // Over some rows: roots and knots make the middle jump.
+        let median = self.median();
+        let is_odd = |&(from, to): &(usize, usize)| {
+            let width = (to - from) as f32;
+            width > ODD * median || width * ODD < median
+        };
+        let first = self.runs.iter().position(|run| !is_odd(run)).unwrap_or(0);
+        let mut last = 0.0;
+        let mut middles = vec![0.0; n];
+        for (i, run) in self.runs.iter().enumerate().skip(first) {
+            if i == first || !is_odd(run) {
+                last = 0.5 * (run.0 + run.1) as f32;
+            }
+            middles[i] = last;
+        }
+        let low = middles[first];
+        middles[..first].fill(low);
+        // Over some rows: knots make the middle jump.
         let reach = (n / 12).max(1);
         let mut points: Vec<Vec2> = (0..n)
             .map(|i| {
                 let reach = reach.min(i).min(n - 1 - i);
-                let sum: f32 = (i - reach..=i + reach).map(middle).sum();
+                let sum: f32 = middles[i - reach..=i + reach].iter().sum();
                 let y = (self.base - i) as f32 + 0.5;
                 Vec2::new(sum / (2 * reach + 1) as f32, y)
             })
@@ -124,9 +149,14 @@ impl Trunk {
 
     /// The middle of its widths, in units of the drawing.
     pub(super) fn width(&self, grid: &Grid) -> f32 {
+        self.median() * grid.cell
+    }
+
+    /// The middle of its widths, in cells.
+    fn median(&self) -> f32 {
         let mut widths: Vec<usize> = self.runs.iter().map(|&(from, to)| to - from).collect();
         widths.sort_unstable();
-        widths[widths.len() / 2] as f32 * grid.cell
+        widths.get(widths.len() / 2).copied().unwrap_or(0) as f32
     }
 }
 
