@@ -82,8 +82,10 @@ fn empty_pictures_and_bad_thresholds_are_refused() {
     for threshold in [0.0, 2.0, f32::NAN] {
         assert!(matches!(from_mask(&empty, threshold), Err(ModelError::Parameter { .. })));
     }
-    let full = Matte::new(1, 1, vec![1.0]).unwrap();
-    assert!(from_mask(&full, 0.5).is_ok_and(|drawing| drawing.trees.len() == 1));
+    let dot = Matte::new(1, 1, vec![1.0]).unwrap();
+    assert!(matches!(from_mask(&dot, 0.5), Err(ModelError::Silhouette { .. })));
+    let full = Matte::new(9, 9, vec![1.0; 81]).unwrap();
+    assert_eq!(from_mask(&full, 0.5).unwrap().trees.len(), 1);
 }
 
 #[cfg(feature = "svg")]

@@ -12,20 +12,23 @@ use glam::Vec2;
 const ASIDE: f32 = 0.25;
 /// The lowest share of the height: roots and rounded ends, of which the trunk's width is not taken.
 const FLARE: f32 = 0.02;
-/// Teeth of roots may be narrower than the trunk up to this share of the height.
-const ROOTS: f32 = 0.06;
 /// The trunk's narrowest place is looked for in this lowest share of the height,
 const LOWEST: f32 = 0.45;
 /// over this share of the height, in which widths are alike.
 const STEADY: f32 = 0.03;
 /// Widths are alike within this factor.
 const ALIKE: f32 = 1.3;
-/// Below its narrowest place a trunk is hardly narrower: not by more than this factor. Pointed crowns are.
+/// Below its narrowest place a trunk is hardly narrower, not by more than this factor; pointed crowns are.
 const POINTED: f32 = 1.5;
+/// But teeth of roots may be narrow, where something between them and the narrowest place is wider by this factor.
+const ROOTS: f32 = 1.2;
 /// A trunk is narrower than this share of the tree's width.
 const NARROW: f32 = 0.4;
-/// The crown begins where the stretch is so many times as wide as the trunk at its narrowest,
-const WIDER: f32 = 1.6;
+/// One in its own colour is narrower than this share.
+const NARROW_GIVEN: f32 = 0.55;
+/// The crown begins where the stretch is so many times as wide as the trunk at its narrowest, the second where there is no
+/// such place above: twigs that hang down may lead away from the crown,
+const WIDER: [f32; 2] = [1.6, 1.25];
 /// and wider by this share of the tree's width,
 const WIDER_BY: f32 = 0.04;
 /// over this share of the height.
@@ -34,7 +37,7 @@ const OVER: f32 = 0.02;
 const SHORTEST: f32 = 0.05;
 /// Where the trunk is wider or narrower than its middle width by this factor, by roots or limbs, its middle is that of
 /// the nearest place where it is not.
-const ODD: f32 = 1.3;
+const ODD: f32 = 1.2;
 /// The trunk's middle line may deviate by this share of the silhouette's size when corners are left out.
 const TOLERANCE: f64 = 0.006;
 
@@ -51,33 +54,17 @@ impl Trunk {
     pub(super) fn of(grid: &Grid, mask: &[bool]) -> Option<Self> {
         let tree = Extent::of(grid, mask)?;
         let mut trunk = Self::follow(grid, mask, &tree)?;
-        let share = |share: f32| ((share * tree.height()).ceil() as usize).max(1);
         let widths: Vec<f32> = trunk.runs.iter().map(|&(from, to)| (to - from) as f32).collect();
-        let least = |widths: &[f32]| widths.iter().copied().fold(f32::INFINITY, f32::min);
-        let most = |widths: &[f32]| widths.iter().copied().fold(0.0, f32::max);
-        let full = tree.width();
-        // The narrowest place; of equals the lowest.
-        let places = widths.windows(share(STEADY)).enumerate().take(share(LOWEST));
-        let (at, narrow) = places
-            .skip(share(FLARE))
-            .map(|(at, near)| (at, least(near), most(near)))
-            .filter(|&(_, least, most)| most <= ALIKE * least && most < NARROW * full)
-            .map(|(at, _, most)| (at, most))
-            .reduce(|a, b| if b.1 < a.1 { b } else { a })?;
-        let below = &widths[share(ROOTS).min(at)..at];
-        let limit = (WIDER * narrow).max(narrow + WIDER_BY * full);
-        let is_wide = |near: &[f32]| least(near) > limit;
-        let crown = at + widths[at..].windows(share(OVER)).position(is_wide)?;
-        let is_trunk = least(below) * POINTED >= narrow && crown >= share(SHORTEST);
+        let crown = WIDER.iter().find_map(|&wider| crown_above(&widths, &tree, wider))?;
         trunk.runs.truncate(crown);
-        is_trunk.then_some(trunk)
+        Some(trunk)
     }
 
     /// The trunk in a mask of nothing else, in one part. `None` where that is wider than a trunk in a silhouette of
     /// this width in cells.
     pub(super) fn given(grid: &Grid, mask: &[bool], full: f32) -> Option<Self> {
         let trunk = Self::follow(grid, mask, &Extent::of(grid, mask)?)?;
-        (trunk.median() < NARROW * full).then_some(trunk)
+        (trunk.median() < NARROW_GIVEN * full).then_some(trunk)
     }
 
     /// Stretches from the foot to the top.
@@ -116,7 +103,14 @@ impl Trunk {
             let width = (to - from) as f32;
             width > ODD * median || width * ODD < median
         };
-        let first = self.runs.iter().position(|run| !is_odd(run)).unwrap_or(0);
+        // Teeth of roots may be as wide as the trunk: the longest stretch that is not odd is the trunk itself.
+        let (mut first, mut longest, mut length) = (0, 0, 0);
+        for (i, run) in self.runs.iter().enumerate() {
+            length = if is_odd(run) { 0 } else { length + 1 };
+            if length > longest {
+                (first, longest) = (i + 1 - length, length);
+            }
+        }
         let mut last = 0.0;
         let mut middles = vec![0.0; n];
         for (i, run) in self.runs.iter().enumerate().skip(first) {
@@ -158,6 +152,33 @@ impl Trunk {
         widths.sort_unstable();
         widths.get(widths.len() / 2).copied().unwrap_or(0) as f32
     }
+}
+
+/// How many rows of these widths, from the foot up, are trunk; `None` where none is. The crown is `wider` by this factor.
+fn crown_above(widths: &[f32], tree: &Extent, wider: f32) -> Option<usize> {
+    let share = |share: f32| ((share * tree.height()).ceil() as usize).max(1);
+    let least = |widths: &[f32]| widths.iter().copied().fold(f32::INFINITY, f32::min);
+    let most = |widths: &[f32]| widths.iter().copied().fold(0.0, f32::max);
+    let full = tree.width();
+    let (flare, lowest) = (share(FLARE), share(LOWEST));
+    // The narrowest place so far, and its width.
+    let mut narrowest: Option<(usize, f32)> = None;
+    for row in flare..widths.len() {
+        let near = &widths[row..(row + share(STEADY)).min(widths.len())];
+        let (low, high) = (least(near), most(near));
+        let steady = high <= ALIKE * low && high < NARROW * full && row < lowest;
+        if steady && narrowest.is_none_or(|(_, narrow)| high < narrow) {
+            narrowest = Some((row, high));
+        }
+        let Some((at, narrow)) = narrowest else { continue };
+        let over = widths.get(row..row + share(OVER))?;
+        if least(over) > (wider * narrow).max(narrow + WIDER_BY * full) {
+            let below = &widths[flare..at];
+            let pointed = least(below) * POINTED < narrow && most(below) < ROOTS * narrow;
+            return (!pointed && row >= share(SHORTEST)).then_some(row);
+        }
+    }
+    None
 }
 
 /// The rows and columns a mask reaches over, with the ends.

@@ -24,8 +24,13 @@ const MOST_WOOD: f32 = 0.8;
 /// part, and of a photograph smooth.
 const GAPS: [f32; 7] = [0.0, 0.005, 0.01, 0.015, 0.02, 0.03, 0.045];
 
+/// Gaps of twice so many cells are closed in a photograph before its trunk is looked for, which may not lead into a twig.
+const FRAYED: f32 = 2.0;
+
 /// A crown is one part when it holds this share of what is covered.
 const ONE: f32 = 0.95;
+/// A photograph's is, when it holds this share: its thin twigs cover little and reach far.
+const ONE_FRAYED: f32 = 0.985;
 
 /// Narrow ways into a drawn crown, highlights between its leaves, are closed up to twice this share of its size,
 const WAY: f32 = 0.022;
@@ -64,7 +69,11 @@ impl Silhouette {
     ) -> Result<TreeStrokes> {
         let grid = &self.grid;
         let all: Vec<bool> = self.cover.iter().map(|&cover| cover >= HALF).collect();
-        let solid = self.solid(&all, repairs);
+        let solid = if self.frayed {
+            self.solid(&grid.closed(&all, FRAYED), repairs)
+        } else {
+            self.solid(&all, repairs)
+        };
         let covered = count(&solid);
         let stroke = |kind, points, what: &str| LevelStroke {
             level: Level::Number(0),
@@ -137,7 +146,25 @@ impl Silhouette {
                 }
             }
         }
-        Trunk::of(&self.grid, solid)
+        Trunk::of(&self.grid, solid).or_else(|| self.trunk_of_parts(solid))
+    }
+
+    /// The trunk of a silhouette whose parts are parted by gaps, which bridges do not make wide enough.
+    fn trunk_of_parts(&self, solid: &[bool]) -> Option<Trunk> {
+        let covers = |(&cover, &inside): (&f32, &bool)| cover >= HALF && inside;
+        let parted: Vec<bool> = self.cover.iter().zip(solid).map(covers).collect();
+        let one = |mask: &[bool]| {
+            let parts = self.grid.parts(mask);
+            parts.first().is_some_and(|part| part.len() as f32 >= ONE * count(mask) as f32)
+        };
+        if one(&parted) {
+            return None;
+        }
+        let along = (self.grid.nx.max(self.grid.ny) - 2 * MARGIN) as f32;
+        let closed = GAPS.iter().skip(1).map(|gap| self.grid.closed(&parted, gap * along));
+        let mut joined = closed.into_iter().find(|mask| one(mask))?;
+        self.grid.fill_holes(&mut joined);
+        Trunk::of(&self.grid, &joined)
     }
 
     /// How many cells of a mask there are, and their mean row.
@@ -164,14 +191,16 @@ impl Silhouette {
             let largest = grid.parts(&closed).into_iter().next().unwrap_or_default();
             let held = largest.iter().filter(|&&at| crown[at]).count() as f32;
             let is_last = i + 1 == GAPS.len();
-            if held < ONE * covered as f32 && !is_last {
+            let one = if self.frayed { ONE_FRAYED } else { ONE };
+            if held < one * covered as f32 && !is_last {
                 continue;
             }
             let (mut one, _) = grid.bridge(&closed, reach(), (SPECK * covered as f32) as usize + 1);
             grid.fill_holes(&mut one);
             if self.frayed {
                 // Twigs are thinner than the lobes that the whole distance would take away.
-                one = grid.opened(&one, (0.5 * distance).max(1.0));
+                let open = grid.opened(&one, (0.5 * distance).max(1.0));
+                one = if open.contains(&true) { open } else { one };
             } else {
                 self.close_ways(&mut one, WAY * size / grid.cell);
             }
