@@ -14,7 +14,7 @@
 //!
 //! Nothing is scaled: coordinates stay those of the drawing or pixels, y **down**.
 //!
-//! O(points + cells) for a silhouette: about 10 ms.
+//! O(points + cells) for a silhouette: some tens of milliseconds.
 
 mod alpha;
 mod border;

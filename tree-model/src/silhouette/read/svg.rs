@@ -38,7 +38,7 @@ const OPEN: f32 = 0.3;
 /// nothing of it is a tree.
 ///
 /// # Complexity
-/// O(bytes + points), and about 10 ms for each whole silhouette.
+/// O(bytes + points), and some tens of milliseconds for each whole silhouette.
 pub fn from_svg(text: &str) -> Result<OutlineDrawing> {
     let drawing = svg::read(text)?;
     let seen: Vec<Named<'_>> = drawing
