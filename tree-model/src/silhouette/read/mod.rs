@@ -19,6 +19,7 @@
 mod alpha;
 mod border;
 mod cells;
+#[cfg(feature = "svg")]
 mod raster;
 #[cfg(feature = "svg")]
 mod svg;
