@@ -20,14 +20,15 @@ pub(super) struct View {
 }
 
 impl View {
-    /// What several outlines cover together, in `cells` along the longer side of the first.
-    fn of(outlines: &[&Outline], is_side: bool, cells: usize) -> Option<Self> {
+    /// What several outlines cover together, in `cells` along the longer side of the first; the rows reach over `heights`.
+    fn of(outlines: &[&Outline], heights: (f32, f32), is_side: bool, cells: usize) -> Option<Self> {
         let (mut low, mut high) = outlines.first()?.bounds();
         let cell = (high - low).max_element() / cells as f32;
         for outline in outlines {
             let (a, b) = outline.bounds();
             (low, high) = (low.min(a), high.max(b));
         }
+        (low.y, high.y) = (low.y.min(heights.0), high.y.max(heights.1));
         let count = |length: f32| ((length / cell).ceil() as usize).clamp(1, 4 * cells);
         let size = [count(high.x - low.x), count(high.y - low.y)];
         let high = low + cell * Vec2::new(size[0] as f32, size[1] as f32);
@@ -65,6 +66,23 @@ impl View {
         self.cell_of(point).is_some_and(|cell| self.inside[cell])
     }
 
+    /// Opens rows that hold nothing about the axis: what the front shows at that height has to be somewhere.
+    fn with_open_rows(mut self) -> Self {
+        /// Half of what is opened, as a share of the longer side.
+        const OPEN: f32 = 0.03;
+        let [width, height] = self.size;
+        let half = OPEN * self.cell * CELLS as f32;
+        let column = |z: f32| ((z - self.low.x) / self.cell).clamp(0.0, width as f32) as usize;
+        let open = column(-half)..column(half).max(column(-half));
+        for y in 0..height {
+            let row = &mut self.inside[y * width..(y + 1) * width];
+            if !row.contains(&true) {
+                row[open.clone()].fill(true);
+            }
+        }
+        self
+    }
+
     /// The point of the same height inside that is nearest, moved across the view; `None` where all of that height is
     /// outside.
     fn drawn_in(&self, point: Vec3) -> Option<Vec3> {
@@ -97,7 +115,8 @@ pub(super) struct Fence {
 
 impl Fence {
     pub(super) fn of(plan: &Plan) -> Self {
-        Self { views: views(plan, CELLS) }
+        let open = |view: View| if view.is_side { view.with_open_rows() } else { view };
+        Self { views: views(plan, CELLS).into_iter().map(open).collect() }
     }
 
     /// Whether a point is inside as seen from the side.

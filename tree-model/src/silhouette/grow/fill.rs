@@ -25,6 +25,8 @@ const SLANT: f32 = 0.5;
 const MOST_LEAVES: f32 = 24.0;
 /// A leaf that sticks out is tried again, so much smaller.
 const SMALLER: f32 = 0.85;
+/// A twig that would be longer than this many cells is left out: it would hang in the air.
+const FAR: f32 = 4.0;
 /// No cell is smaller than this many leaf lengths.
 const FINE: f32 = 0.5;
 /// Stands for a node where there is none.
@@ -67,7 +69,10 @@ impl Gaps<'_> {
                 }
                 let here = grow(view, cell, positions[node as usize], &mut rng);
                 let here = if self.params.fence { self.fence.drawn_in(here) } else { Some(here) };
-                let Some(here) = here else { continue };
+                let base = positions[node as usize];
+                let Some(here) = here.filter(|here| here.distance(base) < FAR * view.cell) else {
+                    continue;
+                };
                 control.limits.check(Resource::Nodes, positions.len() as u64 + 1)?;
                 positions.push(here);
                 parents.push(node);
