@@ -142,8 +142,12 @@ pub(super) fn views(plan: &Plan, cells: usize) -> Vec<View> {
     let mut front = vec![&system.outline];
     front.extend(drawn.map(|inner| &inner.outline));
     let side = side_of(system);
-    let views =
-        [View::of(&front, false, cells), side.and_then(|side| View::of(&[&side], true, cells))];
+    let (low, high) = system.outline.bounds();
+    let heights = (low.y, high.y);
+    let views = [
+        View::of(&front, heights, false, cells),
+        side.and_then(|side| View::of(&[&side], heights, true, cells)),
+    ];
     views.into_iter().flatten().collect()
 }
 
