@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::silhouette::Line;
 use crate::silhouette::branch::{Shape, Span};
 use crate::silhouette::place::{Domain, Site, arrange};
-use crate::silhouette::plan::{Lateral, System};
+use crate::silhouette::plan::{Lateral, Origin, System};
 use crate::silhouette::sub::{SubParams, sub_outline};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -21,6 +21,8 @@ use tree_core::{Control, Seed};
 const END: f32 = 0.78;
 /// Radius that stands for a bump's, as a share of the branch's length.
 const ROUND: f32 = 0.3;
+/// Azimuths that are tried for an added branch.
+const TURNS: u32 = 16;
 /// Added branches begin no lower than this below the first sketched one, and no higher above the last.
 const BEYOND: f32 = 0.03;
 
@@ -79,14 +81,8 @@ impl Explicit<'_> {
             .laterals
             .iter()
             .map(|lateral| {
-                let azimuth = lateral.azimuth.map_or_else(
-                    || {
-                        let side = side(lateral);
-                        let half = self.half_domain(lateral, level);
-                        [side - half, side + half]
-                    },
-                    |azimuth| [azimuth, azimuth],
-                );
+                let pinned = lateral.azimuth.map(|azimuth| [azimuth; 2]);
+                let azimuth = pinned.unwrap_or_else(|| self.domain(lateral, level));
                 Domain { along: [lateral.t, lateral.t], azimuth }
             })
             .collect();
@@ -96,20 +92,39 @@ impl Explicit<'_> {
         Ok(arrange(&domains, &rules.arrangement, &self.params.gibbs, seed, self.control)?.sites)
     }
 
-    /// How far a sketched branch may turn out of the plane: on the trunk no farther than the profile has room for its end.
-    fn half_domain(&self, lateral: &Lateral, level: u32) -> f32 {
-        /// Shares of the domain that are tried.
-        const SHARES: [f32; 5] = [1.0, 0.75, 0.5, 0.3, 0.15];
+    /// Where round the axis a sketched branch may stand. On the trunk the profile must have room for its end: of the domain the
+    /// widest part where it has.
+    fn domain(&self, lateral: &Lateral, level: u32) -> [f32; 2] {
+        /// Azimuths that are tried, on either side of the plane and in it.
+        const TRIED: i32 = 8;
+        let (side, half) = (side(lateral), self.params.domain);
+        if level > 0 {
+            return [side - half, side + half];
+        }
         let end = lateral.line.end();
         let across = end.x - lateral.line.start().x;
-        let fits = |share: &f32| {
-            let depth = across * libm::tanf(share * self.params.domain);
-            let seen = |depth: f32| self.trunk.point(Vec3::new(end.x, end.y, depth));
-            self.fence.is_in_profile(seen(depth)) && self.fence.is_in_profile(seen(-depth))
+        let off = |i: i32| half * i as f32 / TRIED as f32;
+        let fits = |i: i32| {
+            let depth = across * libm::tanf(off(i));
+            self.fence.is_in_profile(self.trunk.point(Vec3::new(end.x, end.y, depth)))
         };
-        let share =
-            if level == 0 { SHARES.into_iter().find(|share| fits(share)) } else { Some(1.0) };
-        share.unwrap_or(0.05) * self.params.domain
+        let (mut best, mut run) = ((0, 0), 0);
+        for i in -TRIED..=TRIED + 1 {
+            if i <= TRIED && fits(i) {
+                run += 1;
+                continue;
+            }
+            // Of two as wide one or the other, by the branch's name: not all to the front.
+            if run > best.1 || (run > 0 && run == best.1 && lateral.id.is_multiple_of(2)) {
+                best = (i - 1, run);
+            }
+            run = 0;
+        }
+        let (last, n) = best;
+        if n == 0 {
+            return [side, side];
+        }
+        [side + off(last + 1 - n), side + off(last)]
     }
 
     /// A sketched branch: seen from the front it is as it was drawn.
@@ -152,7 +167,9 @@ impl Explicit<'_> {
         let frame = Frame { origin: base.extend(0.0), turn, scale: span.length() };
         let form = self.styles.add_form(Form::of(&shape));
         let is_free = lateral.azimuth.is_some();
-        Ok(Some(Child { node: 0, frame, form, inner, is_sketched: true, is_free }))
+        // Finer branches that were only inferred may be fenced in.
+        let is_sketched = level == 0 || lateral.origin == Origin::Drawn;
+        Ok(Some(Child { node: 0, frame, form, inner, is_sketched, is_free }))
     }
 
     /// Added branches: copies of the nearest sketched ones, as long as the pseudo-surface of revolution has room.
@@ -174,13 +191,22 @@ impl Explicit<'_> {
             })?;
             let shape = nearest.shape()?;
             let base = system.axis.at(site.along);
-            let around = Around::new(system.axis.tangent(site.along), site.azimuth);
-            let turn = around.turn(system.angles.at(site.along) - shape.leaving());
-            let way = turn * Vec3::Y;
-            let room = form.room(base, way, site.azimuth)?;
-            let length = END * room * (1.0 + rules.jitter * (vary - 0.25));
-            let fitted = fitted(form, &shape, base, length * way, site.azimuth);
-            let frame = Frame { origin: base.extend(0.0), turn, scale: length };
+            let angle = system.angles.at(site.along) - shape.leaving();
+            let share = END * (1.0 + rules.jitter * (vary - 0.25));
+            let standing = |azimuth: f32| {
+                let turn = Around::new(system.axis.tangent(site.along), azimuth).turn(angle);
+                let room = form.room(base, turn * Vec3::Y, azimuth)?;
+                Some((azimuth, Frame { origin: base.extend(0.0), turn, scale: share * room }))
+            };
+            let is_seen_inside = |&(_, frame): &(f32, Frame)| {
+                level > 0 || self.fence.contains(self.trunk.point(frame.point(Vec3::Y)))
+            };
+            // Where outlines have bays, branches towards and away from the viewer would hang in them: the nearest azimuth
+            // that has not is taken.
+            let turns = (0..TURNS).map(|i| site.azimuth + turn_by(i));
+            let better = turns.filter_map(standing).find(is_seen_inside);
+            let (azimuth, frame) = better.or_else(|| standing(site.azimuth))?;
+            let fitted = fitted(form, &shape, base, frame.scale * (frame.turn * Vec3::Y), azimuth);
             let inner = Inner::Style(self.styles.for_lateral(nearest, level + 1));
             let child =
                 Child { node: 0, frame, form: 0, inner, is_sketched: false, is_free: false };
@@ -193,6 +219,12 @@ impl Explicit<'_> {
 /// The azimuth of the side a branch was drawn on.
 fn side(lateral: &Lateral) -> f32 {
     if lateral.left { PI } else { 0.0 }
+}
+
+/// The turns that are tried in order: none, then to either side.
+fn turn_by(i: u32) -> f32 {
+    let step = TAU / TURNS as f32 * i.div_ceil(2) as f32;
+    if i.is_multiple_of(2) { step } else { -step }
 }
 
 /// A shape whose outline shares the edge of the pseudo-surface at an azimuth, as a sub-silhouette does in the plane.

@@ -22,7 +22,7 @@ const BLADE: f32 = 0.3;
 /// New leaves are seen slantwise: so much of their area counts.
 const SLANT: f32 = 0.5;
 /// Leaves added to one cell, at most.
-const MOST_LEAVES: f32 = 24.0;
+const MOST_LEAVES: u32 = 32;
 /// A leaf that sticks out is tried again, so much smaller.
 const SMALLER: f32 = 0.85;
 /// A twig that would be longer than this many cells is left out: it would hang in the air.
@@ -78,11 +78,14 @@ impl Gaps<'_> {
                 parents.push(node);
                 let node = positions.len() as u32 - 1;
                 grid.nodes[cell] = node;
-                let each = SLANT * self.blade() * length * length;
-                let count = (lack / each).ceil().min(MOST_LEAVES) as u32;
-                control.limits.check(Resource::Leaves, leaves.len() as u64 + u64::from(count))?;
-                for _ in 0..count {
-                    leaves.push(self.leaf(view, (here, node), length, &mut rng))?;
+                let way = (here - base).normalize_or_zero();
+                let (mut lack, mut count) = (lack, 0);
+                while lack > 0.0 && count < MOST_LEAVES {
+                    control.limits.check(Resource::Leaves, leaves.len() as u64 + 1)?;
+                    let leaf = self.leaf(view, (here, way, node), length, &mut rng);
+                    lack -= SLANT * self.blade() * leaf.size * leaf.size;
+                    count += 1;
+                    leaves.push(leaf)?;
                 }
             }
         }
@@ -93,15 +96,24 @@ impl Gaps<'_> {
         self.plan.leaf.as_ref().map_or(BLADE, |leaf| leaf.outline.area())
     }
 
-    /// A leaf about a node, its middle somewhere in the node's cell, and if it can be all of it inside.
-    fn leaf(&self, view: &View, (here, node): (Vec3, u32), length: f32, rng: &mut Rng) -> Leaf {
+    /// A leaf about a node, its middle somewhere in the node's cell, and if it can be all of it inside. It stands along the
+    /// twig rather than across.
+    fn leaf(
+        &self,
+        view: &View,
+        (here, way, node): (Vec3, Vec3, u32),
+        length: f32,
+        rng: &mut Rng,
+    ) -> Leaf {
         /// Leaves that are tried.
         const TRIES: u32 = 4;
         let mut size = length * uniform(rng, 0.8, 1.05);
         let mut found = (here, Vec3::Y);
+        let pointing = |rng: &mut Rng| (unit_vector(rng) + 0.6 * way).try_normalize();
         for _ in 0..TRIES {
             let off = 0.5 * view.cell * Vec2::new(uniform(rng, -1.0, 1.0), uniform(rng, -1.0, 1.0));
-            found = (view.at_depth_of(view.seen(here) + off, here), unit_vector(rng));
+            let midrib = pointing(rng).unwrap_or(Vec3::Y);
+            found = (view.at_depth_of(view.seen(here) + off, here), midrib);
             let ends = [-0.5, 0.0, 0.5].map(|part| found.0 + part * size * found.1);
             if !self.params.fence || ends.into_iter().all(|end| self.fence.contains(end)) {
                 break;

@@ -93,7 +93,7 @@ pub struct GrowParams {
     pub gibbs: GibbsParams,
     /// Whether twigs and leaves that would be seen outside the outlines are left out. Default true.
     pub fence: bool,
-    /// How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10. Default 1.3.
+    /// How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10. Default 1.6.
     pub fill: f32,
     /// Radius of the trunk in metres, 1e-6 to 100; `None` for `slenderness` × height.
     pub trunk_radius: Option<f32>,
@@ -113,7 +113,7 @@ impl Default for GrowParams {
             domain: FRAC_PI_4,
             gibbs: GibbsParams::default(),
             fence: true,
-            fill: 1.3,
+            fill: 1.6,
             trunk_radius: None,
             slenderness: 0.018,
             exponent: PipeModel::MURRAY,

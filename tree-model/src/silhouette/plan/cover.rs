@@ -95,7 +95,7 @@ fn along_axis(
         let t = within[0] + (within[1] - within[0]) * (i as f32 + 0.5) / places as f32;
         for left in [false, true] {
             let Some(line) = copy_of_nearest(system, t, left) else { continue };
-            if line.span().length() < NEAR * system.axis.length() {
+            if line.span().length() < NEAR * system.axis.length() || raster.is_off(&line) {
                 continue;
             }
             let radius = ROUND * line.span().length();
@@ -144,7 +144,7 @@ fn along_edge(
             return;
         }
         let grown = branch_towards(system, edge.points[middle], within, raster, params);
-        let Some((t, line)) = grown else {
+        let Some((t, line)) = grown.filter(|(_, line)| !raster.is_off(line)) else {
             edge.covered[middle] = true;
             continue;
         };

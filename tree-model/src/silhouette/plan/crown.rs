@@ -36,9 +36,9 @@ pub(super) fn is_foot(axis: &Line, within: [f32; 2], bump: &Bump) -> bool {
     below && downwards && distance <= 2.0 * bump.radius.max(0.02 * axis.length())
 }
 
-/// The axis of a crown: as drawn, where it runs through enough of the crown or leaves at its top; lengthened into it
-/// where it ends early; and where nothing was drawn, from the crown's foot.
-pub(crate) fn axis_of(trunk: Option<&Line>, outline: &Outline) -> Option<Line> {
+/// The axis of a crown: as drawn, where it runs through enough of the crown, leaves at its top, or ends where fronds
+/// radiate from; lengthened into the crown where it ends early; and where nothing was drawn, from the crown's foot.
+pub(crate) fn axis_of(trunk: Option<&Line>, outline: &Outline, bumps: &[Bump]) -> Option<Line> {
     let Some(trunk) = trunk else {
         return lengthened(&[foot_of(outline)], None, outline);
     };
@@ -47,13 +47,30 @@ pub(crate) fn axis_of(trunk: Option<&Line>, outline: &Outline) -> Option<Line> {
     let within = outline.contains(trunk.end());
     let long_enough = within && (to - from) * trunk.length() >= SHORT * (high - low).y;
     let is_through = !within && trunk.end().y > 0.5 * (low.y + high.y);
-    if long_enough || is_through {
+    if long_enough || is_through || (within && radiate(trunk.end(), bumps)) {
         return Some(trunk.clone());
     }
     // The direction of its upper part: pens hook at the end.
     let upper = (trunk.at(0.95) - trunk.at(0.4)).try_normalize();
     let kept = trunk.part(0.0, 0.95)?;
     lengthened(kept.points(), upper, outline)
+}
+
+/// Whether most bumps are narrow and point away from one place: fronds of a palm or a fern.
+fn radiate(heart: Vec2, bumps: &[Bump]) -> bool {
+    /// Radius of a frond over its distance, at most.
+    const NARROW: f32 = 0.2;
+    /// Cosine of the angle between a frond's end and the way to it, at least: fronds arch.
+    const AWAY: f32 = 0.3;
+    /// Share of bumps that are fronds, and fewest.
+    const MOST: f32 = 0.6;
+    const FEWEST: usize = 4;
+    let is_frond = |bump: &&Bump| {
+        let way = bump.centre - heart;
+        bump.radius < NARROW * way.length() && bump.tangent.dot(way.normalize_or_zero()) > AWAY
+    };
+    let n = bumps.iter().filter(is_frond).count();
+    n >= FEWEST && n as f32 >= MOST * bumps.len() as f32
 }
 
 /// The middle of a crown's lowest part.

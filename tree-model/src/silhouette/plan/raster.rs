@@ -1,6 +1,6 @@
 //! The area of an outline in cells.
 
-use crate::silhouette::Outline;
+use crate::silhouette::{Line, Outline};
 use glam::Vec2;
 
 /// Cells along the longer side.
@@ -57,6 +57,15 @@ impl Raster {
 
     pub(super) fn is_inside(&self, point: Vec2) -> bool {
         self.cell_of(point).is_some_and(|cell| self.inside[cell])
+    }
+
+    /// Whether much of a line lies outside.
+    pub(super) fn is_off(&self, line: &Line) -> bool {
+        /// Points that are looked at, and how many of them may be outside.
+        const POINTS: u32 = 12;
+        const MOST: usize = 3;
+        let at = |i: u32| line.at((i as f32 + 0.5) / POINTS as f32);
+        (0..POINTS).filter(|&i| !self.is_inside(at(i))).count() > MOST
     }
 
     fn cell_of(&self, point: Vec2) -> Option<usize> {

@@ -79,6 +79,16 @@ impl System {
     /// # Complexity
     /// O(n log n) for n points of the outline, and some microseconds for each branch.
     pub fn grow(&mut self, params: &SystemParams, next_id: &mut u32) -> Coverage {
+        self.grow_from(&bumps(&self.outline, &params.bumps), params, next_id)
+    }
+
+    /// The same for bumps that were found already.
+    pub(crate) fn grow_from(
+        &mut self,
+        bumps: &[Bump],
+        params: &SystemParams,
+        next_id: &mut u32,
+    ) -> Coverage {
         self.laterals.retain(|lateral| lateral.origin == Origin::Drawn);
         let within = crown::foliage_part(&self.axis, &self.outline);
         let mut raster = Raster::of(&self.outline);
@@ -86,8 +96,8 @@ impl System {
             *next_id += 1;
             *next_id
         };
-        for bump in bumps(&self.outline, &params.bumps) {
-            if crown::is_foot(&self.axis, within, &bump) || self.has_one_at(&bump) {
+        for bump in bumps {
+            if crown::is_foot(&self.axis, within, bump) || self.has_one_at(bump) {
                 continue;
             }
             let found = infer(

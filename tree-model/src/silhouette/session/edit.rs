@@ -4,6 +4,7 @@ use super::state::{Drawn, line_of};
 use super::target::{bearer, find, length_inside, systems};
 use super::{Change, Session, SilhouetteParams};
 use crate::error::{ModelError, Result, check};
+use crate::silhouette::bump::bumps;
 use crate::silhouette::outline::LeafOutline;
 use crate::silhouette::plan::{DrawnLeaf, Lateral, Plan, Section, System, axis_of};
 use crate::silhouette::{Line, Outline};
@@ -183,7 +184,8 @@ impl Drawn {
             let problem = "no axis leads through it".into();
             ModelError::Silhouette { what: "crown".into(), problem }
         };
-        let axis = axis_of(self.trunk.as_ref(), crown).ok_or_else(refuse)?;
+        let found = bumps(crown, &self.params.system.bumps);
+        let axis = axis_of(self.trunk.as_ref(), crown, &found).ok_or_else(refuse)?;
         let old = self.plan.take();
         let angles = match &old {
             Some(plan) if plan.system.laterals.iter().any(is_drawn) => plan.system.angles.clone(),
@@ -199,7 +201,7 @@ impl Drawn {
             let (t, _) = system.axis.nearest(lateral.line.start());
             system.laterals.push(Lateral { t, ..lateral.clone() });
         }
-        self.coverage = system.grow(&self.params.system, &mut self.last_id);
+        self.coverage = system.grow_from(&found, &self.params.system, &mut self.last_id);
         adopt(&old, &mut system.laterals);
         self.plan = Some(Plan { system, leaf, lenders });
         Ok(())

@@ -143,7 +143,9 @@ impl Drawn {
     ) -> Result<Outline> {
         check_count(stroke)?;
         let (outline, done) = Outline::close(stroke, what, &self.params.outline)?;
-        repairs.extend(done.iter().map(|repair: &OutlineRepair| format!("{what}: {repair}")));
+        // Which way round it was drawn is nobody's fault.
+        let told = done.iter().filter(|repair| **repair != OutlineRepair::Turned);
+        repairs.extend(told.map(|repair| format!("{what}: {repair}")));
         Ok(outline)
     }
 }
