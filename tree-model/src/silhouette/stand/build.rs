@@ -154,7 +154,8 @@ fn lend_all(
         .map(|tree| {
             let plan = tree.session.plan()?;
             let chosen = params.lenders.iter().rev().find(|lending| lending.tree == tree.index);
-            let lender = chosen.map_or_else(|| lend::nearest(&plans, plan), |chosen| chosen.from)?;
+            let lender =
+                chosen.map_or_else(|| lend::nearest(&plans, plan), |chosen| chosen.from)?;
             let Some(from) = plans[lender].filter(|from| lend::has_more(from, plan)) else {
                 let (tree, from) = (tree.name.clone(), names[lender].clone());
                 notes.push(StandNote::NothingToLend { tree, from });
@@ -221,7 +222,9 @@ fn or_note<T>(result: Result<T>, name: &str, notes: &mut Vec<StandNote>) -> Resu
     match result {
         Ok(value) => Ok(Some(value)),
         Err(
-            error @ (ModelError::Silhouette { .. } | ModelError::NotFinite { .. } | ModelError::Core(_)),
+            error @ (ModelError::Silhouette { .. }
+            | ModelError::NotFinite { .. }
+            | ModelError::Core(_)),
         ) => {
             notes.push(StandNote::LeftOut { tree: name.into(), why: error.to_string() });
             Ok(None)

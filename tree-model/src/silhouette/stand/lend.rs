@@ -49,8 +49,7 @@ pub(super) fn loan(
         return (Vec::new(), leaf);
     }
     let drawn = |lateral: &&Lateral| lateral.system.is_some();
-    let mut branches: Vec<Lateral> =
-        lender.system.laterals.iter().filter(drawn).cloned().collect();
+    let mut branches: Vec<Lateral> = lender.system.laterals.iter().filter(drawn).cloned().collect();
     let has_own = borrower.system.laterals.iter().any(|lateral| lateral.system.is_some());
     let mut ids = Vec::new();
     each_id(&borrower.system.laterals, &mut |id| ids.push(id));
@@ -65,7 +64,10 @@ pub(super) fn loan(
         if let Some(line) = Line::new(scaled) {
             branch.reshape(line);
         }
-        branch.outline = branch.outline.transformed(|point| scale * point).unwrap_or_else(|| branch.outline.clone());
+        branch.outline = branch
+            .outline
+            .transformed(|point| scale * point)
+            .unwrap_or_else(|| branch.outline.clone());
         branch.t += if has_own { BEYOND } else { 0.0 };
         adapt(branch, scale, &names);
     }

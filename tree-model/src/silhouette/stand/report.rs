@@ -40,10 +40,9 @@ impl fmt::Display for StandNote {
                 f,
                 "the sizes of the trees do not tell where the horizon is; it was assumed at y = {y:.0}"
             ),
-            Self::BroughtNearer { tree } => write!(
-                f,
-                "{tree} stands at the horizon or above it and was brought nearer"
-            ),
+            Self::BroughtNearer { tree } => {
+                write!(f, "{tree} stands at the horizon or above it and was brought nearer")
+            }
             Self::NothingToLend { tree, from } => {
                 write!(f, "{from} has no details that {tree} lacks, so nothing was borrowed")
             }

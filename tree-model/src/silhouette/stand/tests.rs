@@ -59,7 +59,10 @@ fn in_perspective() -> OutlineDrawing {
         plain(Vec2::new(100.0 + 90.0 * i as f32, 50.0 + below), 0.8 * below)
     };
     let belows = [250.0, 180.0, 130.0, 210.0, 100.0];
-    OutlineDrawing { trees: belows.into_iter().enumerate().map(tree).collect(), repairs: Vec::new() }
+    OutlineDrawing {
+        trees: belows.into_iter().enumerate().map(tree).collect(),
+        repairs: Vec::new(),
+    }
 }
 
 fn params() -> StandParams {
@@ -137,8 +140,7 @@ fn a_chosen_lender_lends() {
     let mut drawing = three();
     drawing.trees.push(detailed(Vec2::new(450.0, 300.0), 60.0));
     let mut params = params();
-    params.lenders =
-        vec![Lending { tree: 1, from: Some(3) }, Lending { tree: 2, from: None }];
+    params.lenders = vec![Lending { tree: 1, from: Some(3) }, Lending { tree: 2, from: None }];
     let stand = grow(&drawing, &params).unwrap();
     let lenders: Vec<_> = stand.trees.iter().map(|tree| tree.lender).collect();
     assert_eq!(lenders, [None, Some(3), None, None]);
@@ -155,7 +157,8 @@ fn who_has_nothing_to_lend_is_noted() {
 #[test]
 fn far_trees_are_real_trees_farther_off() {
     let drawing = in_perspective();
-    let stand = grow(&drawing, &StandParams { perspective: Perspective::Horizon(50.0), ..params() });
+    let stand =
+        grow(&drawing, &StandParams { perspective: Perspective::Horizon(50.0), ..params() });
     let stand = stand.unwrap();
     for tree in &stand.trees {
         assert!((foliage_height(tree) - foliage_height(&stand.trees[0])).abs() < 0.02);
@@ -248,7 +251,8 @@ fn parameters_out_of_range_are_named() {
 
 #[test]
 fn a_tree_alone_stands_at_the_origin() {
-    let drawing = OutlineDrawing { trees: vec![plain(Vec2::new(5.0, 9.0), 4.0)], repairs: Vec::new() };
+    let drawing =
+        OutlineDrawing { trees: vec![plain(Vec2::new(5.0, 9.0), 4.0)], repairs: Vec::new() };
     let stand = grow(&drawing, &params()).unwrap();
     assert_eq!(stand.trees[0].position.x, 0.0);
 }
