@@ -1,11 +1,15 @@
 //! A whole stand of one drawing: one outline for each tree (Wither et al. 2009, figure 10).
 //!
-//! `cargo run --release --example stand -- DRAWING.svg [--height METRES] [--species NAME] [--seed N] [--horizon Y | --flat] [--out FOLDER]`
+//! `cargo run --release --example stand -- DRAWING.svg [--height METRES] [--species NAME] [--arrangement NAME]
+//! [--density X] [--seed N] [--horizon Y | --flat] [--pictures] [--out FOLDER]`
 //!
 //! Each tree is a group `tree1`, `tree2`, …; see `examples/outlines/README.md`. Trees without details borrow them. `--height` is that of
 //! the tallest tree. `--horizon` gives the horizon's y in the drawing; without it, it is estimated. `--flat` is for drawings without perspective.
+//! `--arrangement` and `--density` are how branches stand round the trunk, and how many are added in space for each one in the plane; given
+//! again, on the branches, and so on. Fronds of ferns are flat: `--arrangement spiral --density 1 --arrangement opposite --density 0`.
 //!
 //! Writes `NAME_stand.glb`, all trees where they stand, and pictures: `NAME_stand_front.png` as drawn, `NAME_stand_above.png` from above.
+//! The file is large, for every leaf is cut out as it was drawn; `--pictures` leaves it out.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -19,10 +23,13 @@ use tree_lod::preview::{self, Camera, Framing, Lens, Picture, Pose, Style, View}
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
 use tree_mesh::{LeafForm, LeafMesh, Look, Mesh, MeshParams};
 use tree_model::particle::finish::FinishParams;
+use tree_model::silhouette::grow::LevelParams;
+use tree_model::silhouette::place::Arrangement;
 use tree_model::silhouette::read::{self, OutlineDrawing};
 use tree_model::silhouette::stand::{Perspective, Stand, StandParams, StandTree, StandView};
 
-const USAGE: &str = "stand DRAWING.svg [--height METRES] [--species NAME] [--seed N] [--horizon Y | --flat] [--out FOLDER]";
+const USAGE: &str = "stand DRAWING.svg [--height METRES] [--species NAME] [--arrangement NAME] [--density X] \
+                     [--seed N] [--horizon Y | --flat] [--pictures] [--out FOLDER]";
 
 /// Width of the pictures in pixels.
 const WIDTH: u32 = 1400;
@@ -32,19 +39,29 @@ struct Request {
     drawing: PathBuf,
     params: StandParams,
     seed: u64,
+    pictures: bool,
     out: PathBuf,
 }
 
 impl Request {
     fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self, Box<dyn Error>> {
-        let (drawing, out) = (PathBuf::new(), "out".into());
-        let mut request = Self { drawing, params: StandParams::default(), seed: 1, out };
+        let mut request = Self {
+            drawing: PathBuf::new(),
+            params: StandParams::default(),
+            seed: 1,
+            pictures: false,
+            out: "out".into(),
+        };
+        let (mut arrangements, mut densities) = (Vec::new(), Vec::new());
         let silhouette = &mut request.params.silhouette;
         while let Some(name) = arguments.next() {
             let mut value = || arguments.next().ok_or(format!("{name} needs a value"));
             match name.as_str() {
                 "--height" => silhouette.height = number(&name, &value()?)?,
                 "--species" => silhouette.grow.species = FinishParams::find(&value()?)?.species,
+                "--arrangement" => arrangements.push(value()?.parse::<Arrangement>()?),
+                "--density" => densities.push(number(&name, &value()?)?),
+                "--pictures" => request.pictures = true,
                 "--seed" => request.seed = number(&name, &value()?)?,
                 "--horizon" => {
                     request.params.perspective = Perspective::Horizon(number(&name, &value()?)?);
@@ -57,6 +74,12 @@ impl Request {
                 _ if request.drawing.as_os_str().is_empty() => request.drawing = name.into(),
                 _ => return Err("give one drawing".into()),
             }
+        }
+        for i in 0..arrangements.len().max(densities.len()) {
+            let level = LevelParams::default();
+            let arrangement = arrangements.get(i).copied().unwrap_or_default();
+            let density = densities.get(i).copied().unwrap_or(level.density);
+            silhouette.grow.levels.push(LevelParams { arrangement, density, ..level });
         }
         if request.drawing.as_os_str().is_empty() {
             return Err("give a drawing".into());
@@ -97,8 +120,10 @@ fn run() -> Result<(), Box<dyn Error>> {
     };
     front.save_png(path("_front.png"))?;
     framed(&mesh, 0.4, 0.5, &control)?.save_png(path("_above.png"))?;
-    write_glb(&mesh, path(".glb"), &GlbOptions::default())?;
-    println!("{}: {} triangles", path(".glb").display(), mesh.n_triangles());
+    if !request.pictures {
+        write_glb(&mesh, path(".glb"), &GlbOptions::default())?;
+    }
+    println!("{}: {} triangles", path("").display(), mesh.n_triangles());
     Ok(())
 }
 
