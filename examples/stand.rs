@@ -6,7 +6,7 @@
 //! Each tree is a group `tree1`, `tree2`, …; see `examples/outlines/README.md`. Trees without details borrow them. `--height` is that of
 //! the tallest tree. `--horizon` gives the horizon's y in the drawing; without it, it is estimated. `--flat` is for drawings without perspective.
 //! `--arrangement` and `--density` are how branches stand round the trunk, and how many are added in space for each one in the plane; given
-//! again, on the branches, and so on. Fronds of ferns are flat: `--arrangement spiral --density 1 --arrangement opposite --density 0`.
+//! again, on the branches, and so on. For flat fronds: `--arrangement spiral --density 1 --arrangement opposite --density 0`.
 //!
 //! Writes `NAME_stand.glb`, all trees where they stand, and pictures: `NAME_stand_front.png` as drawn, `NAME_stand_above.png` from above.
 //! The file is large, for every leaf is cut out as it was drawn; `--pictures` leaves it out.

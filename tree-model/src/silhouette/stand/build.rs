@@ -181,7 +181,7 @@ fn grow_all(
     // Trees that grow at once would report progress in any order.
     let asked = control.clone();
     let quiet = Control::default()
-        .with_limits(control.limits.clone())
+        .with_limits(control.limits)
         .with_stop(move || asked.check().is_err());
     let (mut nodes, mut leaves) = (0, 0);
     let n_trees = drawn.len();
