@@ -3,7 +3,7 @@
 //!
 //! 64 cells along the longer side of crown and trunk, and eight more all round, so that what of the tree sticks out
 //! counts against it. A cell is the tree's where half of its sixteen samples hit wood or leaves; it is the outline's where its middle lies
-//! inside. Cells of the trunk below the crown (within its radius and a cell of its line, outside the outline) count neither
+//! inside. Cells of the trunk below the crown (within 1.6 of its radius, for it flares, and a cell of its line, outside the outline) count neither
 //! for nor against: the person drew the crown and the trunk apart. From the side the outline is the interpolated
 //! profile at 90°, or the one that was drawn there.
 //!

@@ -13,6 +13,9 @@ pub(super) const CELLS: usize = 64;
 /// Cells all round, so that a tree beyond the drawing counts against it.
 pub(super) const MARGIN: usize = 8;
 
+/// A trunk flares to so many of its radii at its base.
+const FLARE: f32 = 1.6;
+
 /// Where the eye stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
@@ -109,7 +112,7 @@ pub(super) fn seen(
         stem.windows(2).any(|pair| {
             let (from, way) = (pair[0], pair[1] - pair[0]);
             let part = (point - from).dot(way) / way.length_squared().max(1e-12);
-            point.distance(from + part.clamp(0.0, 1.0) * way) <= half_width + cell
+            point.distance(from + part.clamp(0.0, 1.0) * way) <= FLARE * half_width + cell
         })
     };
     let centre =
