@@ -18,6 +18,8 @@ use tree_model::tree_core::glam::Vec2;
 #[derive(Default)]
 struct Worst {
     n: u32,
+    /// Branches within a degree.
+    n_good: u32,
     /// Degrees between the direction a branch leaves in and what the branching angle function says.
     angle: f64,
     /// Metres between its base and its place on the parent, over the parent's length.
@@ -59,6 +61,8 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     for (name, worst) in origins {
         let case = format!("{} branches {name}, worst", worst.n);
         row(&case, "off the branching angle", worst.angle, "degrees", Aim::AtMost(1.0));
+        let good = 100.0 * f64::from(worst.n_good) / f64::from(worst.n.max(1));
+        row(&case, "within 1 degree of it", good, "%", Aim::None);
         row(&case, "base off the parent", 100.0 * worst.base, "% length", Aim::AtMost(0.1));
     }
     let case = format!("{} branches of bumps, worst", all.of_bumps.n + all.redrawn.n);
@@ -127,7 +131,9 @@ impl Worst {
         let wanted = system.angles.at(lateral.t);
         let angle = along.angle_to(foot).abs();
         self.n += 1;
-        self.angle = self.angle.max(f64::from((angle - wanted).abs().to_degrees()));
+        let off = f64::from((angle - wanted).abs().to_degrees());
+        self.angle = self.angle.max(off);
+        self.n_good += u32::from(off <= 1.0);
         let off = lateral.line.start().distance(system.axis.at(lateral.t));
         self.base = self.base.max(f64::from(off / system.axis.length()));
     }

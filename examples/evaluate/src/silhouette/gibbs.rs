@@ -112,7 +112,7 @@ fn times(table: &mut Table) -> Result<(), Box<dyn Error>> {
         let domains = domains(n, n / 3, Seed(1));
         let time = |moves: u32| {
             let params = GibbsParams { moves, quiet: 0.0, ..GibbsParams::default() };
-            fastest(7, || run(&domains, &Arrangement::Decussate, params, 1))
+            fastest(15, || run(&domains, &Arrangement::Decussate, params, 1))
         };
         let (many, arranged) = time(MOVES)?;
         let (none, _) = time(0)?;

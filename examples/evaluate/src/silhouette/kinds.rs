@@ -27,6 +27,7 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
             let (grown, mesh) = cases::mesh(session)?;
             strokes += report.strokes;
             refused += report.refused.len();
+            report.refused.iter().for_each(|why| eprintln!("{}: {why}", kind.name));
             elements += grown.report.elements();
             // Up the page is away from the viewer, as one sees it who looks down a little.
             let away = at.y / libm::sinf(PITCH);

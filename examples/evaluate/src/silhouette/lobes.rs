@@ -8,6 +8,7 @@ use tree_model::tree_core::glam::Vec2;
 
 /// An outline and how many bumps it has.
 pub(super) struct Lobed {
+    pub(super) name: String,
     pub(super) points: Vec<Vec2>,
     pub(super) bumps: usize,
 }
@@ -25,19 +26,24 @@ pub(super) struct Noise {
 pub(super) fn families() -> Vec<Lobed> {
     /// From so many lobes on, waves of this height are told from an oval or a smooth form.
     const LOW: [f32; 6] = [0.0, 0.0, 0.3, 0.25, 0.2, 0.15];
-    let lobed = |points, bumps| Lobed { points, bumps };
-    let mut all = vec![lobed(rose(1, 0.25), 1), lobed(rose(5, 0.0), 1), lobed(drop(), 1)];
+    let lobed = |name: String, points, bumps| Lobed { name, points, bumps };
+    let mut all = vec![
+        lobed("egg".into(), rose(1, 0.25), 1),
+        lobed("circle".into(), rose(5, 0.0), 1),
+        lobed("drop".into(), drop(), 1),
+    ];
     for n in 2..=12 {
         let least = LOW.get(n).copied().unwrap_or(0.15);
         let heights = [0.15, 0.2, 0.3].into_iter().filter(|&height| height >= least);
-        all.extend(heights.map(|height| lobed(rose(n, height), n)));
+        all.extend(heights.map(|h| lobed(format!("rose of {n}, {h}"), rose(n, h), n)));
         let radius = |share: f32, most: f32| (share * sinf(PI / n as f32)).min(most);
-        all.extend([radius(0.6, 0.8), radius(0.9, 0.6)].map(|r| lobed(discs(n, r), n)));
+        let discs = |r| lobed(format!("discs of {n}, {r:.2}"), discs(n, r), n);
+        all.extend([radius(0.6, 0.8), radius(0.9, 0.6)].map(discs));
         if n > 2 {
-            all.push(lobed(star(n), n));
+            all.push(lobed(format!("star of {n}"), star(n), n));
         }
     }
-    all.extend((1..=5).map(|tiers| lobed(conifer(tiers), 2 * tiers + 1)));
+    all.extend((1..=5).map(|n| lobed(format!("conifer of {n}"), conifer(n), 2 * n + 1)));
     all
 }
 
