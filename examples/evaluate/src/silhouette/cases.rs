@@ -112,10 +112,13 @@ fn name_of(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
+/// A tree's session, what became of its strokes, and where it stands.
+pub(super) type Planted = (Session, PlayReport, Vec2);
+
 impl Case {
     /// Sessions of all its trees, the tallest as tall as the parameters say, and where each stands in
     /// the drawing: metres to the right of the first, and up the page from it.
-    pub(super) fn sessions(&self) -> Result<Vec<(Session, PlayReport, Vec2)>, Box<dyn Error>> {
+    pub(super) fn sessions(&self) -> Result<Vec<Planted>, Box<dyn Error>> {
         let grounds: Vec<(Vec2, f32)> = self.trees.iter().map(ground).collect();
         let tallest = grounds.iter().map(|&(_, height)| height).fold(0.0, f32::max);
         let scale = self.params.height / tallest;

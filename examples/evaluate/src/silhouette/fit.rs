@@ -113,5 +113,5 @@ fn sides(session: &Session, mesh: &Mesh, n: usize) -> Result<[Option<Seen>; 2], 
 fn picture(name: &str, session: &Session, mesh: &Mesh) -> Result<(), Box<dyn Error>> {
     let parts = sides(session, mesh, PICTURE)?;
     let pictures: Vec<_> = parts.iter().flatten().map(difference).collect();
-    save(beside(&pictures), &format!("fit_{name}"))
+    save(&beside(&pictures), &format!("fit_{name}"))
 }

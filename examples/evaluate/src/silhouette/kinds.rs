@@ -39,7 +39,7 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
         row("strokes", Some(kind.strokes), f64::from(strokes), Aim::AtMost(kind.strokes));
         row("strokes refused", None, refused as f64, Aim::AtMost(0.0));
         row("elements", Some(kind.elements), elements as f64, Aim::None);
-        save(picture(&case, &scene)?, kind.name)?;
+        save(&picture(&case, &scene)?, kind.name)?;
     }
     let case = format!("pictures in {OUT}");
     let metric = "kinds of Table 1";

@@ -45,7 +45,7 @@ pub(super) fn beside(parts: &[Picture]) -> Picture {
 }
 
 /// Writes a picture of this name.
-pub(super) fn save(picture: Picture, name: &str) -> Result<(), Box<dyn Error>> {
+pub(super) fn save(picture: &Picture, name: &str) -> Result<(), Box<dyn Error>> {
     let pixels = picture.pixels.as_chunks().0.to_vec();
     let photo = Photo::new(picture.width, picture.height, pixels)?;
     Ok(photo.save_png(Path::new(OUT).join(format!("{name}.png")))?)

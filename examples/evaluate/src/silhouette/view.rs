@@ -15,6 +15,8 @@ pub(super) const MARGIN: usize = 8;
 
 /// A trunk flares to so many of its radii at its base.
 const FLARE: f32 = 1.6;
+/// And no more than this share of the crown's width is left out on either side of its line: what is wider was no trunk.
+const WIDEST: f32 = 0.25;
 
 /// Where the eye stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -108,11 +110,15 @@ pub(super) fn seen(
     let bits: Vec<bool> = mask.bits().collect();
     let tree = (0..n * n).map(|at| bits[(n - 1 - at / n) * n + at % n]).collect();
     let outline = crown.mask(window.low, window.low + window.size, n, n);
+    let (low, high) = crown.bounds();
+    let reach = (FLARE * half_width).min(WIDEST * (high - low).x) + cell;
     let on_stem = |point: Vec2| {
-        stem.windows(2).any(|pair| {
+        stem.windows(2).enumerate().any(|(i, pair)| {
             let (from, way) = (pair[0], pair[1] - pair[0]);
             let part = (point - from).dot(way) / way.length_squared().max(1e-12);
-            point.distance(from + part.clamp(0.0, 1.0) * way) <= FLARE * half_width + cell
+            // Beyond its end it is no longer below the crown.
+            let is_beyond = i + 2 == stem.len() && part > 1.0;
+            !is_beyond && point.distance(from + part.clamp(0.0, 1.0) * way) <= reach
         })
     };
     let centre =
