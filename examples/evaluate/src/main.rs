@@ -8,6 +8,7 @@ mod measure;
 mod mesh;
 mod particle;
 mod path;
+mod silhouette;
 mod sketch;
 mod table;
 
@@ -17,10 +18,11 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 5] = [
+const SYSTEMS: [(&str, Evaluation); 6] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
+    ("silhouette", silhouette::evaluate),
     ("mesh", mesh::evaluate),
     ("ffi", ffi::evaluate),
 ];
