@@ -83,6 +83,21 @@ impl Line {
         here.lerp(other, share).try_normalize().unwrap_or(here)
     }
 
+    /// The direction it starts in, of unit length: that of the cubic through its first four points. A curve's chord over the
+    /// first stretch would be several degrees off.
+    #[must_use]
+    pub fn foot(&self) -> Vec2 {
+        let (&[a, b, c, d, ..], &[_, u, v, w, ..]) =
+            (self.points.as_slice(), self.along.as_slice())
+        else {
+            return self.stretch(0);
+        };
+        // The derivative at 0 of Lagrange's polynomial.
+        let slope = |s: f32, t: f32, at: f32| s * t / (at * (s - at) * (t - at));
+        let way = slope(v, w, u) * (b - a) + slope(u, w, v) * (c - a) + slope(u, v, w) * (d - a);
+        way.try_normalize().unwrap_or_else(|| self.stretch(0))
+    }
+
     /// Where along it the point nearest to `point` is, as a share of its length, and how far that is. O(points).
     #[must_use]
     pub fn nearest(&self, point: Vec2) -> (f32, f32) {
@@ -169,6 +184,14 @@ mod tests {
         assert_eq!(line.tangent(0.0), Vec2::Y);
         assert_eq!(line.tangent(1.0), Vec2::X);
         assert!(line.tangent(0.25).dot(Vec2::ONE.normalize()) > 0.99);
+    }
+
+    #[test]
+    fn it_starts_in_the_direction_of_its_curve() {
+        let parabola = (0..9).map(|i| i as f32 / 8.0).map(|x| Vec2::new(x, x - 0.5 * x * x));
+        let foot = Line::new(parabola.collect()).unwrap().foot();
+        assert!(foot.dot(Vec2::ONE.normalize()) > 0.9999, "{foot}");
+        assert_eq!(corner().foot(), Vec2::Y);
     }
 
     #[test]

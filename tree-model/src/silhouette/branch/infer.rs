@@ -148,11 +148,9 @@ fn curve(
 /// Where a drawn branch leaves its parent: the place nearest to its start, the angle there, and whether it is on the left.
 #[must_use]
 pub fn base_of(parent: &Line, branch: &Line) -> (f32, f32, bool) {
-    /// The direction of a drawn branch is taken over this share of its length.
-    const FOOT: f32 = 0.08;
     let (t, _) = parent.nearest(branch.start());
     let along = parent.tangent(t);
-    let foot = branch.at(FOOT) - branch.start();
+    let foot = branch.foot();
     let angle = libm::atan2f(along.perp_dot(foot), along.dot(foot));
     let left = along.perp_dot(branch.at(0.5) - branch.start()) > 0.0;
     (t, angle.abs(), left)

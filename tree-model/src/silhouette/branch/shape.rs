@@ -68,7 +68,7 @@ impl Shape {
     /// The angle from the span to the direction the branch leaves in, positive towards the outer side.
     #[must_use]
     pub fn leaving(&self) -> f32 {
-        let foot = self.line.tangent(0.0);
+        let foot = self.line.foot();
         libm::atan2f(foot.x, foot.y)
     }
 

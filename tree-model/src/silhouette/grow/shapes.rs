@@ -29,7 +29,7 @@ impl Form {
     }
 
     fn new(line: &Line, outline: &Outline, surface: Surface) -> Self {
-        let foot = line.tangent(0.0);
+        let foot = line.foot();
         Self {
             line: line.clone(),
             leaving: libm::atan2f(foot.x, foot.y),

@@ -6,7 +6,7 @@ use crate::plane::fill::{self, Fill, FillRule, Frame};
 use glam::{DVec2, Vec2};
 
 /// Most corners of a leaf's border: a tree has very many leaves.
-const MOST_CORNERS: usize = 64;
+const MOST_CORNERS: usize = 24;
 
 /// How far corners may move at first when there are too many, as a share of half the size; raised by half until there
 /// are few enough.
@@ -29,7 +29,7 @@ const ASIDE: f32 = 0.25;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LeafOutline {
-    /// The corners: the border against the clock, at most 64 of them.
+    /// The corners: the border against the clock, at most 24 of them.
     pub points: Vec<Vec2>,
     /// Indices of corners, against the clock.
     pub triangles: Vec<[u32; 3]>,

@@ -159,6 +159,16 @@ impl System {
         self.laterals.iter().any(|lateral| lateral.line.end().distance(bump.centre) <= near)
     }
 
+    /// The line to a branch's end as it is inferred from the angles.
+    pub(crate) fn line_to(&self, lateral: &Lateral, params: &SystemParams) -> Option<(f32, Line)> {
+        let within = crown::foliage_part(&self.axis, &self.outline);
+        let end = (lateral.line.end(), lateral.line.tangent(1.0));
+        let raster = Raster::of(&self.outline);
+        let is_inside = |point: Vec2| raster.is_inside(point);
+        let found = infer(&self.axis, &self.angles, end, within, &is_inside, &params.infer)?;
+        Some((found.t, found.line))
+    }
+
     /// Moves everything by a map of the plane that keeps lines straight.
     pub(crate) fn carry(&mut self, map: &impl Fn(Vec2) -> Vec2) {
         let line = |line: &Line| Line::new(line.points().iter().map(|&point| map(point)).collect());
@@ -183,7 +193,7 @@ impl System {
 }
 
 /// Where a branch with a given end leaves the axis at the branching angle, when its span stands off by `leaving` from the
-/// direction it leaves in: of such places the one with the shortest span; where there is none, the one that comes nearest.
+/// direction it leaves in: of such places the one with the shortest span. `None` where there is no such place.
 pub(crate) fn turned_base(system: &System, end: Vec2, left: bool, leaving: f32) -> Option<f32> {
     /// Places tried.
     const PLACES: usize = 64;
@@ -213,6 +223,5 @@ pub(crate) fn turned_base(system: &System, end: Vec2, left: bool, leaving: f32) 
             best = Some((span, a));
         }
     }
-    let nearest = (0..PLACES).map(place).min_by(|a, b| off(*a).abs().total_cmp(&off(*b).abs()));
-    best.map(|(_, t)| t).or(nearest)
+    best.map(|(_, t)| t)
 }

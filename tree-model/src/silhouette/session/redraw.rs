@@ -199,7 +199,10 @@ fn transfer_shape(system: &mut System, source: usize, transfer: &Transfer, param
         if !transfer.takes(&system.laterals[i], &source) {
             continue;
         }
-        let Some((t, line)) = placed(system, &system.laterals[i], &shape) else { continue };
+        // Where the shape does not go with the angles the branch is inferred from them, with its own shape.
+        let sibling = &system.laterals[i];
+        let placed = placed(system, sibling, &shape);
+        let Some((t, line)) = placed.or_else(|| system.line_to(sibling, params)) else { continue };
         let lateral = &system.laterals[i];
         let bump = (lateral.radius, lateral.stretch);
         let made = system.lateral(0, lateral.origin, t, line.clone(), bump, params);

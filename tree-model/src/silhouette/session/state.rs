@@ -159,8 +159,8 @@ fn no_crown(what: &str) -> ModelError {
 pub(super) fn line_of(stroke: &[Vec2], what: &str, repairs: &mut Vec<String>) -> Result<Line> {
     /// Coordinates beyond are no metres of a tree.
     const LARGEST: f32 = 1e6;
-    /// Points that a drawn line is kept by.
-    const POINTS: usize = 48;
+    /// Points that a drawn line is kept by: what is finer is the hand's.
+    const POINTS: usize = 24;
     check_count(stroke)?;
     let good: Vec<Vec2> =
         stroke.iter().copied().filter(|p| p.x.abs() <= LARGEST && p.y.abs() <= LARGEST).collect();

@@ -180,9 +180,8 @@ fn grow_all(
 ) -> Result<Vec<StandTree>> {
     // Trees that grow at once would report progress in any order.
     let asked = control.clone();
-    let quiet = Control::default()
-        .with_limits(control.limits)
-        .with_stop(move || asked.check().is_err());
+    let quiet =
+        Control::default().with_limits(control.limits).with_stop(move || asked.check().is_err());
     let (mut nodes, mut leaves) = (0, 0);
     let n_trees = drawn.len();
     let mut grown = Vec::with_capacity(n_trees);
