@@ -99,8 +99,7 @@ impl All {
                 Origin::Bump => &mut self.of_bumps,
                 Origin::Coverage => &mut self.of_coverage,
             };
-            let foot = if is_redrawn { lateral.line.tangent(0.0) } else { leaving(&lateral.line) };
-            worst.take(system, lateral, foot);
+            worst.take(system, lateral, lateral.line.foot());
             if lateral.origin == Origin::Bump {
                 let off = |centre: &Vec2| centre.distance(lateral.line.end()) / size;
                 let nearest = centres.iter().map(off).fold(f32::INFINITY, f32::min);
@@ -136,13 +135,5 @@ impl Worst {
         self.n_good += u32::from(off <= 1.0);
         let off = lateral.line.start().distance(system.axis.at(lateral.t));
         self.base = self.base.max(f64::from(off / system.axis.length()));
-    }
-}
-
-/// The direction in which a cubic curve begins, by its first four points.
-fn leaving(line: &Line) -> Vec2 {
-    match line.points() {
-        [a, b, c, d, ..] => -11.0 * *a + 18.0 * *b - 9.0 * *c + 2.0 * *d,
-        _ => line.tangent(0.0),
     }
 }

@@ -11,8 +11,10 @@ use tree_model::particle::finish::FinishParams;
 use tree_model::silhouette::grow::{GrowParams, Grown, LevelParams};
 use tree_model::silhouette::place::Arrangement;
 use tree_model::silhouette::plan::Plan;
+use tree_model::silhouette::read::OutlineDrawing;
 use tree_model::silhouette::read::{self, Kind as StrokeKind, Level, TreeStrokes};
 use tree_model::silhouette::session::{PlayReport, Session, SilhouetteParams};
+use tree_model::silhouette::stand::{Perspective, Stand, StandParams};
 use tree_model::tree_core::glam::Vec2;
 use tree_model::tree_core::{Control, Limits, Seed, Tree, file};
 
@@ -124,6 +126,25 @@ impl Case {
         let scale = self.params.height / tallest;
         let first = grounds.first().map_or(Vec2::ZERO, |&(base, _)| base);
         let mut out = Vec::new();
+        if self.trees.len() > 1 {
+            // Those without details borrow.
+            let drawing = OutlineDrawing { trees: self.trees.clone(), ..Default::default() };
+            let params = StandParams {
+                silhouette: self.params.clone(),
+                perspective: Perspective::Flat,
+                ..StandParams::default()
+            };
+            let stand = Stand::of_drawing(&drawing, &params, Seed(1), &Control::default())?;
+            for tree in stand.trees {
+                let (base, _) = grounds[tree.index];
+                out.push((
+                    tree.session,
+                    tree.strokes,
+                    scale * (base - first) * Vec2::new(1.0, -1.0),
+                ));
+            }
+            return Ok(out);
+        }
         for (i, (tree, (base, height))) in self.trees.iter().zip(grounds).enumerate() {
             let params = SilhouetteParams { height: scale * height, ..self.params.clone() };
             let (session, report) = Session::of_drawing(tree, params, Seed(1).child(i as u64))?;

@@ -47,7 +47,7 @@ fn discs(lobes: usize, radius: f32) -> Vec<Vec2> {
 fn star(spikes: usize, inner: f32) -> Vec<Vec2> {
     let corner = |i: usize| {
         let angle = PI * i as f32 / spikes as f32;
-        let radius = if i % 2 == 0 { 1.0 } else { inner };
+        let radius = if i.is_multiple_of(2) { 1.0 } else { inner };
         radius * Vec2::new(cosf(angle), sinf(angle))
     };
     (0..2 * spikes).map(corner).collect()

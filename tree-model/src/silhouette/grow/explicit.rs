@@ -82,7 +82,8 @@ impl Explicit<'_> {
             .iter()
             .map(|lateral| {
                 let pinned = lateral.azimuth.map(|azimuth| [azimuth; 2]);
-                let azimuth = pinned.unwrap_or_else(|| self.domain(lateral, level));
+                let azimuth =
+                    pinned.or_else(|| self.domain(lateral, level)).unwrap_or([side(lateral); 2]);
                 Domain { along: [lateral.t, lateral.t], azimuth }
             })
             .collect();
@@ -93,13 +94,13 @@ impl Explicit<'_> {
     }
 
     /// Where round the axis a sketched branch may stand. On the trunk the profile must have room for its end: of the domain the
-    /// widest part where it has.
-    fn domain(&self, lateral: &Lateral, level: u32) -> [f32; 2] {
+    /// widest part where it has; `None` where it has none.
+    fn domain(&self, lateral: &Lateral, level: u32) -> Option<[f32; 2]> {
         /// Azimuths that are tried, on either side of the plane and in it.
         const TRIED: i32 = 8;
         let (side, half) = (side(lateral), self.params.domain);
         if level > 0 {
-            return [side - half, side + half];
+            return Some([side - half, side + half]);
         }
         let end = lateral.line.end();
         let across = end.x - lateral.line.start().x;
@@ -121,10 +122,7 @@ impl Explicit<'_> {
             run = 0;
         }
         let (last, n) = best;
-        if n == 0 {
-            return [side, side];
-        }
-        [side + off(last + 1 - n), side + off(last)]
+        (n > 0).then(|| [side + off(last + 1 - n), side + off(last)])
     }
 
     /// A sketched branch: seen from the front it is as it was drawn.
@@ -166,7 +164,8 @@ impl Explicit<'_> {
         let turn = Around::new(along, site.azimuth).turn(angle);
         let frame = Frame { origin: base.extend(0.0), turn, scale: span.length() };
         let form = self.styles.add_form(Form::of(&shape));
-        let is_free = lateral.azimuth.is_some();
+        // Where the profile has no room for what was drawn, the drawing is followed.
+        let is_free = lateral.azimuth.is_some() || self.domain(lateral, level).is_none();
         // Finer branches that were only inferred may be fenced in.
         let is_sketched = level == 0 || lateral.origin == Origin::Drawn;
         Ok(Some(Child { node: 0, frame, form, inner, is_sketched, is_free }))

@@ -140,9 +140,9 @@ fn grow(view: &View, cell: usize, from: Vec3, rng: &mut Rng) -> Vec3 {
     let depth = 0.5 * view.cell * uniform(rng, -1.0, 1.0);
     // Whatever is not seen: one of them is the view's depth.
     if view.seen(Vec3::X) == Vec2::ZERO {
-        there.x += depth
+        there.x += depth;
     } else {
-        there.z += depth
+        there.z += depth;
     }
     there
 }

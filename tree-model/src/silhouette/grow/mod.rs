@@ -28,3 +28,6 @@ mod style;
 pub use expand::grow;
 pub use params::{GrowParams, Leaves, LevelParams};
 pub use report::{GrowReport, Grown};
+
+#[cfg(test)]
+mod tests;

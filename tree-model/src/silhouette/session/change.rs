@@ -38,7 +38,8 @@ impl Change {
                 .map(|plan| (&plan.system.axis, &plan.system.outline, &plan.system.sections))
                 != after
                     .map(|plan| (&plan.system.axis, &plan.system.outline, &plan.system.sections)),
-            leaf: before.map(|plan| &plan.leaf) != after.map(|plan| &plan.leaf),
+            leaf: before.and_then(|plan| plan.leaf.as_ref())
+                != after.and_then(|plan| plan.leaf.as_ref()),
             ..Self::default()
         };
         change.removed.extend(old.keys().filter(|id| !new.contains_key(id)));

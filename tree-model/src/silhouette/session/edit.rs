@@ -13,6 +13,8 @@ use std::f32::consts::TAU;
 
 /// A trunk whose end is farther from the crown than this share of the crown's size does not bear it.
 const FAR: f32 = 0.5;
+/// An outline is of a branch whose own it shares at least this share of its area with, where it misses all lines.
+const COVERED: f32 = 0.2;
 /// A branch is taken for the same when its end has moved by less than this share of its span.
 const SAME: f32 = 0.35;
 
@@ -66,7 +68,7 @@ impl Session {
     }
 
     /// Draws the outline of the foliage of a branch of a level, 1 for those on the trunk. The branch is the one with the
-    /// greatest length inside; its own branches are inferred.
+    /// greatest length inside, or where there is none the one whose foliage it covers most; its own branches are inferred.
     ///
     /// # Errors
     /// [`ModelError::Silhouette`] for what encloses no area or no part of a branch of that level; [`ModelError::Parameter`].
@@ -91,7 +93,14 @@ impl Session {
                     best = Some((length, lateral.id));
                 }
             }
-            let Some((_, id)) = best else {
+            // Small outlines may miss the lines of branches: the one whose foliage it covers most is meant then.
+            let by_foliage = || {
+                let all = bearers.iter().flat_map(|system| &system.laterals);
+                all.map(|lateral| (lateral.outline.overlap(&outline), lateral.id))
+                    .filter(|&(shared, _)| shared > COVERED * outline.area())
+                    .max_by(|a, b| a.0.total_cmp(&b.0))
+            };
+            let Some((_, id)) = best.or_else(by_foliage) else {
                 return Err(refuse("no branch of that level runs through it".into()));
             };
             drawn.refine(id, outline, &what)
@@ -233,7 +242,7 @@ impl Drawn {
         let (bearer, index, level) =
             bearer(&mut plan.system, id, 0).ok_or_else(|| no_branch(id))?;
         let lateral = &mut bearer.laterals[index];
-        if length_inside(lateral, &outline) <= 0.0 {
+        if length_inside(lateral, &outline) <= 0.0 && lateral.outline.overlap(&outline) <= 0.0 {
             let problem = format!("branch {id} does not run through it");
             return Err(ModelError::Silhouette { what: what.into(), problem });
         }

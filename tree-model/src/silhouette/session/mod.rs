@@ -27,3 +27,6 @@ pub(super) use play::{Ground, stand};
 pub use redraw::Transfer;
 pub use state::Session;
 pub use view::Viewpoint;
+
+#[cfg(test)]
+mod tests;

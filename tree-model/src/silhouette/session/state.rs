@@ -71,6 +71,12 @@ impl Session {
         grow(self.drawn_plan()?, &self.now.params.grow, self.seed, control)
     }
 
+    /// The seed.
+    #[must_use]
+    pub fn seed(&self) -> Seed {
+        self.seed
+    }
+
     /// Another seed: only what is drawn by chance changes.
     pub fn set_seed(&mut self, seed: Seed) {
         self.seed = seed;
@@ -155,11 +161,11 @@ fn no_crown(what: &str) -> ModelError {
     ModelError::Silhouette { what: what.into(), problem }
 }
 
-/// A line of a stroke: without points that are not finite, and with few of the rest.
+/// A line of a stroke: without points that are not finite, by few points.
 pub(super) fn line_of(stroke: &[Vec2], what: &str, repairs: &mut Vec<String>) -> Result<Line> {
     /// Coordinates beyond are no metres of a tree.
     const LARGEST: f32 = 1e6;
-    /// Points that a drawn line is kept by: what is finer is the hand's.
+    /// Points that a drawn line is kept by, evenly spaced: what is finer is the hand's.
     const POINTS: usize = 24;
     check_count(stroke)?;
     let good: Vec<Vec2> =
@@ -174,7 +180,7 @@ pub(super) fn line_of(stroke: &[Vec2], what: &str, repairs: &mut Vec<String>) ->
         let problem = "it has no length; a line needs two different points".into();
         ModelError::Silhouette { what: what.into(), problem }
     })?;
-    Ok(if line.points().len() > POINTS { line.resampled(POINTS) } else { line })
+    Ok(line.resampled(POINTS))
 }
 
 fn check_count(stroke: &[Vec2]) -> Result<()> {

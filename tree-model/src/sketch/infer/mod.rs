@@ -17,6 +17,7 @@
 
 mod aims;
 mod bottom_up;
+mod climb;
 mod densities;
 mod depth;
 mod factors;
