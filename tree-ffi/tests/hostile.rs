@@ -126,6 +126,19 @@ const MAKERS: &[(&str, &str)] = &[
         "tree_sketch_session",
         "tree_sketch_session_new(live_tree_drawing(), few_branches(), 1, &made)",
     ),
+    ("tree_outline", "tree_outline_close(fork_spots, 4, NULL, 0, NULL, NULL, &made)"),
+    ("tree_leaf_outline", "tree_leaf_outline_guess(live_tree_outline(), &made)"),
+    (
+        "tree_outline_drawing",
+        "tree_outline_drawing_new(drawn_outlines, 2, NULL, 0, 0, NULL, &made)",
+    ),
+    ("tree_bumps", "tree_outline_bumps(live_tree_outline(), NULL, NULL, &made)"),
+    ("tree_arranged", "tree_arranged_new(two_domains, 2, &decussate, NULL, 1, NULL, NULL, &made)"),
+    (
+        "tree_revolved",
+        "tree_revolved_of(fork_spots, 2, (const tree_outline *const[]){live_tree_outline()}, origin, 1, \
+         NULL, &made)",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

@@ -269,6 +269,12 @@ static const tree_sketch_stroke strokes_of_a_fork[] = {
 static const char json[] = "[[[5, 9], [5, 5], [5, 1]], [[5, 5], [8, 2]]]\n";
 static const float triangle_points[] = {-2, 1, 2, 1, 0, 4, -2, 1};
 static const uint64_t triangle_starts[] = {0, 4};
+static const tree_drawn_stroke drawn_outlines[] = {
+    {.struct_size = sizeof(tree_drawn_stroke), .n_points = 2, .points = fork_spots},
+    {.struct_size = sizeof(tree_drawn_stroke), .n_points = 4, .points = fork_spots,
+     .kind = TREE_DRAWN_KIND_OUTLINE}};
+static const tree_domain two_domains[] = {{{0, 1}, {0, 6}}, {{0.5f, 0.5f}, {-1, 1}}};
+static const tree_arrangement decussate = {.kind = TREE_ARRANGEMENT_DECUSSATE};
 static const tree_strokes_columns a_triangle = {sizeof a_triangle, 1, triangle_starts, 4,
                                                 triangle_points};
 
