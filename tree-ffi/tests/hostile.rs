@@ -139,6 +139,21 @@ const MAKERS: &[(&str, &str)] = &[
         "tree_revolved_of(fork_spots, 2, (const tree_outline *const[]){live_tree_outline()}, origin, 1, \
          NULL, &made)",
     ),
+    (
+        "tree_silhouette",
+        "(tree_silhouette_new(few_boughs(), 1, &made), \
+         tree_silhouette_draw_crown(made, triangle_points, 3, NULL, NULL))",
+    ),
+    (
+        "tree_silhouette_change",
+        "tree_silhouette_draw_crown(live_tree_silhouette(), triangle_points, 3, NULL, &made)",
+    ),
+    (
+        "tree_outline_plan",
+        // Other calls may have taken the crown back.
+        "(tree_silhouette_draw_crown(live_tree_silhouette(), triangle_points, 3, NULL, NULL), \
+         tree_silhouette_plan(live_tree_silhouette(), &made))",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

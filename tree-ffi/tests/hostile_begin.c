@@ -278,6 +278,16 @@ static const tree_arrangement decussate = {.kind = TREE_ARRANGEMENT_DECUSSATE};
 static const tree_strokes_columns a_triangle = {sizeof a_triangle, 1, triangle_starts, 4,
                                                 triangle_points};
 
+static const tree_silhouette_params *few_boughs(void) {
+    static tree_silhouette_params params;
+    static tree_silhouette_grow_params grow;
+    must(tree_silhouette_params_init(&params, sizeof params));
+    must(tree_silhouette_grow_params_init(&grow, sizeof grow));
+    grow.depth = 1;
+    params.grow = &grow;
+    return &params;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;
