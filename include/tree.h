@@ -552,6 +552,102 @@
 // Parallel projection; what lies behind the eye is not drawn.
 #define TREE_LENS_ORTHOGRAPHIC 1
 
+// Number of bins in `tree_concentration`.
+#define TREE_CONCENTRATION_BINS 12
+
+// A leaf.
+#define TREE_LEVEL_OF_LEAF UINT32_MAX
+
+// An open line: a trunk or a branch, from either end.
+#define TREE_DRAWN_KIND_AXIS 0
+
+// The outline of a crown, of a branch's foliage or of a leaf. Its first point is not repeated.
+#define TREE_DRAWN_KIND_OUTLINE 1
+
+// `count` points were not finite or absurdly far away, and were left out.
+#define TREE_OUTLINE_POINTS_DROPPED 0
+
+// `count` points repeated at once were left out.
+#define TREE_OUTLINE_DUPLICATES_DROPPED 1
+
+// Of `count` points `after` were kept.
+#define TREE_OUTLINE_THINNED 2
+
+// It was open, with close ends, and was closed straight over `gap` metres.
+#define TREE_OUTLINE_CLOSED 3
+
+// It was wide open, by `gap` metres, a `share` of its length, and was closed straight.
+#define TREE_OUTLINE_WIDE_GAP_CLOSED 4
+
+// It ran out and straight back at `count` corners, which were left out.
+#define TREE_OUTLINE_SPIKES_DROPPED 5
+
+// It crossed or touched itself; what it winds round was kept.
+#define TREE_OUTLINE_CROSSING_UNDONE 6
+
+// Of what it winds round only the largest part was kept: `count` others, a `share` of the area, were left out.
+#define TREE_OUTLINE_PARTS_DROPPED 7
+
+// It ran with the clock and was turned.
+#define TREE_OUTLINE_TURNED 8
+
+// Something else: `tree_outline_repairs_text` says what.
+#define TREE_OUTLINE_OTHER 9
+
+// Evenly over length and azimuth, without a pattern. The default.
+#define TREE_ARRANGEMENT_SPREAD 0
+
+// One at a node, each turned against the last by `angle`.
+#define TREE_ARRANGEMENT_SPIRAL 1
+
+// Two at a node, all pairs in one plane.
+#define TREE_ARRANGEMENT_OPPOSITE 2
+
+// Two at a node, each pair across the last.
+#define TREE_ARRANGEMENT_DECUSSATE 3
+
+// `per_node` at a node, each whorl turned against the last by `angle`.
+#define TREE_ARRANGEMENT_WHORLED 4
+
+// Two at a node, all in the horizontal plane, which lies at the azimuth `angle`.
+#define TREE_ARRANGEMENT_HORIZONTAL 5
+
+// Any other: `per_node` at a node, each node turned against the last by `angle`.
+#define TREE_ARRANGEMENT_CUSTOM 6
+
+// `count` shapes outside all layers, or outside the groups of trees, were left out.
+#define TREE_DRAWN_STRAY_SHAPES 0
+
+// `count` open lines beside filled shapes were left out.
+#define TREE_DRAWN_LINES_DROPPED 1
+
+// A trunk drawn as an area became its middle line.
+#define TREE_DRAWN_TRUNK_THINNED 2
+
+// A shape as large as the drawing was left out as its background.
+#define TREE_DRAWN_BACKGROUND_DROPPED 3
+
+// `count` parts near the tree were joined to it.
+#define TREE_DRAWN_PARTS_BRIDGED 4
+
+// `count` parts far from the tree, or too small, a `share` of the area, were left out.
+#define TREE_DRAWN_PARTS_DROPPED 5
+
+// Holes, a `share` of the area, were filled.
+#define TREE_DRAWN_HOLES_FILLED 6
+
+// Gaps in a frayed crown were closed, the widest of `width` in units of the drawing.
+#define TREE_DRAWN_GAPS_CLOSED 7
+
+// No trunk was seen: the silhouette is all crown.
+#define TREE_DRAWN_NO_TRUNK 8
+
+// A tree of which nothing could be used was left out.
+#define TREE_DRAWN_TREE_DROPPED 9
+
+// Something else: `tree_outline_drawing_repairs_text` says what.
+#define TREE_DRAWN_OTHER 10
+
 // Parent of the root: no node.
 #define TREE_NO_PARENT 4294967295u
 
@@ -843,11 +939,17 @@
 // Cameras for several views of one tree.
 typedef struct tree_aligned tree_aligned;
 
+// Places that branches found.
+typedef struct tree_arranged tree_arranged;
+
 // Main branches in one picture, as a forest whose roots are at the tree's base.
 typedef struct tree_attractor tree_attractor;
 
 // All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
 typedef struct tree_axes tree_axes;
+
+// The bumps of an outline.
+typedef struct tree_bumps tree_bumps;
 
 // A file in memory.
 typedef struct tree_bytes tree_bytes;
@@ -912,6 +1014,10 @@ typedef struct tree_inferred tree_inferred;
 // see how much of its triangles is visible.
 typedef struct tree_leaf_model tree_leaf_model;
 
+// A drawn leaf in its own plane: base at the origin, tip at (0, 1), in triangles. Multiplied by the leaf's length it is in
+// metres.
+typedef struct tree_leaf_outline tree_leaf_outline;
+
 // Lines of text, for people: warnings, mostly. There may be none.
 typedef struct tree_lines tree_lines;
 
@@ -929,6 +1035,13 @@ typedef struct tree_mesh tree_mesh;
 
 // The middle lines of a filled area.
 typedef struct tree_midlines tree_midlines;
+
+// A closed outline in metres, x to the right, y up: a polygon without crossings, against the clock.
+typedef struct tree_outline tree_outline;
+
+// A drawing of outlines: the strokes of one tree or several, each of a level. Nothing is scaled: coordinates are those of
+// the drawing or pixels, y downwards.
+typedef struct tree_outline_drawing tree_outline_drawing;
 
 // A surface in the axes and the layout of an engine.
 typedef struct tree_packed tree_packed;
@@ -964,6 +1077,10 @@ typedef struct tree_pool tree_pool;
 
 // A drawn profile: radius over height, from the ground up.
 typedef struct tree_profile tree_profile;
+
+// A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
+// has y along the straight span of the axis from its start, and r across.
+typedef struct tree_revolved tree_revolved;
 
 // Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
 // or the tips of a graph.
@@ -3963,6 +4080,350 @@ typedef struct tree_style {
     float ground_color[3];
 } tree_style;
 
+// How places are found. Begin with `tree_gibbs_params_init`.
+typedef struct tree_gibbs_params {
+    // `sizeof(tree_gibbs_params)`.
+    size_t struct_size;
+    // How quickly branches stop to keep others away, 0 to 1000 for a distance of the whole length. Default 20.
+    float reach;
+    // Weight of closeness, 0 to 1000. Default 2.
+    float closeness;
+    // Weight of the pattern, 0 to 1000. Default 1.
+    float pattern;
+    // Most moves, 0 to 1,000,000. Default 3000.
+    uint32_t moves;
+    // The process ends when four moves of each branch lower the cost by less than this share, 0 to 1. Default 0.0001.
+    // 0 makes all moves.
+    float quiet;
+    // How far branches of a node stand off from it along the parent, as a share of the average node length, 0 to 0.5.
+    // Default 0.06.
+    float scatter;
+} tree_gibbs_params;
+
+// Where a branch may stand on its parent.
+typedef struct tree_domain {
+    // Lowest and highest share of the parent's length, 0 to 1. Equal where the place is given.
+    float along[2];
+    // First and last azimuth in radians, -1000 to 1000, in the sense that azimuth turns: 0 is the right side of the
+    // drawing, π the left. The last may be less than the first (the domain then passes 2π); 2π or more apart is all round.
+    float azimuth[2];
+} tree_domain;
+
+// A pattern of branches round their parent: a `TREE_ARRANGEMENT_` constant.
+typedef uint32_t tree_arrangement_kind;
+
+// How branches are arranged round their parent: in the paper's terms n:φ. A part of other structs; zeros are
+// `TREE_ARRANGEMENT_SPREAD`. `tree_arrangement_from_text` fills one in by name.
+typedef struct tree_arrangement {
+    // Which pattern.
+    tree_arrangement_kind kind;
+    // Branches at a node, 1 to 64; read for whorls and custom patterns.
+    uint32_t per_node;
+    // In radians, -2π to 2π: the turn from a node to the next of spirals, whorls and custom patterns, the azimuth
+    // of horizontal pairs.
+    float angle;
+} tree_arrangement;
+
+// How places came about.
+typedef struct tree_arranged_report {
+    // `sizeof(tree_arranged_report)`.
+    size_t struct_size;
+    // The total cost of the places.
+    float cost;
+    // Moves tried.
+    uint32_t moves;
+    // Moves kept.
+    uint32_t accepted;
+    // 0.
+    uint32_t reserved;
+} tree_arranged_report;
+
+// Where a branch stands on its parent.
+typedef struct tree_site {
+    // Share of the parent's length, 0 to 1.
+    float along;
+    // Azimuth round the parent in radians, 0 to 2π. 0 is the right side of the drawing, π the left.
+    float azimuth;
+    // The node it stands at, counted from the parent's base; without a pattern its rank along the parent.
+    uint32_t node;
+} tree_site;
+
+// How closely branches gather at the privileged positions of a pattern.
+typedef struct tree_concentration {
+    // `sizeof(tree_concentration)`.
+    size_t struct_size;
+    // Angles tested.
+    uint32_t pairs;
+    // Mean resultant length, 0 (evenly about) to 1 (all alike).
+    float resultant;
+    // Where they gather, as an angle from the privileged position in radians.
+    float offset;
+    // The probability that chance alone gathers them so closely.
+    float p_value;
+    // Angles by twelfths of the angle between neighbours at a node, the first bin centred on the privileged position.
+    uint32_t histogram[TREE_CONCENTRATION_BINS];
+    // 1 where there is a pattern to keep to, else 0.
+    uint32_t has_pattern;
+    // 1 where the test is passed: angles gather significantly (p below 0.001) and the fullest bin is the first; without a
+    // pattern, that they do not gather (p at least 0.05). Else 0.
+    uint32_t passes;
+} tree_concentration;
+
+// The branching angle function: the angle between a parent's direction and that of its branches where they leave,
+// along the parent. Between samples it is interpolated, beyond them it is constant. Begin with
+// `tree_branching_angles_init`.
+typedef struct tree_branching_angles {
+    // `sizeof(tree_branching_angles)`.
+    size_t struct_size;
+    // Number of samples, at most 10,000; 0 for those of `tree_branching_angles_init`.
+    size_t n_samples;
+    // Two floats for each: place along the parent, 0 at its base to 1 at its tip, in rising order; and angle in
+    // radians, 0 (straight on) to π (backwards). Default 1.35 at the base to 0.6 at the tip: low branches are near
+    // horizontal, high ones near upright.
+    const float *samples;
+} tree_branching_angles;
+
+// How branches are inferred. Begin with `tree_branch_infer_params_init`.
+typedef struct tree_branch_infer_params {
+    // `sizeof(tree_branch_infer_params)`.
+    size_t struct_size;
+    // Places along the parent that are tried, 2 to 10,000. Default 48.
+    uint32_t places;
+    // Points of a branch, 2 to 1000. Default 16.
+    uint32_t points;
+    // Length of the tangents over the distance of base and end, 0 (straight) to 2. Default 0.5.
+    float tangents;
+    // 0.
+    uint32_t reserved;
+} tree_branch_infer_params;
+
+// From where to where a branch runs.
+typedef struct tree_branch_span {
+    // Where it begins.
+    float base[2];
+    // Where it ends.
+    float end[2];
+    // Whether it is on its parent's left side: a shape is mirrored between the sides.
+    uint32_t left;
+} tree_branch_span;
+
+// What the shape of a branch is like, whatever its size.
+typedef struct tree_branch_shape_report {
+    // `sizeof(tree_branch_shape_report)`.
+    size_t struct_size;
+    // The angle in radians from the span to the direction the branch leaves in, positive towards the outer side, away
+    // from the parent's tip.
+    float leaving;
+    // How far its outline reaches along the span, in spans; at least 1.
+    float reach;
+} tree_branch_shape_report;
+
+// How bumps are found. Begin with `tree_bump_params_init`.
+typedef struct tree_bump_params {
+    // `sizeof(tree_bump_params)`.
+    size_t struct_size;
+    // How far a feature must stand out to be a bump, as a share of the width of what it stands on, 0.01 to 10.
+    // Between clear valleys half of it is enough, without any it takes twice as much. Default 0.2.
+    float prominence;
+    // Features that stand out less than this share of the outline's size (the longer side of its box) are no
+    // bumps, 0.001 to 0.5. Default 0.02.
+    float detail;
+} tree_bump_params;
+
+// One bump of an outline: the foliage of one major branch.
+typedef struct tree_bump {
+    // Its central point, where the branch ends: the middle of a round end, and about the tip of a sharp one.
+    float centre[2];
+    // Its outermost point, on the outline.
+    float tip[2];
+    // Direction of the chordal axis at the centre, outwards, of unit length.
+    float tangent[2];
+    // Radius of the disc about the centre that fits into the outline, in metres; about 0 at a sharp feature.
+    float radius;
+    // The part of the outline that is the bump's: from one length along it, in metres against the clock from its
+    // first corner, to another, which is greater than the perimeter where it passes that corner.
+    float stretch[2];
+} tree_bump;
+
+// A view of a drawn leaf, in lengths of the leaf.
+typedef struct tree_leaf_outline_columns {
+    // `sizeof(tree_leaf_outline_columns)`.
+    size_t struct_size;
+    // Number of corners, at most 64.
+    size_t n_points;
+    // Number of indices, three for each triangle.
+    size_t n_indices;
+    // Two floats for each corner: the border, against the clock.
+    const float *points;
+    // Three for each triangle, against the clock: its corners.
+    const uint32_t *indices;
+    // Lowest coordinates.
+    float low[2];
+    // Highest coordinates.
+    float high[2];
+    // Area for a leaf of length 1.
+    float area;
+    // 0.
+    uint32_t reserved;
+} tree_leaf_outline_columns;
+
+// How a drawn stroke becomes an outline. Begin with `tree_outline_close_params_init`.
+typedef struct tree_outline_close_params {
+    // `sizeof(tree_outline_close_params)`.
+    size_t struct_size;
+    // Ends closer than this share of the stroke's length count as closed by hand; wider gaps are noted as such, 0 to
+    // 1. Default 0.15.
+    float gap;
+    // Most corners of an outline, 8 to 4096; those that change its shape least are left out. Default 2000.
+    uint32_t corners;
+} tree_outline_close_params;
+
+// A view of an outline.
+typedef struct tree_outline_columns {
+    // `sizeof(tree_outline_columns)`.
+    size_t struct_size;
+    // Number of corners, three at least.
+    size_t n_points;
+    // Two floats for each corner, against the clock. The last is joined to the first.
+    const float *points;
+    // Lowest coordinates in metres.
+    float low[2];
+    // Highest coordinates in metres.
+    float high[2];
+    // Area in square metres.
+    float area;
+    // Length round in metres.
+    float perimeter;
+} tree_outline_columns;
+
+// What was repaired or noticed of a stroke that became an outline: a `TREE_OUTLINE_` constant. New ones may be added.
+typedef uint32_t tree_outline_repair_kind;
+
+// One thing that was repaired or noticed of a stroke. Fields that its kind does not name are 0.
+typedef struct tree_outline_repair {
+    // What it was.
+    tree_outline_repair_kind kind;
+    // How many there were.
+    uint32_t count;
+    // How many there are now.
+    uint32_t after;
+    // A length in metres.
+    float gap;
+    // A share, 0 to 1.
+    float share;
+} tree_outline_repair;
+
+// The numbers behind an arrangement.
+typedef struct tree_arrangement_numbers {
+    // `sizeof(tree_arrangement_numbers)`.
+    size_t struct_size;
+    // Branches at a node, n. 1 for `TREE_ARRANGEMENT_SPREAD`.
+    uint32_t per_node;
+    // Turn from a node to the next, φ, in radians.
+    float turn;
+    // Angle between two neighbours at a node, γ, in radians.
+    float spacing;
+    // The azimuth that one privileged position of every node has, in radians, where `has_fixed` says so.
+    float fixed;
+    // 1 where the arrangement fixes an azimuth, else 0.
+    uint32_t has_fixed;
+    // 1 where branches have privileged positions at all, else 0.
+    uint32_t has_pattern;
+} tree_arrangement_numbers;
+
+// What a stroke belongs to: a branching order, 0 for the trunk and the crown, 1 for its branches, and so on; or
+// `TREE_LEVEL_OF_LEAF`.
+typedef uint32_t tree_drawn_level;
+
+// What a stroke shows: a `TREE_DRAWN_KIND_` constant.
+typedef uint32_t tree_drawn_kind;
+
+// A stroke of a drawing of outlines: as input, or as a view of a `tree_outline_drawing`. Zeros are its defaults: an axis of
+// level 0 in the plane of the drawing. Set `struct_size` first.
+typedef struct tree_drawn_stroke {
+    // `sizeof(tree_drawn_stroke)`.
+    size_t struct_size;
+    // Number of points.
+    size_t n_points;
+    // Two floats for each point, in units of the drawing, y downwards. All are finite.
+    const float *points;
+    // Its name in the drawing; empty where it has none.
+    struct tree_str name;
+    // What it belongs to. Default 0.
+    tree_drawn_level level;
+    // What it shows. Default `TREE_DRAWN_KIND_AXIS`.
+    tree_drawn_kind kind;
+    // By how much the plane it is drawn in is turned about the trunk, in radians. Default 0, the plane of the drawing.
+    float azimuth;
+    // 0.
+    uint32_t reserved;
+} tree_drawn_stroke;
+
+// A view of one tree of a drawing.
+typedef struct tree_drawn_tree {
+    // `sizeof(tree_drawn_tree)`.
+    size_t struct_size;
+    // Its name in the drawing; empty where it has none.
+    struct tree_str name;
+    // Number of strokes, one at least.
+    size_t n_strokes;
+    // Width of the trunk in units of the drawing, where it was drawn as an area; else 0.
+    float trunk_width;
+    // 0.
+    uint32_t reserved;
+} tree_drawn_tree;
+
+// What was repaired or noticed in a drawing: a `TREE_DRAWN_` constant. New ones may be added.
+typedef uint32_t tree_drawn_repair_kind;
+
+// One thing that was repaired or noticed in a drawing. Fields that its kind does not name are 0.
+typedef struct tree_drawn_repair {
+    // What it was.
+    tree_drawn_repair_kind kind;
+    // How many there were.
+    uint32_t count;
+    // A share, 0 to 1.
+    float share;
+    // A length in units of the drawing.
+    float width;
+} tree_drawn_repair;
+
+// The frame of a surface.
+typedef struct tree_revolved_frame {
+    // `sizeof(tree_revolved_frame)`.
+    size_t struct_size;
+    // Where it begins: the start of the axis, in the drawing.
+    float origin[2];
+    // The unit vector along the span of the axis, in the drawing.
+    float up[2];
+} tree_revolved_frame;
+
+// How sub-silhouettes are cut out. Begin with `tree_sub_params_init`.
+typedef struct tree_sub_params {
+    // `sizeof(tree_sub_params)`.
+    size_t struct_size;
+    // Opening of the cone at a sharp feature, in radians, 0.02 to 3. Default 20°.
+    float narrow;
+    // Opening where the radius at the end is the branch's span or more, in radians, 0.02 to 3. Default 110°.
+    float wide;
+} tree_sub_params;
+
+// How a sub-silhouette hangs together with its parent.
+typedef struct tree_sub_report {
+    // `sizeof(tree_sub_report)`.
+    size_t struct_size;
+    // Begin and end of the shared part, in metres along the parent against the clock from its first corner; the second
+    // may be greater than the perimeter. Both are one place where nothing could be shared.
+    float shared[2];
+    // The points where the curves join the shared part: its begin, then its end.
+    float join_points[4];
+    // Directions of the outline there, against the clock, of unit length.
+    float join_tangents[4];
+    // The curves from the branch's base to the begin, and from the end to the base. Of each: where it begins, the
+    // derivative there, where it ends, the derivative there, two floats each, of a cubic Hermite curve.
+    float curves[16];
+} tree_sub_report;
+
 // A skeleton's columns: as input, or as a view of a `tree_skeleton`.
 typedef struct tree_skeleton_columns {
     // `sizeof(tree_skeleton_columns)`.
@@ -5535,6 +5996,14 @@ tree_status tree_look_new(const struct tree_material *bark,
                           size_t n_leaves,
                           const struct tree_control *control,
                           struct tree_look **look);
+
+// Makes a look that is as another but for the leaves of kind `kind`. Textures are shared; the other look stays as it is.
+// `control` may be NULL; only its limits matter. Free the new look with `tree_look_free`.
+tree_status tree_look_with_leaf(const struct tree_look *look,
+                                size_t kind,
+                                const struct tree_leaf_look *leaf,
+                                const struct tree_control *control,
+                                struct tree_look **changed);
 
 // Number of leaf kinds that a look dresses; it has one material more.
 tree_status tree_look_leaf_count(const struct tree_look *look, size_t *n_leaves);
@@ -7223,6 +7692,559 @@ tree_status tree_view_init(struct tree_view *view, size_t size);
 tree_status tree_view_place(const struct tree_view *view,
                             const struct tree_mesh *mesh,
                             struct tree_view *placed);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_gibbs_params_init(struct tree_gibbs_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_gibbs_params_check(const struct tree_gibbs_params *params);
+
+// Finds a place in each of `n_domains` domains, at most 20,000, by a Gibbs process: branches keep apart, and keep to the
+// pattern of `arrangement`. The same seed gives the same places. `params`, `control` and `report` may be NULL. Free the
+// places with `tree_arranged_free`.
+tree_status tree_arranged_new(const struct tree_domain *domains,
+                              size_t n_domains,
+                              const struct tree_arrangement *arrangement,
+                              const struct tree_gibbs_params *params,
+                              uint64_t seed,
+                              const struct tree_control *control,
+                              struct tree_arranged_report *report,
+                              struct tree_arranged **arranged);
+
+// A ready pattern of `n` branches, at most 20,000, that may stand anywhere, sorted along the parent. Other variants are
+// other draws of the same seed. It has no trace. `control` may be NULL. Free the places with `tree_arranged_free`.
+tree_status tree_arranged_ready(uint32_t n,
+                                const struct tree_arrangement *arrangement,
+                                uint64_t variant,
+                                uint64_t seed,
+                                const struct tree_control *control,
+                                struct tree_arranged **arranged);
+
+// Views the places, one for each domain in their order: where they begin and how many there are.
+tree_status tree_arranged_sites(const struct tree_arranged *arranged,
+                                const struct tree_site **sites,
+                                size_t *n_sites);
+
+// Views the cost at the start and after each kept move, which never rises: where the numbers begin and how many there are.
+tree_status tree_arranged_trace(const struct tree_arranged *arranged,
+                                const float **costs,
+                                size_t *n_costs);
+
+// Frees places.
+tree_status tree_arranged_free(struct tree_arranged *arranged);
+
+// Tests whether `n_sites` branches of one parent keep to an arrangement, by Rayleigh's test of the angles between
+// one and the next. `control` may be NULL; `nodes` of its limits caps the places. Set `concentration->struct_size` first.
+tree_status tree_sites_privileged(const struct tree_site *sites,
+                                  size_t n_sites,
+                                  const struct tree_arrangement *arrangement,
+                                  const struct tree_control *control,
+                                  struct tree_concentration *concentration);
+
+// Makes `angles`, of `size` bytes, the default; its samples are valid for ever.
+tree_status tree_branching_angles_init(struct tree_branching_angles *angles, size_t size);
+
+// The angles at `n_places` places along the parent, shares of its length from 0 to 1, into `values`, which has room for
+// `capacity`. `angles` and `control` may be NULL; `nodes` of the limits caps the places.
+tree_status tree_branching_angles_at(const struct tree_branching_angles *angles,
+                                     const float *places,
+                                     size_t n_places,
+                                     const struct tree_control *control,
+                                     float *values,
+                                     size_t capacity);
+
+// Takes the angle of a redrawn branch as a sample; it replaces those close to it, but the function keeps its ends. The
+// samples go into `samples`, two floats each; `capacity` counts floats: two more samples than there are always have room.
+// `n_samples` gets their number. `angles` stays as it is, and may be NULL for the default.
+tree_status tree_branching_angles_set(const struct tree_branching_angles *angles,
+                                      float place,
+                                      float angle,
+                                      float *samples,
+                                      size_t capacity,
+                                      size_t *n_samples);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_branch_infer_params_init(struct tree_branch_infer_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_branch_infer_params_check(const struct tree_branch_infer_params *params);
+
+// Infers the branch that ends at `end` along `tangent` (two floats each; a tangent of zeros: from where it comes): the
+// shortest curve from the parent, which is left at the branching angle. `parent` has `n_parent` points, two floats each, from
+// its base to its tip; the branch may leave it between the shares `from` and `to` of its length, 0 and 1 for anywhere. Its
+// line goes into `points`, from base to end, two floats each; `capacity` counts floats, and two for each of `points` of
+// the parameters always do. `n_points` gets their number, `share` where it leaves the parent. `angles`, `params` and
+// `control` may be NULL; `nodes` of the limits caps the points. `TREE_ERROR_NO_RESULT` where the end lies on the parent.
+tree_status tree_branch_infer(const float *parent,
+                              size_t n_parent,
+                              const struct tree_branching_angles *angles,
+                              const float *end,
+                              const float *tangent,
+                              float from,
+                              float to,
+                              const struct tree_branch_infer_params *params,
+                              const struct tree_control *control,
+                              float *points,
+                              size_t capacity,
+                              size_t *n_points,
+                              float *share);
+
+// Where a drawn branch leaves its parent: `share` gets the place nearest to its start as a share of the parent's length,
+// `angle` the angle there in radians, 0 to π, and `is_left` whether the branch is on the parent's left side. Both are lines of
+// two floats a point, from base to tip. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_branch_base(const float *parent,
+                             size_t n_parent,
+                             const float *branch,
+                             size_t n_branch,
+                             const struct tree_control *control,
+                             float *share,
+                             float *angle,
+                             uint32_t *is_left);
+
+// Carries the shape of a branch to another span. `branch` is its line, `n_branch` points from base to end of two floats
+// each, `left` says whether it is on its parent's left side, and `outline` is that of its foliage. The same line on `span`
+// goes into `points`; `capacity` counts floats, and `2 * n_branch` always do. `n_points` gets their number, `carried` the
+// outline there. `control` and `report` may be NULL; `nodes` of the limits caps the points. Free the outline with
+// `tree_outline_free`.
+tree_status tree_branch_carry(const float *branch,
+                              size_t n_branch,
+                              uint32_t left,
+                              const struct tree_outline *outline,
+                              const struct tree_branch_span *span,
+                              const struct tree_control *control,
+                              struct tree_branch_shape_report *report,
+                              float *points,
+                              size_t capacity,
+                              size_t *n_points,
+                              struct tree_outline **carried);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_bump_params_init(struct tree_bump_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_bump_params_check(const struct tree_bump_params *params);
+
+// Finds the bumps of an outline by its chordal axis, in their order against the clock along it: one at least, which is the
+// whole of an outline where nothing stands out. The foot of a crown, where the trunk comes in, may be one like every other.
+// `params` and `control` may be NULL. Free the bumps with `tree_bumps_free`.
+tree_status tree_outline_bumps(const struct tree_outline *outline,
+                               const struct tree_bump_params *params,
+                               const struct tree_control *control,
+                               struct tree_bumps **bumps);
+
+// Views bumps: where they begin and how many there are.
+tree_status tree_bumps_view(const struct tree_bumps *bumps,
+                            const struct tree_bump **rows,
+                            size_t *n_rows);
+
+// Frees bumps.
+tree_status tree_bumps_free(struct tree_bumps *bumps);
+
+// Makes a leaf of an outline that is attached at `base` and points to `tip`, two floats each. Its border is thinned to at most
+// 64 corners. Free the leaf with `tree_leaf_outline_free`. `TREE_ERROR_INVALID` where both are the same point.
+tree_status tree_leaf_outline_of(const struct tree_outline *outline,
+                                 const float *base,
+                                 const float *tip,
+                                 struct tree_leaf_outline **leaf);
+
+// As `tree_leaf_outline_of`, with base and tip as `tree_leaf_outline_ends` finds them.
+tree_status tree_leaf_outline_guess(const struct tree_outline *outline,
+                                    struct tree_leaf_outline **leaf);
+
+// Where a drawn leaf is attached and what it points to, as it looks: `base` gets the end of its stalk where it has one,
+// else the lowest point near the middle of an upright leaf and the left end of a lying one; `tip` the point farthest from
+// there.
+tree_status tree_leaf_outline_ends(const struct tree_outline *outline,
+                                   float (*base)[2],
+                                   float (*tip)[2]);
+
+// Views a drawn leaf. Set `columns->struct_size` first.
+tree_status tree_leaf_outline_view(const struct tree_leaf_outline *leaf,
+                                   struct tree_leaf_outline_columns *columns);
+
+// The flat mesh of a drawn leaf; its picture, if it gets one, spans the leaf's bounds. Free the model with
+// `tree_leaf_model_free`. `tree_leaf_model_view` views it as `mesh` of a `tree_leaf_look` takes it: with the form
+// `TREE_LEAF_MESH` that goes into `tree_look_new` or `tree_look_with_leaf`, and all leaves of the kind are as drawn.
+tree_status tree_leaf_outline_model(const struct tree_leaf_outline *leaf,
+                                    struct tree_leaf_model **model);
+
+// Frees a drawn leaf.
+tree_status tree_leaf_outline_free(struct tree_leaf_outline *leaf);
+
+// Length in metres of a line of `n_line` points, two floats each: points that are not finite, and repeated ones, are left
+// out. `control` may be NULL; `nodes` of its limits caps the points. `TREE_ERROR_INVALID` where fewer than two are left.
+tree_status tree_line_length(const float *line,
+                             size_t n_line,
+                             const struct tree_control *control,
+                             float *length);
+
+// The points at `n_places` places along a line, shares of its length from 0 to 1, and its directions there, of unit
+// length. `points` and `tangents` get two floats for each and have room for `capacity` floats; one may be NULL. The line
+// and `control` are as for `tree_line_length`.
+tree_status tree_line_at(const float *line,
+                         size_t n_line,
+                         const float *places,
+                         size_t n_places,
+                         const struct tree_control *control,
+                         float *points,
+                         float *tangents,
+                         size_t capacity);
+
+// The place along a line that is nearest to each of `n_spots` points, two floats each. `shares` gets where that is as a
+// share of the length, and `distances` how far it is from the point; each has room for `capacity`, and one may be NULL.
+// The line and `control` are as for `tree_line_length`.
+tree_status tree_line_nearest(const float *line,
+                              size_t n_line,
+                              const float *spots,
+                              size_t n_spots,
+                              const struct tree_control *control,
+                              float *shares,
+                              float *distances,
+                              size_t capacity);
+
+// A line by points at even distances, from `from` to a greater `to`, shares of its length from 0 to 1: `count` of them,
+// 2 at least, or 0 for its own points there. They go into `points`, two floats each; `capacity` counts floats. `n_points`
+// gets their number. The line and `control` are as for `tree_line_length`. `TREE_ERROR_NO_RESULT` where nothing is left.
+tree_status tree_line_part(const float *line,
+                           size_t n_line,
+                           float from,
+                           float to,
+                           uint32_t count,
+                           const struct tree_control *control,
+                           float *points,
+                           size_t capacity,
+                           size_t *n_points);
+
+// Says of `n_spots` points, two floats each, whether they lie inside: 1 or 0 into `inside`, which has room for
+// `capacity`. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_outline_contains(const struct tree_outline *outline,
+                                  const float *spots,
+                                  size_t n_spots,
+                                  const struct tree_control *control,
+                                  uint8_t *inside,
+                                  size_t capacity);
+
+// How far it is along `n_rays` rays to the outline, the first crossing in front: each ray is four floats, its beginning
+// and its direction, of unit length. `exits`, which has room for `capacity`, gets metres, infinite where there is no
+// crossing; from outside it is the near side. `control` as for `tree_outline_contains`.
+tree_status tree_outline_exits(const struct tree_outline *outline,
+                               const float *rays,
+                               size_t n_rays,
+                               const struct tree_control *control,
+                               float *exits,
+                               size_t capacity);
+
+// The place along the outline that is nearest to each of `n_spots` points, two floats each. `lengths` gets how far that
+// is along it, in metres against the clock from the first corner, and `distances` how far it is from the point; each has room
+// for `capacity`, and one may be NULL. `control` as for `tree_outline_contains`.
+tree_status tree_outline_nearest(const struct tree_outline *outline,
+                                 const float *spots,
+                                 size_t n_spots,
+                                 const struct tree_control *control,
+                                 float *lengths,
+                                 float *distances,
+                                 size_t capacity);
+
+// The points at `n_lengths` lengths along an outline, in metres against the clock from the first corner, below 0 and beyond
+// the perimeter on round; and the outline's directions there, of unit length, with the inside to the left. `points` and
+// `tangents` get two floats for each and have room for `capacity` floats; one may be NULL. `control` as for
+// `tree_outline_contains`.
+tree_status tree_outline_along(const struct tree_outline *outline,
+                               const float *lengths,
+                               size_t n_lengths,
+                               const struct tree_control *control,
+                               float *points,
+                               float *tangents,
+                               size_t capacity);
+
+// The corners of the stretch from one length along an outline to another, both ends among them, into `points`, two floats
+// each; `capacity` counts floats, and twice the corners plus four always do. `to` may exceed the perimeter where
+// the stretch passes the first corner; it ends after once round. `n_points` gets their number: one where `to` is not above
+// `from`.
+tree_status tree_outline_part(const struct tree_outline *outline,
+                              float from,
+                              float to,
+                              float *points,
+                              size_t capacity,
+                              size_t *n_points);
+
+// Area that two outlines have in common, in square metres, within about 1 %; and the same over the area they cover
+// together, 0 to 1 (the intersection over union).
+tree_status tree_outline_overlap(const struct tree_outline *outline,
+                                 const struct tree_outline *other,
+                                 float *area,
+                                 float *iou);
+
+// Which of the `width` by `height` cells between the corners `low` and `high`, two floats each, have their centres
+// inside: 1 or 0 into `cells`, row by row from the lowest, each from the left. `cells` has room for `capacity`. `control`
+// may be NULL; `pixels` of its limits caps the cells.
+tree_status tree_outline_mask(const struct tree_outline *outline,
+                              const float *low,
+                              const float *high,
+                              uint32_t width,
+                              uint32_t height,
+                              const struct tree_control *control,
+                              uint8_t *cells,
+                              size_t capacity);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_outline_close_params_init(struct tree_outline_close_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_outline_close_params_check(const struct tree_outline_close_params *params);
+
+// Makes an outline of a drawn stroke of `n_points` points, two floats each, in metres, y up: it is closed, made simple and
+// turned against the clock. `tree_outline_repairs` tells what was done. `name`, of `name_len` bytes or
+// `TREE_NUL_TERMINATED`, is what messages call the stroke; NULL for none. `params` and `control` may be NULL; `nodes` of the
+// limits caps the points. Free the outline with `tree_outline_free`. `TREE_ERROR_INVALID` where fewer than three different
+// points are left, or it encloses next to nothing.
+tree_status tree_outline_close(const float *stroke,
+                               size_t n_points,
+                               const char *name,
+                               size_t name_len,
+                               const struct tree_outline_close_params *params,
+                               const struct tree_control *control,
+                               struct tree_outline **outline);
+
+// Makes an outline of points that already are one, two floats each: closed (the first is not repeated at the end), against
+// the clock, without crossings, in metres, at most 4096. Nothing is repaired. `control` may be NULL; only its limits
+// matter. Free the outline with `tree_outline_free`. `TREE_ERROR_INVALID` says what is wrong and at which point.
+tree_status tree_outline_from_points(const float *spots,
+                                     size_t n_spots,
+                                     const struct tree_control *control,
+                                     struct tree_outline **outline);
+
+// Views an outline's corners and tells how large it is. Set `columns->struct_size` first.
+tree_status tree_outline_view(const struct tree_outline *outline,
+                              struct tree_outline_columns *columns);
+
+// Views what was repaired or noticed by `tree_outline_close`, in that order: where the repairs begin and how many there are.
+// None for other outlines.
+tree_status tree_outline_repairs(const struct tree_outline *outline,
+                                 const struct tree_outline_repair **repairs,
+                                 size_t *n_repairs);
+
+// A sentence for each repair. Free the lines with `tree_lines_free`.
+tree_status tree_outline_repairs_text(const struct tree_outline *outline,
+                                      struct tree_lines **lines);
+
+// The same outline by `n_points` corners at even lengths from the first on, at least 3 and at most 4096. Where so few
+// would make it cross itself, or so many are not allowed, it stays as it is. Free it with `tree_outline_free`.
+tree_status tree_outline_resampled(const struct tree_outline *outline,
+                                   uint32_t n_points,
+                                   const struct tree_control *control,
+                                   struct tree_outline **resampled);
+
+// The outline with every corner moved by an affine map, turned against the clock where that mirrors it. `affine` is six
+// floats, a, b, c, d, e, f, as in SVG's matrices: x becomes a·x + c·y + e, y becomes b·x + d·y + f. Free the outline with
+// `tree_outline_free`. `TREE_ERROR_NO_RESULT` where nothing is enclosed then.
+tree_status tree_outline_transformed(const struct tree_outline *outline,
+                                     const float *affine,
+                                     struct tree_outline **transformed);
+
+// Frees an outline. What was made of it lives on.
+tree_status tree_outline_free(struct tree_outline *outline);
+
+// Reads an arrangement by name: `spread`, `spiral` (144°), `golden` (137.5°), `opposite`, `decussate`, `whorl3` (any number),
+// `horizontal`, or `2:90` for two at a node and a turn of 90°. An angle in degrees may follow the names that have one:
+// `spiral:137.5`, `whorl3:45`, `horizontal:30`. `text` has `len` bytes or is `TREE_NUL_TERMINATED`.
+// `TREE_ERROR_UNKNOWN_NAME` for another name, `TREE_ERROR_PARAMETER` for a number out of range.
+tree_status tree_arrangement_from_text(const char *text,
+                                       size_t len,
+                                       struct tree_arrangement *arrangement);
+
+// Writes an arrangement as `tree_arrangement_from_text` reads it, angles in degrees to two places. Free the bytes, which
+// are UTF-8, with `tree_bytes_free`.
+tree_status tree_arrangement_to_text(const struct tree_arrangement *arrangement,
+                                     struct tree_bytes **bytes);
+
+// Tells the numbers behind an arrangement, and checks its ranges on the way. Set `numbers->struct_size` first.
+tree_status tree_arrangement_measure(const struct tree_arrangement *arrangement,
+                                     struct tree_arrangement_numbers *numbers);
+
+// The domain of a branch that was drawn: at the share `along` of the parent's length, within 45° of the side it was
+// drawn on, the left where `left` is not 0.
+tree_status tree_domain_drawn(float along,
+                              uint32_t left,
+                              struct tree_domain *domain);
+
+// Says whether a place lies in a domain.
+tree_status tree_domain_contains(const struct tree_domain *domain,
+                                 float along,
+                                 float azimuth,
+                                 uint32_t *inside);
+
+// How far an azimuth lies outside a domain, in radians, 0 to π.
+tree_status tree_domain_outside(const struct tree_domain *domain, float azimuth, float *angle);
+
+// Makes a drawing of one tree of strokes, which are copied: one at least, in the order they were drawn. `name`, of
+// `name_len` bytes or `TREE_NUL_TERMINATED`, is the tree's, NULL for none; `trunk_width` is the trunk's in units of the drawing,
+// 0 where it is not known. `control` may be NULL; `nodes` of its limits caps the points of all strokes. Free the drawing
+// with `tree_outline_drawing_free`. `TREE_ERROR_INVALID` names a point that is not finite.
+tree_status tree_outline_drawing_new(const struct tree_drawn_stroke *strokes,
+                                     size_t n_strokes,
+                                     const char *name,
+                                     size_t name_len,
+                                     float trunk_width,
+                                     const struct tree_control *control,
+                                     struct tree_outline_drawing **drawing);
+
+// Reads outlines from an SVG drawing: `svg` of `len` bytes or `TREE_NUL_TERMINATED`. What is not seen is left out.
+//
+// Layers are groups, or single shapes, by id, class, layer label or name: `L0`, `L1`, `L2` and so on, and `leaf`. `L0@90` is
+// drawn in a plane turned about the trunk by so many degrees. In `L0`, what is named *trunk* or *stem*, and an open line,
+// is the trunk; what is closed or filled is the crown. In other layers what is closed or filled is the outline of a
+// branch, and an open line a branch redrawn. Groups named `tree`, `tree1`, `tree-oak` hold one tree each.
+//
+// Without layers what is filled is one silhouette for each tree: its trunk is what is named so, or what is brown where
+// something else is green, or the narrow part above the foot; the rest is its crown.
+//
+// `control` may be NULL; only its limits matter. Free the drawing with `tree_outline_drawing_free`. `TREE_ERROR_FORMAT` when
+// the text is no SVG, draws nothing, or nothing of it is a tree.
+tree_status tree_outline_drawing_from_svg(const char *svg,
+                                          size_t len,
+                                          const struct tree_control *control,
+                                          struct tree_outline_drawing **drawing);
+
+// Trunk and crown of the tree that a matte shows, in pixels, y downwards. Pixels covered to `threshold` or more belong to
+// it, 0.01 to 1; 0.5 is usual. Fine details are smoothed away and the gaps of a frayed crown closed, so that the outline is
+// one that can be drawn: at most 400 points. `control` may be NULL. Free the drawing with `tree_outline_drawing_free`.
+// `TREE_ERROR_INVALID` where nothing is covered.
+tree_status tree_outline_drawing_of_matte(const struct tree_matte *matte,
+                                          float threshold,
+                                          const struct tree_control *control,
+                                          struct tree_outline_drawing **drawing);
+
+// As `tree_outline_drawing_of_matte`, of a photograph that has been cut out, or of a mask in black and white: a half of
+// `tree_photo_mask`.
+tree_status tree_outline_drawing_of_photo(const struct tree_photo *photo,
+                                          const struct tree_control *control,
+                                          struct tree_outline_drawing **drawing);
+
+// The matte of a picture of one tree: its alpha where it has one; else how dark it is, for a tree on a light border, or how
+// light, for one on a dark border. `control` may be NULL. Free the matte with `tree_matte_free`. `TREE_ERROR_NO_RESULT` where
+// the picture is transparent everywhere.
+tree_status tree_photo_mask(const struct tree_photo *photo,
+                            const struct tree_control *control,
+                            struct tree_matte **matte);
+
+// Number of trees, one at least.
+tree_status tree_outline_drawing_count(const struct tree_outline_drawing *drawing, size_t *n_trees);
+
+// Views a tree of a drawing. `index` is below `tree_outline_drawing_count`. Set `tree->struct_size` first.
+tree_status tree_outline_drawing_tree(const struct tree_outline_drawing *drawing,
+                                      size_t index,
+                                      struct tree_drawn_tree *tree);
+
+// Views a stroke of tree `number` of a drawing. `index` is below the tree's `n_strokes`. Set `stroke->struct_size` first.
+tree_status tree_outline_drawing_stroke(const struct tree_outline_drawing *drawing,
+                                        size_t number,
+                                        size_t index,
+                                        struct tree_drawn_stroke *stroke);
+
+// Views what was repaired or noticed when the drawing was read: where the repairs begin and how many there are.
+tree_status tree_outline_drawing_repairs(const struct tree_outline_drawing *drawing,
+                                         const struct tree_drawn_repair **repairs,
+                                         size_t *n_repairs);
+
+// A sentence for each repair. Free the lines with `tree_lines_free`.
+tree_status tree_outline_drawing_repairs_text(const struct tree_outline_drawing *drawing,
+                                              struct tree_lines **lines);
+
+// Frees a drawing of outlines. What was made of it lives on.
+tree_status tree_outline_drawing_free(struct tree_outline_drawing *drawing);
+
+// Makes the surface through `n_sections` outlines, 1 to 1000, round an axis of `n_axis` points, two floats each, which is drawn in the
+// plane of azimuth 0. Outline `i` is what is seen in a plane turned about the vertical to `azimuths[i]` radians: 0 for the
+// drawing, π/2 for one seen from its right side; metres, x to that plane's right, y up, the tree's base at the origin.
+// Between their halves the surface is blended. `control` may be NULL; `nodes` of the limits caps the points of the axis.
+// Free the surface with `tree_revolved_free`.
+tree_status tree_revolved_of(const float *axis,
+                             size_t n_axis,
+                             const struct tree_outline *const *outlines,
+                             const float *azimuths,
+                             size_t n_sections,
+                             const struct tree_control *control,
+                             struct tree_revolved **revolved);
+
+// Tells the frame of a surface. Set `frame->struct_size` first.
+tree_status tree_revolved_view(const struct tree_revolved *revolved,
+                               struct tree_revolved_frame *frame);
+
+// Brings `n_spots` points of the drawing, two floats each, into the frame of the axis: (r, y) each into `places`, which has
+// room for `capacity` floats. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_revolved_to_frame(const struct tree_revolved *revolved,
+                                   const float *spots,
+                                   size_t n_spots,
+                                   const struct tree_control *control,
+                                   float *places,
+                                   size_t capacity);
+
+// The half of the surface at an azimuth: points (r, y) in metres, from top to bottom, two floats each into `points`;
+// `capacity` counts floats. `n_points` gets their number; where `capacity` is too small, `TREE_ERROR_BUFFER` says how many floats
+// are needed.
+tree_status tree_revolved_half(const struct tree_revolved *revolved,
+                               float azimuth,
+                               float *points,
+                               size_t capacity,
+                               size_t *n_points);
+
+// The outline of both halves at an azimuth and across from it, in (r, y). Free it with `tree_outline_free`.
+// `TREE_ERROR_NO_RESULT` where nothing is left of it.
+tree_status tree_revolved_profile(const struct tree_revolved *revolved,
+                                  float azimuth,
+                                  struct tree_outline **outline);
+
+// How far it is along `n_rays` rays to the surface: each ray is four floats, its beginning (r, y) and its direction, of
+// unit length, in the half-plane of the azimuth in `azimuths`. `exits`, which has room for `capacity`, gets metres,
+// infinite from outside. A ray may lead across the axis. `control` may be NULL; `nodes` of its limits caps the rays.
+tree_status tree_revolved_exits(const struct tree_revolved *revolved,
+                                const float *rays,
+                                const float *azimuths,
+                                size_t n_rays,
+                                const struct tree_control *control,
+                                float *exits,
+                                size_t capacity);
+
+// Says of `n_points` points in the frame of the axis, three floats each (x to the right of the drawing, y along the span, z
+// towards azimuth π/2), whether they lie inside: 1 or 0 into `inside`, which has room for `capacity`. `control` may be
+// NULL; `nodes` of its limits caps the points.
+tree_status tree_revolved_contains(const struct tree_revolved *revolved,
+                                   const float *points,
+                                   size_t n_points,
+                                   const struct tree_control *control,
+                                   uint8_t *inside,
+                                   size_t capacity);
+
+// Frees a surface.
+tree_status tree_revolved_free(struct tree_revolved *revolved);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_sub_params_init(struct tree_sub_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_sub_params_check(const struct tree_sub_params *params);
+
+// Opening in radians of the cone of a branch of span `span` with radius `radius` at its end. `params` may be NULL.
+tree_status tree_sub_params_opening(const struct tree_sub_params *params,
+                                    float radius,
+                                    float span,
+                                    float *angle);
+
+// Cuts out the part of a parent's outline that is a branch's. `branch` is its line, `n_branch` points of two floats each from
+// base to end, and `radius`, 0 or more, that of the disc at its end, as `tree_bump` has it. With `stretch`, two floats, only
+// that part of the parent is shared: from 0 to the perimeter, to as much more again; NULL for whatever the cone reaches.
+// `params`, `control` and `report` may be NULL; `nodes` of the limits caps the points. Free the outline, which is simple
+// whatever the branch, with `tree_outline_free`.
+tree_status tree_outline_sub(const struct tree_outline *parent,
+                             const float *branch,
+                             size_t n_branch,
+                             float radius,
+                             const float *stretch,
+                             const struct tree_sub_params *params,
+                             const struct tree_control *control,
+                             struct tree_sub_report *report,
+                             struct tree_outline **sub);
 
 // Makes a skeleton of columns, which are copied. Node 0 is the root, parents come before their children;
 // for rows in another order there is `tree_skeleton_from_unordered`. `control` may be NULL; only its
