@@ -47,6 +47,7 @@ int main(void) {
     test_photo();
     test_sketch_in();
     test_silhouette();
+    test_silhouette_in();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);
