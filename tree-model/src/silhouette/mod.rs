@@ -12,6 +12,7 @@ pub mod place;
 pub mod plan;
 pub mod read;
 pub mod session;
+pub mod stand;
 pub mod sub;
 
 pub use line::Line;

@@ -23,6 +23,7 @@ mod view;
 pub use change::Change;
 pub use params::SilhouetteParams;
 pub use play::PlayReport;
+pub(super) use play::{Ground, stand};
 pub use redraw::Transfer;
 pub use state::Session;
 pub use view::Viewpoint;

@@ -2,6 +2,7 @@
 
 use super::{Change, Session, SilhouetteParams, Transfer};
 use crate::error::{ModelError, Result};
+use crate::silhouette::plan::{DrawnLeaf, Lateral};
 use crate::silhouette::read::{Kind, Level, LevelStroke, TreeStrokes};
 use glam::Vec2;
 use tree_core::Seed;
@@ -115,6 +116,14 @@ impl Session {
         // What was read cannot be taken back.
         session.forget();
         Ok((session, report))
+    }
+
+    /// Lets the plan copy branches of other trees, and gives it a leaf where it has none.
+    pub(crate) fn lend(&mut self, lenders: Vec<Lateral>, leaf: Option<DrawnLeaf>) {
+        if let Some(plan) = &mut self.now.plan {
+            plan.lenders = lenders;
+            plan.leaf = plan.leaf.take().or(leaf);
+        }
     }
 
     /// Trunk, crown and the crown's other planes.
