@@ -154,6 +154,10 @@ const MAKERS: &[(&str, &str)] = &[
         "(tree_silhouette_draw_crown(live_tree_silhouette(), triangle_points, 3, NULL, NULL), \
          tree_silhouette_plan(live_tree_silhouette(), &made))",
     ),
+    (
+        "tree_stand",
+        "tree_stand_of_drawing(live_tree_outline_drawing(), few_trees(), 1, NULL, &made)",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

@@ -288,6 +288,13 @@ static const tree_silhouette_params *few_boughs(void) {
     return &params;
 }
 
+static const tree_stand_params *few_trees(void) {
+    static tree_stand_params params;
+    must(tree_stand_params_init(&params, sizeof params));
+    params.silhouette = few_boughs();
+    return &params;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

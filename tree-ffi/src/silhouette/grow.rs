@@ -10,7 +10,7 @@ use crate::control::{run, tree_control};
 use crate::particle::Kept;
 use crate::tree::{tree_species, tree_tree};
 use std::ptr::null;
-use tree_model::silhouette::grow::{GrowParams, GrowReport, LevelParams, Leaves, grow};
+use tree_model::silhouette::grow::{GrowParams, GrowReport, Leaves, LevelParams, grow};
 use tree_model::tree_core::{Control, Seed};
 
 /// Most levels that parameters are given for.

@@ -173,16 +173,16 @@ impl tree_silhouette_params {
         }
     }
 
-    /// The parameters in Rust's form, not yet checked against their ranges.
-    unsafe fn rust(&self) -> Result<SilhouetteParams> {
-        let system = unsafe { read_or_default(self.system, "params.system") }?;
-        let grow = unsafe { read_or_default(self.grow, "params.grow") }?;
-        let angles = unsafe { angles_of(self.angles, "params.angles") }?;
+    /// The parameters in Rust's form, not yet checked against their ranges; `name` is what they are called by.
+    unsafe fn rust(&self, name: &str) -> Result<SilhouetteParams> {
+        let part = |field: &str| format!("{name}.{field}");
+        let (system, grow) = (part("system"), part("grow"));
+        let angles = unsafe { angles_of(self.angles, &part("angles")) }?;
         Ok(SilhouetteParams {
-            outline: unsafe { read_or_default(self.outline, "params.outline") }?.rust(),
-            system: unsafe { system.rust("params.system") }?,
+            outline: unsafe { read_or_default(self.outline, &part("outline")) }?.rust(),
+            system: unsafe { read_or_default(self.system, &system)?.rust(&system) }?,
             angles: angles.unwrap_or_default(),
-            grow: unsafe { grow.rust("params.grow") }?,
+            grow: unsafe { read_or_default(self.grow, &grow)?.rust(&grow) }?,
             near: self.nearness,
             height: self.height,
         })
@@ -215,11 +215,19 @@ pub(super) fn keep(params: &SilhouetteParams) -> (tree_silhouette_params, Kept) 
     (tree_silhouette_params::of(params, &mut kept), kept)
 }
 
+/// NULL is the default. Not yet checked.
+pub(super) unsafe fn silhouette_of(
+    params: *const tree_silhouette_params,
+    name: &str,
+) -> Result<SilhouetteParams> {
+    unsafe { read_or_default(params, name)?.rust(name) }
+}
+
 /// NULL is the default. Checked.
 pub(super) unsafe fn silhouette_params(
     params: *const tree_silhouette_params,
 ) -> Result<SilhouetteParams> {
-    let params = unsafe { read_or_default(params, "params")?.rust() }?;
+    let params = unsafe { silhouette_of(params, "params") }?;
     params.validate()?;
     Ok(params)
 }
@@ -238,19 +246,19 @@ pub unsafe extern "C" fn tree_silhouette_params_init(
 pub unsafe extern "C" fn tree_silhouette_params_check(
     params: *const tree_silhouette_params,
 ) -> tree_status {
-    call(|| Ok(unsafe { read(params, "params")?.rust() }?.validate()?))
+    call(|| Ok(unsafe { read(params, "params")?.rust("params") }?.validate()?))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tree_model::silhouette::grow::{LevelParams, Leaves};
+    use tree_model::silhouette::grow::{Leaves, LevelParams};
     use tree_model::silhouette::place::Arrangement;
 
     #[test]
     fn parameters_come_back_from_c_as_they_went() {
         let null = tree_silhouette_params::default_value();
-        assert_eq!(unsafe { null.rust() }.unwrap(), SilhouetteParams::default());
+        assert_eq!(unsafe { null.rust("params") }.unwrap(), SilhouetteParams::default());
         let mut params = SilhouetteParams { near: 0.5, height: 7.0, ..Default::default() };
         params.system.bumps.detail = 0.1;
         params.system.infer.points = 9;
@@ -266,12 +274,13 @@ mod tests {
         params.grow.trunk_radius = Some(0.2);
         params.grow.gibbs.moves = 17;
         params.grow.species.name = "birch".into();
-        for leaves in [None, Some(Leaves { length: Some(0.1), bare: Some(0.0), ..Leaves::default() })]
+        for leaves in
+            [None, Some(Leaves { length: Some(0.1), bare: Some(0.0), ..Leaves::default() })]
         {
             params.grow.leaves = leaves;
             let mut kept = Kept::default();
             let there = tree_silhouette_params::of(&params, &mut kept);
-            assert_eq!(unsafe { there.rust() }.unwrap(), params);
+            assert_eq!(unsafe { there.rust("params") }.unwrap(), params);
         }
     }
 }

@@ -58,7 +58,9 @@ impl tree_outline_plan {
         let lateral = find(&self.plan.system, id).or_else(|| {
             let lent = || self.plan.lenders.iter();
             lent().find(|lateral| lateral.id == id).or_else(|| {
-                lent().filter_map(|lateral| lateral.system.as_deref()).find_map(|system| find(system, id))
+                lent()
+                    .filter_map(|lateral| lateral.system.as_deref())
+                    .find_map(|system| find(system, id))
             })
         });
         found.zip(lateral).ok_or_else(|| {
@@ -108,8 +110,7 @@ struct Rows {
 
 impl Rows {
     fn of(plan: &Plan) -> Self {
-        let mut rows =
-            Self { line_starts: vec![0], outline_starts: vec![0], ..Self::default() };
+        let mut rows = Self { line_starts: vec![0], outline_starts: vec![0], ..Self::default() };
         rows.add_all(&plan.system.laterals);
         rows.n_own = rows.ids.len();
         rows.add_all(&plan.lenders);

@@ -655,11 +655,103 @@ static void test_drawing(void) {
     OK(tree_outline_drawing_free(drawing));
 }
 
+#define A_CROWN "l12 14 l12 -2 l4 14 l12 10 l-8 12 l4 16 l-16 4 l-10 8 l-10 -4 l-10 4 l-10 -8 l-16 -4 l4 -16 " \
+    "l-8 -12 l12 -10 l4 -14 l12 2 Z"
+
+/* Two trees and a dot: the first has an outline of a branch and a leaf. */
+static const char two_trees[] =
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 260 120'><g fill='none' stroke='black'>"
+    "<g id='tree1'><g id='L0'><path d='M50 110 L50 40'/><path d='M50 8 " A_CROWN "'/></g>"
+    "<g id='L1'><path d='M51 60 L70 30 L88 34 L92 50 L84 66 Z'/></g>"
+    "<g id='leaf'><path d='M95 110 L97 106 L95 102 L93 106 Z'/></g></g>"
+    "<g id='tree2'><g id='L0'><path d='M170 110 L170 40'/><path d='M170 28 " A_CROWN "'/></g></g>"
+    "</g></svg>";
+
+static void test_stand(void) {
+    tree_outline_drawing *drawing = NULL;
+    tree_stand *stand = NULL;
+    tree_stand_params params;
+    tree_stand_whole whole = {.struct_size = sizeof whole};
+    OK(tree_outline_drawing_from_svg(two_trees, sizeof two_trees - 1, NULL, &drawing));
+    OK(tree_stand_params_init(&params, sizeof params));
+    CHECK(params.fov == 0.9f && params.scaling == 3 && params.perspective == TREE_PERSPECTIVE_ESTIMATED);
+    params.silhouette = small();
+    params.perspective = TREE_PERSPECTIVE_FLAT;
+    OK(tree_stand_params_check(&params));
+    OK(tree_stand_of_drawing(drawing, &params, 5, NULL, &stand));
+    OK(tree_stand_view(stand, &whole));
+    CHECK(whole.n_trees == 2 && whole.has_view == 0 && whole.n_elements > 200);
+
+    /* The second borrows of the first. */
+    tree_stand_tree rows[2] = {{.struct_size = sizeof *rows}, {.struct_size = sizeof *rows}};
+    uint64_t n_elements = 0;
+    for (size_t i = 0; i < 2; i++) {
+        tree_silhouette_grown grown = {.struct_size = sizeof grown};
+        tree_tree *tree = NULL, *same = NULL;
+        OK(tree_stand_at(stand, i, &rows[i]));
+        CHECK(rows[i].number == i && rows[i].name.len > 0 && rows[i].scale > 0);
+        OK(tree_stand_grown(stand, i, &grown, &tree));
+        n_elements += grown.n_elements;
+        tree_silhouette *silhouette = NULL;
+        tree_silhouette_play_report report = {.struct_size = sizeof report};
+        OK(tree_stand_silhouette(stand, i, &report, &silhouette));
+        CHECK(report.n_strokes == (i ? 2u : 4u) && report.n_refused == 0);
+        OK(tree_silhouette_tree(silhouette, NULL, NULL, &same));
+        CHECK(sum_of(same) == sum_of(tree));
+        OK(tree_tree_free(same));
+        OK(tree_tree_free(tree));
+        tree_outline_plan *plan = plan_of(silhouette);
+        tree_outline_plan_columns columns = columns_of(plan);
+        CHECK((columns.n_branches > columns.n_own) == (i == 1));
+        OK(tree_outline_plan_free(plan));
+        OK(tree_silhouette_free(silhouette));
+    }
+    CHECK(n_elements == whole.n_elements && rows[1].position[0] > rows[0].position[0]);
+    CHECK(rows[0].lender == TREE_NO_TREE && rows[0].borrowed_scale == 1 && rows[1].lender == 0);
+    FAILS(TREE_ERROR_PARAMETER, "index is 2", tree_stand_at(stand, 2, rows));
+    tree_lines *lines = NULL;
+    const tree_str *texts = NULL;
+    size_t n_texts = 99;
+    OK(tree_stand_notes(stand, &lines));
+    OK(tree_lines_view(lines, &texts, &n_texts));
+    CHECK(n_texts == 0);
+    OK(tree_lines_free(lines));
+    OK(tree_stand_free(stand));
+
+    /* Nobody lends; then a horizon, given. */
+    static const uint32_t nobody[] = {1, TREE_NO_TREE}, none[] = {1, 7};
+    params.lendings = nobody;
+    params.n_lendings = 1;
+    OK(tree_stand_of_drawing(drawing, &params, 5, NULL, &stand));
+    OK(tree_stand_at(stand, 1, rows + 1));
+    CHECK(rows[1].lender == TREE_NO_TREE);
+    OK(tree_stand_free(stand));
+    params.lendings = none;
+    FAILS(TREE_ERROR_PARAMETER, "lenders", tree_stand_of_drawing(drawing, &params, 5, NULL, &stand));
+    params.n_lendings = 0;
+    params.perspective = TREE_PERSPECTIVE_HORIZON;
+    params.horizon = 60;
+    OK(tree_stand_of_drawing(drawing, &params, 5, NULL, &stand));
+    OK(tree_stand_view(stand, &whole));
+    CHECK(whole.has_view == 1 && whole.focal > 0 && whole.centre[1] == 60 && whole.eye[1] > 0);
+    OK(tree_stand_free(stand));
+    params.horizon = 500;
+    FAILS(TREE_ERROR_INVALID, "horizon", tree_stand_of_drawing(drawing, &params, 5, NULL, &stand));
+    params.perspective = 3;
+    FAILS(TREE_ERROR_ENUM, "params.perspective", tree_stand_params_check(&params));
+    params.perspective = 0;
+    params.fov = 9;
+    FAILS(TREE_ERROR_PARAMETER, "stand.fov", tree_stand_params_check(&params));
+    CHECK(stand == NULL);
+    OK(tree_outline_drawing_free(drawing));
+}
+
 void test_silhouette(void) {
     test_first_strokes();
     test_levels();
     test_redrawn();
     test_tree();
     test_drawing();
+    test_stand();
     test_what_goes_wrong();
 }

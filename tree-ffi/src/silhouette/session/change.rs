@@ -1,8 +1,6 @@
 //! What an edit changed.
 
-use crate::border::{
-    Handle, Versioned, call, free, get, tree_status, tree_str, write,
-};
+use crate::border::{Handle, Versioned, call, free, get, tree_status, tree_str, write};
 use crate::mesh::column;
 use std::ptr::null;
 use tree_model::silhouette::session::Change;

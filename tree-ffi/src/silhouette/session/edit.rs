@@ -189,8 +189,7 @@ pub unsafe extern "C" fn tree_silhouette_redraw(
         // NULL is there even where what comes next is an error.
         unsafe { out_opt(change, "change") }?;
         let takes = unsafe { takers(transfer, only, n_only) }?;
-        let work =
-            |session: &mut Session, points: &[Vec2]| session.redraw(level, points, &takes);
+        let work = |session: &mut Session, points: &[Vec2]| session.redraw(level, points, &takes);
         unsafe { draw(silhouette, stroke, change, work) }
     })
 }
@@ -279,9 +278,8 @@ pub unsafe extern "C" fn tree_silhouette_set_params(
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
     call(|| {
-        let body = |session: &mut Session| {
-            Ok(session.set_params(unsafe { silhouette_params(params) }?)?)
-        };
+        let body =
+            |session: &mut Session| Ok(session.set_params(unsafe { silhouette_params(params) }?)?);
         unsafe { edit(silhouette, change, body) }?;
         unsafe { keep_params(silhouette) }
     })

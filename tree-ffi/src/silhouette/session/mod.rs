@@ -13,8 +13,8 @@ pub use report::*;
 use super::params::{keep, silhouette_params, tree_silhouette_params};
 use super::tree_outline_drawing;
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_INVALID, TREE_ERROR_ORDER, call, foresee, free, get as object, out,
-    tree_status, view,
+    Failure, Handle, Result, TREE_ERROR_INVALID, TREE_ERROR_ORDER, call, foresee, free,
+    get as object, out, tree_status, view,
 };
 use crate::control::{run, tree_control};
 use crate::particle::Kept;
