@@ -675,6 +675,18 @@
 // None.
 #define TREE_TRANSFER_NOBODY 3
 
+// The horizon follows from ground points and sizes; trees drawn on about one height stand on one line. The default.
+#define TREE_PERSPECTIVE_ESTIMATED 0
+
+// The horizon is given.
+#define TREE_PERSPECTIVE_HORIZON 1
+
+// There is none: all trees stand on one line, their sizes are as drawn.
+#define TREE_PERSPECTIVE_FLAT 2
+
+// In place of a tree's number: no tree.
+#define TREE_NO_TREE 4294967295u
+
 // Parent of the root: no node.
 #define TREE_NO_PARENT 4294967295u
 
@@ -1154,6 +1166,9 @@ typedef struct tree_sketch_branches tree_sketch_branches;
 // on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
 // and outlives it.
 typedef struct tree_sketch_session tree_sketch_session;
+
+// Trees that grew of one drawing: at least one.
+typedef struct tree_stand tree_stand;
 
 // Strokes read from a drawing, a session's branches as strokes, or outlines.
 typedef struct tree_strokes tree_strokes;
@@ -4749,6 +4764,77 @@ typedef struct tree_silhouette_change_columns {
 
 // Who takes the shape and angle of a branch that is drawn over: one of the `TREE_TRANSFER_` constants.
 typedef uint32_t tree_transfer;
+
+// How distances are read from a drawing: one of the `TREE_PERSPECTIVE_` constants.
+typedef uint32_t tree_perspective;
+
+// How a drawing becomes a stand. Begin with `tree_stand_params_init`.
+typedef struct tree_stand_params {
+    // `sizeof(tree_stand_params)`.
+    size_t struct_size;
+    // Of each tree; `height` is that of the tallest. NULL, the default, for `tree_silhouette_params_init`.
+    const struct tree_silhouette_params *silhouette;
+    // Number of rows of `lendings`. Default 0.
+    size_t n_lendings;
+    // Who borrows from whom, where that is not to be the detailed tree with the most similar crown: two numbers each,
+    // places in the drawing from 0: the tree that borrows, and the one that lends, `TREE_NO_TREE` for nobody. The last row
+    // for a tree counts.
+    const uint32_t *lendings;
+    // How distances are read. Default `TREE_PERSPECTIVE_ESTIMATED`.
+    tree_perspective perspective;
+    // For `TREE_PERSPECTIVE_HORIZON` the height of the horizon in the drawing: y in its units, downwards, -1e6 to 1e6.
+    float horizon;
+    // Angle under which the width of all trees is seen in the drawing, in radians, 0.05 to 2.5: what turns sizes into
+    // distances. Default 0.9, as in a photograph. Unused without perspective.
+    float fov;
+    // Without perspective: how far trees stand off their line, as a share of their mean distance, 0 to 10. Default 0.4.
+    float jitter;
+    // Borrowed branches and leaves are scaled as the crowns are, but at most by this factor up or down, 1 to 100.
+    // Default 3.
+    float scaling;
+    // 0.
+    uint32_t reserved;
+} tree_stand_params;
+
+// A stand as a whole: a view. Set `struct_size` first.
+typedef struct tree_stand_whole {
+    // `sizeof(tree_stand_whole)`.
+    size_t struct_size;
+    // Number of trees.
+    size_t n_trees;
+    // Leaves and branches of all trees together.
+    uint64_t n_elements;
+    // 1 where the drawing is in perspective, and the fields below count.
+    uint32_t has_view;
+    // Distance of the drawing from the eye, in units of the drawing.
+    float focal;
+    // The point of the drawing that the eye looks at: on the horizon, in units of the drawing.
+    float centre[2];
+    // The eye in metres; it looks level along -Z.
+    float eye[3];
+    // 0.
+    uint32_t reserved;
+} tree_stand_whole;
+
+// One tree of a stand: a view. Set `struct_size` first.
+typedef struct tree_stand_tree {
+    // `sizeof(tree_stand_tree)`.
+    size_t struct_size;
+    // Its name in the drawing, or `tree 3` for the third where it has none.
+    struct tree_str name;
+    // Its place among the trees of the drawing, from 0.
+    uint32_t number;
+    // The tree, by its place in the drawing, whose branches or leaf it borrows; `TREE_NO_TREE` where it borrows nothing.
+    uint32_t lender;
+    // Where its base stands in the stand, in metres: x as in the drawing, +Z towards the viewer.
+    float position[3];
+    // Metres for a unit of the drawing, at this tree.
+    float scale;
+    // By how much what it borrows is scaled; 1 where it borrows nothing.
+    float borrowed_scale;
+    // 0.
+    uint32_t reserved;
+} tree_stand_tree;
 
 // How a sub-silhouette hangs together with its parent.
 typedef struct tree_sub_report {
@@ -8838,6 +8924,53 @@ tree_status tree_silhouette_tree(const struct tree_silhouette *silhouette,
                                  const struct tree_control *control,
                                  struct tree_silhouette_grown *report,
                                  struct tree_tree **tree);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_stand_params_init(struct tree_stand_params *params, size_t size);
+
+// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give. Whether the trees of
+// `lendings` are there is seen when they are used.
+tree_status tree_stand_params_check(const struct tree_stand_params *params);
+
+// Grows all trees of a drawing, one outline for each, in parallel. Trees without details borrow branches and leaf of
+// the detailed tree with the most similar crown, or of the one that `params` says. Trees that cannot be used are left
+// out, and `tree_stand_notes` says so. `params` and `control` may be NULL. Free the stand with `tree_stand_free`.
+//
+// `TREE_ERROR_INVALID` when no tree can be used, and for a horizon below all of them; `TREE_ERROR_PARAMETER` names what
+// is out of range; `TREE_ERROR_LIMIT` for more nodes or leaves, all trees together, than the limits allow.
+tree_status tree_stand_of_drawing(const struct tree_outline_drawing *drawing,
+                                  const struct tree_stand_params *params,
+                                  uint64_t seed,
+                                  const struct tree_control *control,
+                                  struct tree_stand **stand);
+
+// Views a stand as a whole.
+tree_status tree_stand_view(const struct tree_stand *stand, struct tree_stand_whole *whole);
+
+// What was noticed, a line each, for a person to read. Free the lines with `tree_lines_free`.
+tree_status tree_stand_notes(const struct tree_stand *stand, struct tree_lines **lines);
+
+// Views a tree of a stand, the first being number 0, in the order of the drawing. Valid until `tree_stand_free`.
+tree_status tree_stand_at(const struct tree_stand *stand,
+                          size_t index,
+                          struct tree_stand_tree *row);
+
+// What grew as tree `index`, its base at the origin. `report` may be NULL. Free the tree with `tree_tree_free`.
+tree_status tree_stand_grown(const struct tree_stand *stand,
+                             size_t index,
+                             struct tree_silhouette_grown *report,
+                             struct tree_tree **tree);
+
+// What was drawn and borrowed of tree `index`, to be looked at or drawn on: a copy, its base at the origin. `report`,
+// which may be NULL, tells what became of its strokes. Its
+// `tree_silhouette_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_free`.
+tree_status tree_stand_silhouette(const struct tree_stand *stand,
+                                  size_t index,
+                                  struct tree_silhouette_play_report *report,
+                                  struct tree_silhouette **silhouette);
+
+// Frees a stand. What it handed out lives on.
+tree_status tree_stand_free(struct tree_stand *stand);
 
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_sub_params_init(struct tree_sub_params *params, size_t size);
