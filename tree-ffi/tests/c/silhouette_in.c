@@ -399,17 +399,27 @@ static void branches(void) {
     CHECK(params.points == 16);
     static const float end[] = {-4, 7}, tangent[] = {-1, 0.5f}, on[] = {0, 0};
     float points[32], share, angle;
-    OK(tree_branch_infer(trunk, 2, NULL, end, tangent, 0, 1, &params, NULL, points, 32, &n, &share));
+    OK(tree_branch_infer(trunk, 2, NULL, NULL, end, tangent, 0, 1, &params, NULL, points, 32, &n, &share));
     CHECK(n == 16 && near(points[0], 0) && near(points[1], 10 * share) && share > 0.1f && share < 0.7f);
     CHECK(near(points[30], -4) && near(points[31], 7));
+    /* Where foliage hangs low, the branch keeps to it. */
+    static const float low[] = {-5, 0, 1, 0, 1, 4, -3, 4, -3, 8, -5, 8};
+    tree_outline *foliage_of;
+    OK(tree_outline_from_points(low, 6, NULL, &foliage_of));
+    float below;
+    OK(tree_branch_infer(trunk, 2, foliage_of, NULL, end, tangent, 0, 1, &params, NULL, points, 32, &n, &below));
+    CHECK(below < share);
+    OK(tree_outline_free(foliage_of));
+    OK(tree_branch_infer(trunk, 2, NULL, NULL, end, tangent, 0, 1, &params, NULL, points, 32, &n, &share));
+
     uint32_t is_left;
     float again;
     OK(tree_branch_base(trunk, 2, points, n, NULL, &again, &angle, &is_left));
     CHECK(is_left == 1 && near(again, share) && angle > 0.8f && angle < 1.4f);
     FAILS(TREE_ERROR_NO_RESULT, "end lies on",
-          tree_branch_infer(trunk, 2, NULL, on, on, 0, 0, NULL, NULL, points, 32, &n, &share));
+          tree_branch_infer(trunk, 2, NULL, NULL, on, on, 0, 0, NULL, NULL, points, 32, &n, &share));
     FAILS(TREE_ERROR_PARAMETER, "from is",
-          tree_branch_infer(trunk, 2, NULL, end, tangent, 0.5f, 2, NULL, NULL, points, 32, &n, &share));
+          tree_branch_infer(trunk, 2, NULL, NULL, end, tangent, 0.5f, 2, NULL, NULL, points, 32, &n, &share));
     params.places = 1;
     FAILS(TREE_ERROR_PARAMETER, "infer.places", tree_branch_infer_params_check(&params));
 

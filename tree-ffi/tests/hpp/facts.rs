@@ -44,6 +44,7 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
                 | ("tree_sketch_session_set_templates", "templates")
                 | ("tree_sketch_session_set_obstacles", "obstacles")
                 | ("tree_from_sketch", "templates" | "obstacles")
+                | ("tree_branch_infer", "outline")
                 | ("tree_crown_close", "spots")
                 | ("tree_templates_select", "crown")
                 | ("tree_attractor_livewire" | "tree_matte_turned", "photo")
