@@ -125,7 +125,9 @@ fn run() -> Result<(), Box<dyn Error>> {
     let plan = session.plan().ok_or("the drawing has no crown")?;
     let grown = session.tree(&control)?;
     println!("plan {drawn:?}, all {:?}", started.elapsed());
-    let mesh = tree_mesh::build(&grown.tree, &look(plan, &grown.tree)?, &MeshParams::default(), &control)?.mesh;
+    let mesh =
+        tree_mesh::build(&grown.tree, &look(plan, &grown.tree)?, &MeshParams::default(), &control)?
+            .mesh;
     for (side, tail) in [(Side::Front, "_front.png"), (Side::Right, "_side.png")] {
         let frame = frame(side, plan, &mesh);
         let style = Style { ground: None, ..Style::studio() };

@@ -5,7 +5,8 @@ use super::measure::spot;
 use super::tree_outline;
 use crate::border::{
     Failure, Result, TREE_ERROR_INVALID, TREE_ERROR_NO_RESULT, TREE_ERROR_PARAMETER, Versioned,
-    call, foresee, get, init, out, out_value, read, read_or_default, slice, tree_status, view,
+    call, foresee, get, get_opt, init, out, out_value, read, read_or_default, slice, tree_status,
+    view,
 };
 use crate::control::{limits, run, tree_control};
 use crate::sketch::{answers, fill_some};
@@ -193,14 +194,16 @@ pub unsafe extern "C" fn tree_branch_infer_params_check(
 
 /// Infers the branch that ends at `end` along `tangent` (two floats each; a tangent of zeros: from where it comes): the
 /// shortest curve from the parent, which is left at the branching angle. `parent` has `n_parent` points, two floats each, from
-/// its base to its tip; the branch may leave it between the shares `from` and `to` of its length, 0 and 1 for anywhere. Its
-/// line goes into `points`, from base to end, two floats each; `capacity` counts floats, and two for each of `points` of
-/// the parameters always do. `n_points` gets their number, `share` where it leaves the parent. `angles`, `params` and
+/// its base to its tip; the branch may leave it between the shares `from` and `to` of its length, 0 and 1 for anywhere.
+/// `outline` is that of the foliage, which the branch keeps within where it can; NULL where there is none. The
+/// branch's line goes into `points`, from base to end, two floats each; `capacity` counts floats, and two for each of `points`
+/// of the parameters always do. `n_points` gets their number, `share` where it leaves the parent. `angles`, `params` and
 /// `control` may be NULL; `nodes` of the limits caps the points. `TREE_ERROR_NO_RESULT` where the end lies on the parent.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_branch_infer(
     parent: *const f32,
     n_parent: usize,
+    outline: *const tree_outline,
     angles: *const tree_branching_angles,
     end: *const f32,
     tangent: *const f32,
@@ -220,7 +223,9 @@ pub unsafe extern "C" fn tree_branch_infer(
         check_within(from, to)?;
         let params = unsafe { read_or_default(params, "params") }?.rust();
         params.validate()?;
-        let body = |_: &_| Ok(infer(&parent, &angles, goal, [from, to], &params));
+        let outline = unsafe { get_opt(outline, "outline") }?.map(tree_outline::rust);
+        let is_inside = |at: Vec2| outline.is_none_or(|outline| outline.contains(at));
+        let body = |_: &_| Ok(infer(&parent, &angles, goal, [from, to], &is_inside, &params));
         let Some(branch::Inferred { t, line }) = unsafe { run(control, body) }? else {
             let text = "end lies on the parent: no branch leads there";
             return Err(Failure::new(TREE_ERROR_NO_RESULT, text));

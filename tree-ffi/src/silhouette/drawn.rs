@@ -11,7 +11,7 @@ use tree_model::tree_core::{Limits, Resource};
 pub type tree_drawn_level = u32;
 
 /// A leaf.
-pub const TREE_LEVEL_OF_LEAF: u32 = u32::MAX;
+pub const TREE_LEVEL_OF_LEAF: u32 = 0xFFFF_FFFF;
 
 /// What a stroke shows: a `TREE_DRAWN_KIND_` constant.
 pub type tree_drawn_kind = u32;

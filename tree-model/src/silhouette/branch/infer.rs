@@ -2,7 +2,8 @@
 //!
 //! Along the parent, places are tried in turn: from each a cubic Hermite curve leads to the end, it leaves the
 //! parent at the branching angle, on the side the end lies on, and arrives along the tangent; both tangent vectors are half as long
-//! as the distance. The shortest curve is taken. As in the paper, but the best place is sought further between the places tried.
+//! as the distance. The shortest curve is taken. As in the paper, but the best place is sought further between the places tried,
+//! and what of a curve lies outside the foliage counts more: across a bay the shortest branch would hang in the air.
 
 use super::BranchingAngles;
 use crate::error::{Result, check};
@@ -11,6 +12,8 @@ use glam::Vec2;
 
 /// Points that measure a curve while places are compared.
 const ROUGH: usize = 8;
+/// What of a curve lies outside counts so many times more.
+const OUTSIDE: f32 = 4.0;
 /// Steps of the search between two places.
 const STEPS: usize = 12;
 
@@ -70,17 +73,22 @@ impl Curve {
             + (s3 - s2) * self.arrive
     }
 
-    fn length(&self) -> f32 {
-        let points = (1..=ROUGH).map(|i| self.at(i as f32 / ROUGH as f32));
-        let sum = |(length, before): (f32, Vec2), point: Vec2| {
-            (length + before.distance(point), point)
-        };
-        points.fold((0.0, self.from), sum).0
+    /// Its length; stretches that end outside count more.
+    fn cost(&self, is_inside: &impl Fn(Vec2) -> bool) -> f32 {
+        let (mut cost, mut before) = (0.0, self.from);
+        for i in 1..=ROUGH {
+            let point = self.at(i as f32 / ROUGH as f32);
+            let weight = if i == ROUGH || is_inside(point) { 1.0 } else { 1.0 + OUTSIDE };
+            cost += weight * before.distance(point);
+            before = point;
+        }
+        cost
     }
 }
 
 /// The branch to `end`, where it arrives along `tangent` (any length; zero: from where it comes). `within` is the part
-/// of the parent it may leave from, as shares of the length. `None` where the end lies on the parent.
+/// of the parent it may leave from, as shares of the length; `is_inside` tells where foliage is. `None` where the end
+/// lies on the parent.
 ///
 /// # Complexity
 /// O(places + points).
@@ -90,10 +98,11 @@ pub fn infer(
     angles: &BranchingAngles,
     (end, tangent): (Vec2, Vec2),
     within: [f32; 2],
+    is_inside: &impl Fn(Vec2) -> bool,
     params: &InferParams,
 ) -> Option<Inferred> {
     let curve = |t: f32| curve(parent, angles, (end, tangent), t, params);
-    let cost = |t: f32| curve(t).map_or(f32::INFINITY, |curve| curve.length());
+    let cost = |t: f32| curve(t).map_or(f32::INFINITY, |curve| curve.cost(is_inside));
     let places = params.places.max(2);
     let step = (within[1] - within[0]) / (places - 1) as f32;
     let place = |i: u32| within[0] + step * i as f32;
@@ -159,7 +168,8 @@ mod tests {
 
     fn reach(end: Vec2, tangent: Vec2) -> Inferred {
         let angles = BranchingAngles::default();
-        infer(&trunk(), &angles, (end, tangent), [0.0, 1.0], &InferParams::default()).unwrap()
+        infer(&trunk(), &angles, (end, tangent), [0.0, 1.0], &|_| true, &InferParams::default())
+            .unwrap()
     }
 
     #[test]
@@ -187,6 +197,7 @@ mod tests {
                 &BranchingAngles::default(),
                 (end, tangent),
                 [t, t],
+                &|_| true,
                 &InferParams::default(),
             );
             assert!(only.unwrap().line.length() > best.line.length() - 1e-3);
@@ -197,7 +208,9 @@ mod tests {
     fn an_end_on_the_parent_gives_none_or_a_branch() {
         let angles = BranchingAngles::default();
         let on = (Vec2::ZERO, Vec2::ZERO);
-        assert!(infer(&trunk(), &angles, on, [0.0, 0.0], &InferParams::default()).is_none());
+        assert!(
+            infer(&trunk(), &angles, on, [0.0, 0.0], &|_| true, &InferParams::default()).is_none()
+        );
     }
 
     #[test]

@@ -59,9 +59,8 @@ pub(super) fn bump(outline: &Outline, border: &Border, mesh: &Mesh, end: &End) -
 /// The one bump of an outline on which nothing stands out: about its widest place, its tip at the top. O(m² + n).
 pub(super) fn whole(outline: &Outline, border: &Border, mesh: &Mesh) -> Bump {
     let paths = mesh.terminals().into_iter().take(1).map(|terminal| terminal.path);
-    let discs = paths.flat_map(|path| {
-        path.windows(2).map(|pair| disc(mesh, pair)).collect::<Vec<_>>()
-    });
+    let discs =
+        paths.flat_map(|path| path.windows(2).map(|pair| disc(mesh, pair)).collect::<Vec<_>>());
     let middle = mesh.at().iter().sum::<DVec2>() / mesh.at().len().max(1) as f64;
     let none = (middle, mesh.clearance(middle));
     let widest = discs.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(none);

@@ -73,7 +73,10 @@ fn drop() -> Vec<Vec2> {
         .into_iter()
         .map(|p| {
             let t = (p.y + 1.0) * 0.5;
-            Vec2::new(p.x * (1.0 - t * t * t * 0.8).max(0.05), if p.y > 0.0 { 2.2 * p.y } else { p.y })
+            Vec2::new(
+                p.x * (1.0 - t * t * t * 0.8).max(0.05),
+                if p.y > 0.0 { 2.2 * p.y } else { p.y },
+            )
         })
         .collect()
 }
@@ -103,9 +106,8 @@ fn drawn(points: &[Vec2], n: usize, turn: f32, noise: f32, calm: usize, seed: u6
     let most = moves.iter().map(|m| m.abs().max_element()).fold(1e-9, f32::max);
     let scale = if calm > 0 { noise * size / most } else { 1.0 };
     let way = Vec2::new(cosf(turn), sinf(turn));
-    let moved: Vec<Vec2> = (0..n)
-        .map(|i| way.rotate(line.at(i as f32 / n as f32) + scale * moves[i]))
-        .collect();
+    let moved: Vec<Vec2> =
+        (0..n).map(|i| way.rotate(line.at(i as f32 / n as f32) + scale * moves[i])).collect();
     simple(moved)
 }
 
@@ -136,9 +138,8 @@ fn families() -> Vec<(String, Vec<Vec2>, usize)> {
             all.push((format!("star {n}"), star(n, if n < 5 { 0.3 } else { 0.55 }), n));
             let sharp = outline(star(n, if n < 5 { 0.3 } else { 0.55 }));
             let rounded = drawn(sharp.points(), 300, 0.0, 0.0, 0, 0);
-            let round = |i: usize| {
-                (0..13).map(|k| rounded[(i + k) % rounded.len()]).sum::<Vec2>() / 13.0
-            };
+            let round =
+                |i: usize| (0..13).map(|k| rounded[(i + k) % rounded.len()]).sum::<Vec2>() / 13.0;
             let points = (0..rounded.len()).map(round).collect();
             all.push((format!("round star {n}"), points, n));
         }
@@ -156,7 +157,9 @@ fn measure() {
         let mut wrong = std::collections::BTreeMap::new();
         let (mut good, mut tried) = (0, 0);
         for n in [60, 120, 250, 500, 1000, 2000] {
-            for (noise, calm) in [(0.0, 0), (0.005, 0), (0.01, 0), (0.005, 20), (0.01, 20), (0.01, 3)] {
+            for (noise, calm) in
+                [(0.0, 0), (0.005, 0), (0.01, 0), (0.005, 20), (0.01, 20), (0.01, 3)]
+            {
                 for turn in 0..4 {
                     let line = drawn(&points, n, 0.7 * turn as f32, noise, calm, turn);
                     let found = count(&line);
@@ -193,7 +196,12 @@ fn dump() {
             let _ = bumps(&shape, &BumpParams::default());
         }
         let time = time.elapsed() / 20;
-        println!("{:?} {} points, {} bumps, {time:?}", entry.file_name(), shape.points().len(), found.len());
+        println!(
+            "{:?} {} points, {} bumps, {time:?}",
+            entry.file_name(),
+            shape.points().len(),
+            found.len()
+        );
         let mut out = String::new();
         for p in shape.points() {
             out += &format!("o {} {}\n", p.x, p.y);
@@ -210,7 +218,15 @@ fn dump() {
         for b in &found {
             out += &format!(
                 "b {} {} {} {} {} {} {} {} {}\n",
-                b.centre.x, b.centre.y, b.tip.x, b.tip.y, b.tangent.x, b.tangent.y, b.radius, b.stretch[0], b.stretch[1]
+                b.centre.x,
+                b.centre.y,
+                b.tip.x,
+                b.tip.y,
+                b.tangent.x,
+                b.tangent.y,
+                b.radius,
+                b.stretch[0],
+                b.stretch[1]
             );
         }
         let (low, high) = shape.bounds();
@@ -220,7 +236,13 @@ fn dump() {
             let root = Vec2::new(0.5 * (low.x + high.x), y.min(low.y + 0.7 * (high.y - low.y)));
             let Some(branch) = crate::silhouette::Line::new(vec![root, b.centre]) else { continue };
             let time = std::time::Instant::now();
-            let s = crate::silhouette::sub::sub_outline(&shape, &branch, b.radius, Some(b.stretch), &Default::default());
+            let s = crate::silhouette::sub::sub_outline(
+                &shape,
+                &branch,
+                b.radius,
+                Some(b.stretch),
+                &Default::default(),
+            );
             took += time.elapsed();
             out += "s";
             for p in s.outline.points() {

@@ -1,6 +1,8 @@
 //! Patterns become columns of nodes and leaves, level by level.
 
 use super::explicit::Explicit;
+use super::fence::Fence;
+use super::fill;
 use super::frame::Frame;
 use super::params::{GrowParams, Leaves};
 use super::pattern::{self, Inner, Pattern};
@@ -24,6 +26,10 @@ const VARIANTS: u64 = 5;
 const ARRANGEMENTS: u32 = 4;
 /// Points of an axis: of the first level, halved with each further one, and the fewest.
 const POINTS: [usize; 2] = [16, 4];
+/// Trunks drawn wider than this share of the height, as their radius, are thinner.
+const THICKEST: f32 = 0.08;
+/// What ends outside the outlines is this share as long, or left out.
+const SHORTENED: f32 = 0.65;
 /// Branches that one task sets down.
 const CHUNK: usize = 256;
 
@@ -48,21 +54,32 @@ pub fn grow(plan: &Plan, params: &GrowParams, seed: Seed, control: &Control) -> 
     };
     let mut system = plan.system.clone();
     system.carry(&|point: Vec2| span.to_frame(point));
-    let explicit = Explicit { styles: &mut styles, patterns: &mut patterns, params, depth, control };
-    let trunk = { explicit }.pattern(&system, 0, seed.stream("trunk"))?;
+    let fence = Fence::of(plan);
+    let frame = frame_of(axis.start(), axis.span(), span.length());
+    let mut explicit = Explicit {
+        styles: &mut styles,
+        patterns: &mut patterns,
+        params,
+        depth,
+        fence: &fence,
+        trunk: frame,
+        control,
+    };
+    let trunk = explicit.pattern(&system, 0, seed.stream("trunk"))?;
     let mut growth = Growth {
         styles,
         patterns,
         sites: BTreeMap::new(),
         made: BTreeMap::new(),
         params,
+        fence,
         seed,
         positions: Vec::new(),
         parents: Vec::new(),
         leaves: Foliage::default(),
         report: GrowReport { sketched: plan.system.laterals.len() as u64, ..GrowReport::default() },
     };
-    growth.run(trunk, frame_of(axis.start(), axis.span(), span.length()), depth, control)?;
+    growth.run(trunk, frame, depth, control)?;
     growth.finish(plan, control)
 }
 
@@ -95,6 +112,8 @@ struct Instance {
     node: u32,
     form: u32,
     inner: Inner,
+    /// Whether it may leave the outlines: on branches drawn from elsewhere.
+    is_free: bool,
     /// Tells siblings of the same form apart.
     number: u64,
 }
@@ -109,6 +128,7 @@ struct Growth<'a> {
     sites: BTreeMap<(u32, u32, u32), Vec<Site>>,
     made: BTreeMap<Key, u32>,
     params: &'a GrowParams,
+    fence: Fence,
     seed: Seed,
     positions: Vec<Vec3>,
     parents: Vec<u32>,
@@ -121,7 +141,8 @@ impl Growth<'_> {
         self.positions.push(frame.origin);
         self.parents.push(NO_PARENT);
         let inner = Inner::Pattern(trunk);
-        let mut level = vec![Instance { frame, node: 0, form: 0, inner, number: 0 }];
+        let mut level =
+            vec![Instance { frame, node: 0, form: 0, inner, is_free: false, number: 0 }];
         for depth_now in 0..=depth {
             if level.is_empty() {
                 break;
@@ -144,8 +165,7 @@ impl Growth<'_> {
         self.arrange(&missing)?;
         let points = (POINTS[0] >> depth.saturating_sub(1)).max(POINTS[1]);
         let first = self.patterns.len() as u32;
-        let new: Vec<Pattern> =
-            missing.par_iter().map(|&key| self.make(key, points)).collect();
+        let new: Vec<Pattern> = missing.par_iter().map(|&key| self.make(key, points)).collect();
         self.made.extend(missing.iter().enumerate().map(|(i, &key)| (key, first + i as u32)));
         self.patterns.extend(new);
         let number = |(branch, key): (&Instance, &Option<Key>)| match (branch.inner, key) {
@@ -167,8 +187,10 @@ impl Growth<'_> {
 
     /// Arrangements for patterns that are to be made.
     fn arrange(&mut self, missing: &[Key]) -> Result<()> {
-        let mut wanted: Vec<(u32, u32, u32)> =
-            missing.iter().map(|&(form, style, n, variant)| (style, n, arrangement(form, variant))).collect();
+        let mut wanted: Vec<(u32, u32, u32)> = missing
+            .iter()
+            .map(|&(form, style, n, variant)| (style, n, arrangement(form, variant)))
+            .collect();
         wanted.sort_unstable();
         wanted.dedup();
         wanted.retain(|key| !self.sites.contains_key(key));
@@ -187,13 +209,13 @@ impl Growth<'_> {
     fn make(&self, key: Key, points: usize) -> Pattern {
         let (form, style, n, variant) = key;
         let sites = self.sites.get(&(style, n, arrangement(form, variant)));
-        let name = [form, style, n].into_iter().fold(self.seed.stream("patterns"), |seed, part| {
-            seed.child(u64::from(part))
-        });
+        let name = [form, style, n]
+            .into_iter()
+            .fold(self.seed.stream("patterns"), |seed, part| seed.child(u64::from(part)));
         pattern::of_style(
             (&self.styles.forms[form as usize], points),
             &self.styles.styles[style as usize],
-            &self.styles.forms,
+            (&self.styles.forms, &self.styles.styles),
             sites.map_or(&[], Vec::as_slice),
             name.child(variant),
         )
@@ -223,7 +245,7 @@ impl Growth<'_> {
             .map(|chunk| {
                 let mut rows = Rows::default();
                 for i in chunk * CHUNK..((chunk + 1) * CHUNK).min(level.len()) {
-                    rows.add(&level[i], of(i), firsts[i], &self.styles, self.params);
+                    rows.add(&level[i], of(i), firsts[i], self);
                 }
                 rows
             })
@@ -237,6 +259,7 @@ impl Growth<'_> {
                 self.leaves.push(leaf)?;
             }
             next.extend(rows.next);
+            self.report.fenced += rows.fenced;
         }
         next.par_iter_mut().enumerate().for_each(|(i, branch): (usize, &mut Instance)| {
             branch.number = self.seed.child(i as u64).0;
@@ -245,6 +268,12 @@ impl Growth<'_> {
     }
 
     fn finish(mut self, plan: &Plan, control: &Control) -> Result<Grown> {
+        control.report("gaps", 0.8)?;
+        let leaf = self.styles.leaf_length();
+        let gaps = fill::Gaps { plan, params: self.params, fence: &self.fence, leaf };
+        let wood = (&mut self.positions, &mut self.parents);
+        self.report.filled =
+            gaps.fill(wood, &mut self.leaves, self.seed.stream("gaps"), control)?;
         control.report("wood", 0.85)?;
         self.report.leaves = self.leaves.len() as u64;
         self.report.patterns = self.patterns.len() as u64;
@@ -254,6 +283,7 @@ impl Growth<'_> {
         let (low, high) = plan.system.outline.bounds();
         let height = high.y.max(high.y - low.y).max((high - low).max_element() * 0.25);
         let trunk = self.params.trunk_radius.unwrap_or(self.params.slenderness * height);
+        let trunk = trunk.min(THICKEST * height);
         PipeModel {
             exponent: self.params.exponent,
             trunk_radius: Some(trunk.clamp(1e-6, 100.0)),
@@ -276,44 +306,76 @@ struct Rows {
     parents: Vec<u32>,
     leaves: Vec<Leaf>,
     next: Vec<Instance>,
+    /// What was left out.
+    fenced: u64,
 }
 
 impl Rows {
-    fn add(
-        &mut self,
-        branch: &Instance,
-        pattern: &Pattern,
-        first: u32,
-        styles: &Styles,
-        params: &GrowParams,
-    ) {
+    fn add(&mut self, branch: &Instance, pattern: &Pattern, first: u32, growth: &Growth<'_>) {
         // The pattern's first node is the one the branch stands on.
         let node = |local: u32| if local == 0 { branch.node } else { first + local - 1 };
         for (i, &point) in pattern.line.iter().enumerate().skip(1) {
             self.positions.push(branch.frame.point(point));
             self.parents.push(node(i as u32 - 1));
         }
-        self.next.extend(pattern.children.iter().map(|child| Instance {
-            frame: branch.frame.then(&child.frame),
-            node: node(child.node),
-            form: child.form,
-            inner: child.inner,
-            number: 0,
-        }));
-        let (Some(leaves), Inner::Style(style)) = (&params.leaves, branch.inner) else { return };
-        let Bears::Leaves { length } = styles.styles[style as usize].bears else { return };
-        self.leaves.extend(pattern.leaves.iter().map(|spot| {
+        let fence = (growth.params.fence && !branch.is_free).then_some(&growth.fence);
+        for child in &pattern.children {
+            let frame = branch.frame.then(&child.frame);
+            let frame = with_room_for_leaves(frame, child.inner, &growth.styles);
+            let Some(frame) = within(frame, fence.filter(|_| !child.is_sketched)) else {
+                self.fenced += 1;
+                continue;
+            };
+            let (node, form, inner) = (node(child.node), child.form, child.inner);
+            let is_free = child.is_free || branch.is_free;
+            self.next.push(Instance { frame, node, form, inner, is_free, number: 0 });
+        }
+        let (Some(leaves), Inner::Style(style)) = (&growth.params.leaves, branch.inner) else {
+            return;
+        };
+        let Bears::Leaves { length } = growth.styles.styles[style as usize].bears else { return };
+        for spot in &pattern.leaves {
             let turn = facing(branch.frame.turn * spot.turn, leaves);
-            let petiole = leaves.petiole * length * (turn * Vec3::Y);
-            Leaf {
-                node: node(spot.node),
-                position: branch.frame.point(spot.at) + petiole,
-                rotation: turn,
-                size: spot.size * length,
-                kind: 0,
+            let midrib = turn * Vec3::Y;
+            let position = branch.frame.point(spot.at) + leaves.petiole * length * midrib;
+            let mut size = spot.size * length;
+            if let Some(fence) = fence {
+                if !fence.contains(position + 0.5 * size * midrib) {
+                    self.fenced += 1;
+                    continue;
+                }
+                if !fence.contains(position + size * midrib) {
+                    size *= SHORTENED;
+                }
             }
-        }));
+            let node = node(spot.node);
+            self.leaves.push(Leaf { node, position, rotation: turn, size, kind: 0 });
+        }
     }
+}
+
+/// A branch's frame, shortened where its end is outside; `None` where that does not help.
+fn within(frame: Frame, fence: Option<&Fence>) -> Option<Frame> {
+    let Some(fence) = fence else { return Some(frame) };
+    let mut frame = frame;
+    for _ in 0..3 {
+        if fence.contains(frame.point(Vec3::Y)) {
+            return Some(frame);
+        }
+        frame.scale *= SHORTENED;
+    }
+    None
+}
+
+/// A branch that bears leaves ends before its outline, for they stand out.
+fn with_room_for_leaves(frame: Frame, inner: Inner, styles: &Styles) -> Frame {
+    /// How far leaves stand out, in their lengths.
+    const OUT: f32 = 0.6;
+    /// What is left of a branch at least.
+    const LEAST: f32 = 0.4;
+    let Inner::Style(style) = inner else { return frame };
+    let Bears::Leaves { length } = styles.styles[style as usize].bears else { return frame };
+    Frame { scale: (frame.scale - OUT * length).max(LEAST * frame.scale), ..frame }
 }
 
 /// Turns a leaf about its midrib so that its upper face looks up more.

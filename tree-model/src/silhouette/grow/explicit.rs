@@ -1,5 +1,6 @@
 //! The pattern of a system that was drawn: sketched branches in their domains, and added ones (sections 5.3 and 5.6).
 
+use super::fence::Fence;
 use super::frame::{Around, Frame};
 use super::params::{GrowParams, LevelParams};
 use super::pattern::{Child, Inner, Nodes, Pattern};
@@ -19,7 +20,7 @@ use tree_core::{Control, Seed};
 /// An added branch ends where this share of its way to the surface is done; its foliage goes on.
 const END: f32 = 0.78;
 /// Radius that stands for a bump's, as a share of the branch's length.
-const ROUND: f32 = 0.4;
+const ROUND: f32 = 0.3;
 /// Added branches begin no lower than this below the first sketched one, and no higher above the last.
 const BEYOND: f32 = 0.03;
 
@@ -29,6 +30,9 @@ pub(super) struct Explicit<'a> {
     pub(super) patterns: &'a mut Vec<Pattern>,
     pub(super) params: &'a GrowParams,
     pub(super) depth: u32,
+    pub(super) fence: &'a Fence,
+    /// The frame of the trunk's span, in space.
+    pub(super) trunk: Frame,
     pub(super) control: &'a Control,
 }
 
@@ -37,7 +41,7 @@ impl Explicit<'_> {
     pub(super) fn pattern(&mut self, system: &System, level: u32, seed: Seed) -> Result<u32> {
         let rules = self.params.level(level);
         let form = Form::of_system(system);
-        let sites = self.sites(system, &rules, seed)?;
+        let sites = self.sites(system, (level, &rules), seed)?;
         let (sketched, added) = sites.split_at(system.laterals.len());
         let places: Vec<f32> = sites.iter().map(|site| site.along).collect();
         let nodes = Nodes::of(&system.axis, &places);
@@ -61,7 +65,12 @@ impl Explicit<'_> {
     }
 
     /// Where branches stand: the sketched ones first.
-    fn sites(&self, system: &System, rules: &LevelParams, seed: Seed) -> Result<Vec<Site>> {
+    fn sites(
+        &self,
+        system: &System,
+        (level, rules): (u32, &LevelParams),
+        seed: Seed,
+    ) -> Result<Vec<Site>> {
         let places = || system.laterals.iter().map(|lateral| lateral.t);
         let low = places().fold(1.0, f32::min) - BEYOND;
         let high = places().fold(0.0, f32::max) + BEYOND;
@@ -73,7 +82,8 @@ impl Explicit<'_> {
                 let azimuth = lateral.azimuth.map_or_else(
                     || {
                         let side = side(lateral);
-                        [side - self.params.domain, side + self.params.domain]
+                        let half = self.half_domain(lateral, level);
+                        [side - half, side + half]
                     },
                     |azimuth| [azimuth, azimuth],
                 );
@@ -84,6 +94,22 @@ impl Explicit<'_> {
         domains.extend(std::iter::repeat_n(free, n_added));
         let seed = seed.stream("azimuths");
         Ok(arrange(&domains, &rules.arrangement, &self.params.gibbs, seed, self.control)?.sites)
+    }
+
+    /// How far a sketched branch may turn out of the plane: on the trunk no farther than the profile has room for its end.
+    fn half_domain(&self, lateral: &Lateral, level: u32) -> f32 {
+        /// Shares of the domain that are tried.
+        const SHARES: [f32; 5] = [1.0, 0.75, 0.5, 0.3, 0.15];
+        let end = lateral.line.end();
+        let across = end.x - lateral.line.start().x;
+        let fits = |share: &f32| {
+            let depth = across * libm::tanf(share * self.params.domain);
+            let seen = |depth: f32| self.trunk.point(Vec3::new(end.x, end.y, depth));
+            self.fence.is_in_profile(seen(depth)) && self.fence.is_in_profile(seen(-depth))
+        };
+        let share =
+            if level == 0 { SHARES.into_iter().find(|share| fits(share)) } else { Some(1.0) };
+        share.unwrap_or(0.05) * self.params.domain
     }
 
     /// A sketched branch: seen from the front it is as it was drawn.
@@ -125,7 +151,8 @@ impl Explicit<'_> {
         let turn = Around::new(along, site.azimuth).turn(angle);
         let frame = Frame { origin: base.extend(0.0), turn, scale: span.length() };
         let form = self.styles.add_form(Form::of(&shape));
-        Ok(Some(Child { node: 0, frame, form, inner }))
+        let is_free = lateral.azimuth.is_some();
+        Ok(Some(Child { node: 0, frame, form, inner, is_sketched: true, is_free }))
     }
 
     /// Added branches: copies of the nearest sketched ones, as long as the pseudo-surface of revolution has room.
@@ -155,7 +182,8 @@ impl Explicit<'_> {
             let fitted = fitted(form, &shape, base, length * way, site.azimuth);
             let frame = Frame { origin: base.extend(0.0), turn, scale: length };
             let inner = Inner::Style(self.styles.for_lateral(nearest, level + 1));
-            let child = Child { node: 0, frame, form: 0, inner };
+            let child =
+                Child { node: 0, frame, form: 0, inner, is_sketched: false, is_free: false };
             Some((child, Form::of(&fitted.unwrap_or(shape))))
         };
         sites.par_iter().enumerate().filter_map(grow).collect()

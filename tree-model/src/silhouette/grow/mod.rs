@@ -7,11 +7,17 @@
 //!    were not drawn are made of the style of the nearest that was.
 //! 3. [`expand`](self::expand): patterns are set down level by level, and become columns of nodes and leaves.
 //!
+//! 4. [`fence`](self::fence), [`fill`](self::fill): leaves and twigs that would be seen outside the outlines are left out, and cells of
+//!    the outlines that stayed empty get twigs and leaves from what is nearest. The paper does neither; its trees match their
+//!    outlines at high density only, as it says.
+//!
 //! A pattern knows no size: what two branches of the same shape and number of branches share is made once, in a few variants.
 //! That is what makes a million leaves affordable. A tree of fifty thousand leaves takes some tens of milliseconds.
 
 mod expand;
 mod explicit;
+mod fence;
+mod fill;
 mod frame;
 mod params;
 mod pattern;
@@ -20,5 +26,5 @@ mod shapes;
 mod style;
 
 pub use expand::grow;
-pub use params::{GrowParams, LevelParams, Leaves};
+pub use params::{GrowParams, Leaves, LevelParams};
 pub use report::{GrowReport, Grown};

@@ -13,9 +13,9 @@ use tree_core::allometry::PipeModel;
 pub struct LevelParams {
     /// How they are arranged round the axis. Default [`Arrangement::Spread`].
     pub arrangement: Arrangement,
-    /// Branches added in space for each one in the plane, 0 to 100. Default 1.5.
+    /// Branches added in space for each one in the plane, 0 to 100. Default 2.
     pub density: f32,
-    /// Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 12.
+    /// Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 18.
     pub count: u32,
     /// Angles where no system of the level was drawn. For the trunk it is the session that uses them.
     pub angles: BranchingAngles,
@@ -29,8 +29,8 @@ impl Default for LevelParams {
     fn default() -> Self {
         Self {
             arrangement: Arrangement::Spread,
-            density: 1.5,
-            count: 12,
+            density: 2.0,
+            count: 18,
             angles: BranchingAngles::between(1.1, 0.6),
             spiral: 0.0,
             jitter: 0.12,
@@ -44,7 +44,7 @@ impl Default for LevelParams {
 pub struct Leaves {
     /// Length in metres, 1e-5 to 100; `None` for that of the drawn leaf, or else what suits the branches that bear them.
     pub length: Option<f32>,
-    /// Distance of leaves along a branch in leaf lengths, all sides together, 0.001 to 100; `None` for what was drawn, or 0.3.
+    /// Distance of leaves along a branch in leaf lengths, all sides together, 0.001 to 100; `None` for what was drawn, or 0.25.
     pub spacing: Option<f32>,
     /// How they are arranged. Default the golden angle.
     pub arrangement: Arrangement,
@@ -91,6 +91,10 @@ pub struct GrowParams {
     pub domain: f32,
     /// The search for azimuths.
     pub gibbs: GibbsParams,
+    /// Whether twigs and leaves that would be seen outside the outlines are left out. Default true.
+    pub fence: bool,
+    /// How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10. Default 1.3.
+    pub fill: f32,
     /// Radius of the trunk in metres, 1e-6 to 100; `None` for `slenderness` × height.
     pub trunk_radius: Option<f32>,
     /// Radius of the trunk as a share of the height, 1e-4 to 0.2. Default 0.018.
@@ -105,12 +109,11 @@ impl Default for GrowParams {
             levels: Vec::new(),
             depth: None,
             leaves: Some(Leaves::default()),
-            species: Species {
-                leaf_kinds: vec!["oak-cluster".into()],
-                ..Species::default()
-            },
+            species: Species { leaf_kinds: vec!["oak-cluster".into()], ..Species::default() },
             domain: FRAC_PI_4,
             gibbs: GibbsParams::default(),
+            fence: true,
+            fill: 1.3,
             trunk_radius: None,
             slenderness: 0.018,
             exponent: PipeModel::MURRAY,
@@ -146,6 +149,7 @@ impl GrowParams {
         }
         check("grow.domain", self.domain, 0.0_f32, FRAC_PI_2 - 0.05)?;
         self.gibbs.validate()?;
+        check("grow.fill", self.fill, 0.0_f32, 10.0_f32)?;
         check("grow.trunk_radius", self.trunk_radius.unwrap_or(1.0), 1e-6_f32, 100.0_f32)?;
         check("grow.slenderness", self.slenderness, 1e-4_f32, 0.2_f32)?;
         check("grow.exponent", self.exponent, 1.0_f32, 10.0_f32)

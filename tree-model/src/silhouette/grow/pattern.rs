@@ -15,6 +15,12 @@ pub(super) const MOST: u32 = 4000;
 const SAME_PLACE: f32 = 2e-3;
 /// Branches shorter than this share of their parent's span are left out.
 const SHORTEST: f32 = 0.01;
+/// A copy is at most so many times longer, over its parent, than what it was copied from.
+const LONGEST: f32 = 1.6;
+/// Foliage that reaches further beyond a branch's end than this, in spans, does not shorten copies.
+const REACH: f32 = 1.3;
+/// Deviation of azimuths from their arrangement, in radians.
+const LOOSE_AZIMUTH: f32 = 0.15;
 /// Deviation of distances where only the number of branches is known, as a share of their mean.
 const LOOSE: f32 = 0.2;
 
@@ -26,6 +32,10 @@ pub(super) struct Child {
     pub(super) frame: Frame,
     pub(super) form: u32,
     pub(super) inner: Inner,
+    /// Whether it was sketched: it is as long as it was drawn.
+    pub(super) is_sketched: bool,
+    /// Whether it, and all on it, may leave the outlines: it was drawn from elsewhere.
+    pub(super) is_free: bool,
 }
 
 /// Where the pattern of a branch comes from.
@@ -71,7 +81,7 @@ pub(super) fn count(style: &Style, length: f32) -> u32 {
 pub(super) fn of_style(
     (form, points): (&Form, usize),
     style: &Style,
-    forms: &[Form],
+    (forms, styles): (&[Form], &[Style]),
     sites: &[Site],
     seed: Seed,
 ) -> Pattern {
@@ -94,6 +104,7 @@ pub(super) fn of_style(
             let axis = Nodes::of(&line, &places);
             let ends = sites.iter().map(|site| site.azimuth).zip(places.iter().copied());
             for (azimuth, t) in ends.chain([(0.0, 1.0)]) {
+                let azimuth = vary(azimuth, LOOSE_AZIMUTH, &mut rng);
                 let Some(exemplar) = pick(exemplars, t, &mut rng) else { break };
                 let copied = &forms[exemplar.form as usize];
                 let angle = if t < 1.0 { style.angles.at(t) } else { copied.leaving };
@@ -103,7 +114,11 @@ pub(super) fn of_style(
                 let turn = around.turn(angle);
                 let base = line.at(t);
                 let room = form.room(base, turn * Vec3::Y, azimuth).unwrap_or(0.0);
-                let length = scale * room / copied.reach;
+                let most = LONGEST * exemplar.ratio * form.line.length();
+                // Of the last branches nothing grows beyond their ends but leaves.
+                let is_last = matches!(styles[exemplar.style as usize].bears, Bears::Leaves { .. });
+                let reach = if is_last { 1.0 } else { copied.reach.min(REACH) };
+                let length = (scale * room / reach).min(most);
                 if length < SHORTEST {
                     pattern.without_room += 1;
                     continue;
@@ -111,7 +126,14 @@ pub(super) fn of_style(
                 let frame = Frame { origin: base.extend(0.0), turn, scale: length };
                 let inner = Inner::Style(exemplar.style);
                 let node = axis.nearest(t);
-                pattern.children.push(Child { node, frame, form: exemplar.form, inner });
+                pattern.children.push(Child {
+                    node,
+                    frame,
+                    form: exemplar.form,
+                    inner,
+                    is_sketched: false,
+                    is_free: false,
+                });
             }
             pattern.line = axis.points(style.spiral);
             let nodes = &pattern.line;

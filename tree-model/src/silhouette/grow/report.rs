@@ -13,6 +13,10 @@ pub struct GrowReport {
     pub leaves: u64,
     /// Branches without room in the outline of their parent, which were left out.
     pub without_room: u64,
+    /// Branches and leaves left out because they would be seen outside the outlines.
+    pub fenced: u64,
+    /// Leaves added where the outlines were empty.
+    pub filled: u64,
     /// Different patterns that were made.
     pub patterns: u64,
 }

@@ -19,28 +19,22 @@ pub(super) struct Form {
 
 impl Form {
     pub(super) fn of(shape: &Shape) -> Self {
-        Self::new(&shape.line, &shape.outline, &[])
+        let section = Section { azimuth: 0.0, outline: &shape.outline };
+        Self::new(&shape.line, &shape.outline, Surface::of(&shape.line, &[section]))
     }
 
     /// Of a system in the frame of its span.
     pub(super) fn of_system(system: &System) -> Self {
-        let more: Vec<Section<'_>> = system
-            .sections
-            .iter()
-            .map(|section| Section { azimuth: section.azimuth, outline: &section.outline })
-            .collect();
-        Self::new(&system.axis, &system.outline, &more)
+        Self::new(&system.axis, &system.outline, surface_of(system))
     }
 
-    fn new(line: &Line, outline: &Outline, more: &[Section<'_>]) -> Self {
-        let mut sections = vec![Section { azimuth: 0.0, outline }];
-        sections.extend_from_slice(more);
+    fn new(line: &Line, outline: &Outline, surface: Surface) -> Self {
         let foot = line.tangent(0.0);
         Self {
             line: line.clone(),
             leaving: libm::atan2f(foot.x, foot.y),
             reach: outline.bounds().1.y.max(1.0),
-            surface: Surface::of(line, &sections),
+            surface,
         }
     }
 
@@ -60,4 +54,16 @@ impl Form {
     pub(super) fn profile(&self, azimuth: f32) -> Option<Outline> {
         self.surface.profile(azimuth)
     }
+}
+
+/// The pseudo-surface of revolution of a system.
+pub(super) fn surface_of(system: &System) -> Surface {
+    let mut sections = vec![Section { azimuth: 0.0, outline: &system.outline }];
+    sections.extend(
+        system
+            .sections
+            .iter()
+            .map(|section| Section { azimuth: section.azimuth, outline: &section.outline }),
+    );
+    Surface::of(&system.axis, &sections)
 }

@@ -1,13 +1,13 @@
 //! What others may copy of a system that was drawn (section 4.2).
 
-use super::params::{GrowParams, LevelParams, Leaves};
+use super::params::{GrowParams, Leaves, LevelParams};
 use super::shapes::Form;
 use crate::silhouette::branch::BranchingAngles;
 use crate::silhouette::place::Arrangement;
 use crate::silhouette::plan::{Lateral, Origin, Plan, System};
 
 /// Spacing of leaves in leaf lengths where nothing tells.
-const LEAF_SPACING: f32 = 0.3;
+const LEAF_SPACING: f32 = 0.25;
 /// Bare share of a branch below its first leaf where nothing tells.
 const LEAF_BARE: f32 = 0.1;
 /// Angle of leaves where nothing tells.
@@ -35,6 +35,8 @@ pub(super) struct Exemplar {
     pub(super) form: u32,
     /// The style of its own branches, an index into [`Styles::styles`].
     pub(super) style: u32,
+    /// Its span over the length of its parent.
+    pub(super) ratio: f32,
 }
 
 /// What stands on an axis.
@@ -98,6 +100,14 @@ impl Styles {
         styles
     }
 
+    /// Length of leaves in metres; `None` where no style bears any.
+    pub(super) fn leaf_length(&self) -> Option<f32> {
+        self.styles.iter().find_map(|style| match style.bears {
+            Bears::Leaves { length } => Some(length),
+            Bears::Branches(_) => None,
+        })
+    }
+
     fn add(&mut self, style: Style) -> u32 {
         self.styles.push(style);
         self.styles.len() as u32 - 1
@@ -119,8 +129,7 @@ impl Styles {
     /// The style of a level that was drawn nearest to a place on the parent.
     fn nearest(&self, t: f32, level: u32) -> u32 {
         let Some((drawn, fallback)) = self.levels.get(level as usize) else { return 0 };
-        let nearest =
-            drawn.iter().min_by(|a, b| (a.0 - t).abs().total_cmp(&(b.0 - t).abs()));
+        let nearest = drawn.iter().min_by(|a, b| (a.0 - t).abs().total_cmp(&(b.0 - t).abs()));
         nearest.map_or(*fallback, |&(_, style)| style)
     }
 
@@ -128,7 +137,7 @@ impl Styles {
     fn fallback(&mut self, plan: &Plan, level: u32, depth: u32, params: &GrowParams) {
         let rules = params.level(level);
         let style = if level == depth {
-            leaf_style(plan, None, params)
+            leaf_style(plan, None, level, params)
         } else {
             let mut source = Vec::new();
             for coarser in (0..level).rev() {
@@ -139,8 +148,10 @@ impl Styles {
             }
             let exemplars = source
                 .iter()
-                .flat_map(|(_, system)| &system.laterals)
-                .filter_map(|lateral| self.exemplar(lateral, level + 1))
+                .flat_map(|(_, system)| {
+                    system.laterals.iter().map(move |lateral| (system, lateral))
+                })
+                .filter_map(|(system, lateral)| self.exemplar(system, lateral, level + 1))
                 .collect();
             undrawn_style(&rules, exemplars)
         };
@@ -158,13 +169,13 @@ impl Styles {
         params: &GrowParams,
     ) -> Style {
         if level == depth {
-            return leaf_style(plan, Some(system), params);
+            return leaf_style(plan, Some(system), level, params);
         }
         let rules = params.level(level);
         let exemplars: Vec<Exemplar> = system
             .laterals
             .iter()
-            .filter_map(|lateral| self.exemplar(lateral, level + 1))
+            .filter_map(|lateral| self.exemplar(system, lateral, level + 1))
             .collect();
         let undrawn = undrawn_style(&rules, exemplars);
         Style {
@@ -175,19 +186,16 @@ impl Styles {
         }
     }
 
-    fn exemplar(&mut self, lateral: &Lateral, level: u32) -> Option<Exemplar> {
+    fn exemplar(&mut self, system: &System, lateral: &Lateral, level: u32) -> Option<Exemplar> {
         let form = Form::of(&lateral.shape()?);
         let style = self.for_lateral(lateral, level);
-        Some(Exemplar { t: lateral.t, form: self.add_form(form), style })
+        let ratio = lateral.line.span().length() / system.axis.length();
+        Some(Exemplar { t: lateral.t, form: self.add_form(form), style, ratio })
     }
 }
 
 /// All systems of a level that may be copied, with the branches that bear them.
-fn drawn_at<'a>(
-    plan: &'a Plan,
-    level: u32,
-    out: &mut Vec<(Option<&'a Lateral>, &'a System)>,
-) {
+fn drawn_at<'a>(plan: &'a Plan, level: u32, out: &mut Vec<(Option<&'a Lateral>, &'a System)>) {
     systems_at(&plan.system, None, level, out);
     for lender in &plan.lenders {
         if let (Some(inner), 1..) = (&lender.system, level) {
@@ -227,13 +235,17 @@ fn undrawn_style(rules: &LevelParams, exemplars: Vec<Exemplar>) -> Style {
     }
 }
 
-fn leaf_style(plan: &Plan, drawn: Option<&System>, params: &GrowParams) -> Style {
+fn leaf_style(plan: &Plan, drawn: Option<&System>, level: u32, params: &GrowParams) -> Style {
     let leaves = params.leaves.clone().unwrap_or_default();
     let length = leaf_length(plan, &leaves);
     // What coverage added tells of gaps, not of leaves.
-    let told = drawn.and_then(|system| spacing(system, |lateral| lateral.origin != Origin::Coverage));
+    let told =
+        drawn.and_then(|system| spacing(system, |lateral| lateral.origin != Origin::Coverage));
     let mean = leaves.spacing.unwrap_or(LEAF_SPACING) * length;
     let given = Spacing::Absolute { mean, sd: 0.2 * mean };
+    // What was drawn is in the plane; there are leaves all round.
+    let density =
+        if told.is_some() && leaves.spacing.is_none() { params.level(level).density } else { 0.0 };
     let angles = match (leaves.angle, drawn) {
         (None, Some(system)) => system.angles.clone(),
         (angle, _) => {
@@ -245,7 +257,7 @@ fn leaf_style(plan: &Plan, drawn: Option<&System>, params: &GrowParams) -> Style
         bare: leaves.bare.or(drawn.and_then(bare)).unwrap_or(LEAF_BARE),
         spacing: told.filter(|_| leaves.spacing.is_none()).unwrap_or(given),
         angles,
-        density: 0.0,
+        density,
         arrangement: leaves.arrangement,
         jitter: leaves.jitter,
         spiral: 0.0,
@@ -266,7 +278,9 @@ fn leaf_length(plan: &Plan, leaves: &Leaves) -> f32 {
 
 /// Share of the axis before the first branch.
 fn bare(system: &System) -> Option<f32> {
-    let first = system.laterals.iter().map(|lateral| lateral.t).min_by(f32::total_cmp);
+    // Coverage fills gaps wherever they are.
+    let drawn = system.laterals.iter().filter(|lateral| lateral.origin != Origin::Coverage);
+    let first = drawn.map(|lateral| lateral.t).min_by(f32::total_cmp);
     first.filter(|first| first.is_finite()).map(|first| first.clamp(0.0, 0.9))
 }
 

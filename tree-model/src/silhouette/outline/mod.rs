@@ -9,7 +9,7 @@
 //! The paper says nothing about bad strokes. Ours are closed, turned and made simple as crowns of sketches are
 //! ([`Crown`](crate::sketch::Crown)).
 //!
-//! Closing is O(n log n + crossings) for n points, some tens of microseconds for a drawn crown. Each measure tells its own cost.
+//! Closing is O(n log n + crossings) for n points. Each measure tells its own cost.
 
 mod close;
 mod leaf;

@@ -1,11 +1,11 @@
 //! The cost of an arrangement (section 5.4, equations 1 to 4), and how it changes when one branch moves.
 //!
 //! Between two branches f = 1 / (1 + α d) with d = √(Δũ² + Δθ̃²) on the cyclic unit square, and the distance from
-//! the nearest privileged position, d_pattern = min(d_ang, γ − d_ang) / γ with d_ang = (Δθ − d_node φ) mod γ.
+//! the nearest privileged position, `d_pattern` = min(`d_ang`, γ − `d_ang`) / γ with `d_ang` = (Δθ − `d_node` φ) mod γ.
 //!
-//! d_node is a difference of node numbers, so θ less its node's part of the turn, by γ, is a number of each branch
-//! alone: its phase. d_pattern is then the distance of two phases on a circle of length 1, which is as short to reckon as
-//! Δθ̃, and d_node never sees the cyclic Δũ: a stem's last node is not next to its first.
+//! `d_node` is a difference of node numbers, so θ less its node's part of the turn, by γ, is a number of each branch
+//! alone: its phase. `d_pattern` is then the distance of two phases on a circle of length 1, which is as short to reckon as
+//! Δθ̃, and `d_node` never sees the cyclic Δũ: a stem's last node is not next to its first.
 //!
 //! Columns of f32 and sums in eight lanes, in a fixed order: the same bits on every platform. A row costs O(N), about a
 //! nanosecond for each other branch; no matrix is kept, only the sum of each row.

@@ -323,14 +323,14 @@ impl<'a> Process<'a> {
         let mut taken = vec![false; slots as usize];
         let mut sites = vec![Site::default(); self.domains.len()];
         let mut free = Vec::new();
-        for i in 0..self.domains.len() {
+        for (i, site) in sites.iter_mut().enumerate() {
             let Some(node) = self.nodes.tied[i] else {
                 free.push(i);
                 continue;
             };
             let slot = self.best_slot(i, node, &taken);
             taken[(node * per_node + slot) as usize] = true;
-            sites[i] = self.at_slot(i, node, slot);
+            *site = self.at_slot(i, node, slot);
         }
         // Who must stand low gets a low node.
         let middle = |i: usize| self.domains[i].along[0] + self.domains[i].along[1];

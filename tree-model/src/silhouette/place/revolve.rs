@@ -14,7 +14,7 @@
 //! it is split at its lowest and highest point, and one half lies wholly on the other side. All of it morphs alike.
 //!
 //! Building takes O(axis + outline) for each outline. A query blends only those of the 24 blocks of a profile that the line
-//! it follows meets: about 0.1 µs.
+//! it follows meets: about 0.2 µs.
 
 mod half;
 
@@ -23,7 +23,7 @@ use super::domain::in_turn;
 use crate::plane::arrange::crossings;
 use crate::plane::fill::{Fill, FillRule, Frame, area};
 use glam::{Vec2, Vec3};
-use half::{BLOCK, BLOCKS, Half};
+use half::{BLOCK, BLOCKS, Half, POINTS};
 use std::f32::consts::{PI, TAU};
 
 /// Outlines whose planes are closer than this, in radians, are one: the last of them counts.
@@ -91,12 +91,18 @@ struct Blend<'a> {
 }
 
 impl Blend<'_> {
+    #[inline(always)]
+    fn mix(&self, from: f32, to: f32) -> f32 {
+        from + self.share * (to - from)
+    }
+
     fn point(&self, i: usize) -> Vec2 {
-        self.from.points[i].lerp(self.to.points[i], self.share)
+        let ([ax, ay], [bx, by]) = (&self.from.points, &self.to.points);
+        Vec2::new(self.mix(ax[i], bx[i]), self.mix(ay[i], by[i]))
     }
 
     fn points(&self) -> impl DoubleEndedIterator<Item = Vec2> + '_ {
-        (0..self.from.points.len()).map(|i| self.point(i))
+        (0..POINTS).map(|i| self.point(i))
     }
 }
 
@@ -176,12 +182,12 @@ impl Surface {
     /// How far it is from a point (r, y) in the half-plane of an azimuth along a direction in that plane, of unit length, to
     /// the surface: the first crossing. `None` from outside. The way may lead across the axis.
     ///
-    /// O(blocks): about 0.1 µs.
+    /// O(blocks): about 0.2 µs.
     #[must_use]
     pub fn exit(&self, from: Vec2, direction: Vec2, azimuth: f32) -> Option<f32> {
         let (right, left) = (self.blend(azimuth)?, self.blend(azimuth + PI)?);
         let mut ray = Ray { from, direction, crossings: 0, nearest: f32::INFINITY };
-        let ends = |blend: &Blend<'_>| (blend.point(0), blend.point(BLOCK * BLOCKS));
+        let ends = |blend: &Blend<'_>| (blend.point(0), blend.point(POINTS - 1));
         let ((top, bottom), (left_top, left_bottom)) = (ends(&right), ends(&left));
         let mirror = Vec2::new(-1.0, 1.0);
         ray.chain(&right, 1.0);
@@ -228,23 +234,50 @@ impl Ray {
     /// Crosses one half; `side` −1 mirrors it to the left. Only blocks whose box the line meets are blended: the box of
     /// blended points lies in the blended box.
     fn chain(&mut self, blend: &Blend<'_>, side: f32) {
-        let (mirror, size) = (Vec2::new(side, 1.0), self.direction.abs());
-        let boxes = blend.from.boxes.iter().zip(&blend.to.boxes);
-        for (block, (a, b)) in boxes.enumerate() {
-            let middle = a.0.lerp(b.0, blend.share) * mirror - self.from;
-            let reach = a.1.lerp(b.1, blend.share);
-            let across = size.y * reach.x + size.x * reach.y;
-            let apart = self.direction.perp_dot(middle).abs() > across;
-            if apart || self.direction.dot(middle) + size.dot(reach) < 0.0 {
-                continue;
+        for (block, meets) in self.boxes(blend, side).into_iter().enumerate() {
+            if meets >= 0.0 {
+                self.block(blend, side, block);
             }
-            let part = block * BLOCK..=(block + 1) * BLOCK;
-            let (a, b) = (&blend.from.points[part.clone()], &blend.to.points[part]);
-            let mut points = a.iter().zip(b).map(|(a, b)| a.lerp(*b, blend.share) * mirror);
-            let Some(mut last) = points.next() else { continue };
-            for next in points {
-                self.side(last, next);
-                last = next;
+        }
+    }
+
+    /// For each block how far the line reaches into its box; below 0 where it misses it.
+    fn boxes(&self, blend: &Blend<'_>, side: f32) -> [f32; BLOCKS] {
+        let (way, size) = (self.direction, self.direction.abs());
+        let ([ax, ay, awide, ahigh], [bx, by, bwide, bhigh]) = (&blend.from.boxes, &blend.to.boxes);
+        std::array::from_fn(|i| {
+            let x = side * blend.mix(ax[i], bx[i]) - self.from.x;
+            let y = blend.mix(ay[i], by[i]) - self.from.y;
+            let (wide, high) = (blend.mix(awide[i], bwide[i]), blend.mix(ahigh[i], bhigh[i]));
+            let across = size.y * wide + size.x * high - (way.x * y - way.y * x).abs();
+            let ahead = size.x * wide + size.y * high + (way.x * x + way.y * y);
+            if across < ahead { across } else { ahead }
+        })
+    }
+
+    /// Crosses the sides of one block.
+    fn block(&mut self, blend: &Blend<'_>, side: f32, block: usize) {
+        let part = block * BLOCK..=(block + 1) * BLOCK;
+        let column = |half: &Half, axis: usize| -> [f32; BLOCK + 1] {
+            let mut column = [0.0; BLOCK + 1];
+            column.copy_from_slice(&half.points[axis][part.clone()]);
+            column
+        };
+        let (ax, ay) = (column(blend.from, 0), column(blend.from, 1));
+        let (bx, by) = (column(blend.to, 0), column(blend.to, 1));
+        let x: [f32; BLOCK + 1] =
+            std::array::from_fn(|k| side * blend.mix(ax[k], bx[k]) - self.from.x);
+        let y: [f32; BLOCK + 1] = std::array::from_fn(|k| blend.mix(ay[k], by[k]) - self.from.y);
+        let off: [f32; BLOCK + 1] =
+            std::array::from_fn(|k| self.direction.x * y[k] - self.direction.y * x[k]);
+        for k in 0..BLOCK {
+            if (off[k] >= 0.0) != (off[k + 1] >= 0.0) {
+                self.cross(
+                    Vec2::new(x[k], y[k]),
+                    Vec2::new(x[k + 1], y[k + 1]),
+                    off[k],
+                    off[k + 1],
+                );
             }
         }
     }
@@ -254,9 +287,13 @@ impl Ray {
     fn side(&mut self, a: Vec2, b: Vec2) {
         let (a, b) = (a - self.from, b - self.from);
         let (off_a, off_b) = (self.direction.perp_dot(a), self.direction.perp_dot(b));
-        if (off_a >= 0.0) == (off_b >= 0.0) {
-            return;
+        if (off_a >= 0.0) != (off_b >= 0.0) {
+            self.cross(a, b, off_a, off_b);
         }
+    }
+
+    /// Counts a crossing between two points seen from the start, which lie that far off the line on its two sides.
+    fn cross(&mut self, a: Vec2, b: Vec2, off_a: f32, off_b: f32) {
         let (way_a, way_b) = (self.direction.dot(a), self.direction.dot(b));
         let way = way_a + off_a / (off_a - off_b) * (way_b - way_a);
         if way > 0.0 {

@@ -9,18 +9,19 @@
 //!
 //! O(places × raster), about 0.5 ms.
 
+use super::raster::Raster;
 use super::{Lateral, Origin, System, SystemParams};
 use crate::error::{Result, check};
+use crate::silhouette::Line;
 use crate::silhouette::branch::{Span, infer};
-use crate::silhouette::{Line, Outline};
 use glam::Vec2;
 
-/// Cells of the raster along the longer side of the outline.
-const CELLS: usize = 64;
 /// A branch ends where this share of its way to the outline is done; its foliage goes on.
 const END: f32 = 0.78;
 /// Radius that stands for a bump's, as a share of the branch's length.
-const ROUND: f32 = 0.4;
+const ROUND: f32 = 0.3;
+/// What is nearer to the axis than this share of its length needs no branch: the axis itself is there.
+const NEAR: f32 = 0.05;
 /// Branches added for bare stretches of the edge, at most.
 const MOST_EDGE: usize = 200;
 
@@ -69,15 +70,15 @@ pub(super) fn cover(
     system: &mut System,
     within: [f32; 2],
     params: &SystemParams,
+    raster: &mut Raster,
     name: &mut impl FnMut() -> u32,
 ) -> Coverage {
-    let mut raster = Raster::of(&system.outline);
     for lateral in &system.laterals {
         raster.add(&lateral.outline);
     }
     let by_bumps = raster.covered();
-    along_axis(system, within, params, &mut raster, name);
-    along_edge(system, within, params, &mut raster, name);
+    along_axis(system, within, params, raster, name);
+    along_edge(system, within, params, raster, name);
     Coverage { by_bumps, by_all: raster.covered() }
 }
 
@@ -94,9 +95,11 @@ fn along_axis(
         let t = within[0] + (within[1] - within[0]) * (i as f32 + 0.5) / places as f32;
         for left in [false, true] {
             let Some(line) = copy_of_nearest(system, t, left) else { continue };
+            if line.span().length() < NEAR * system.axis.length() {
+                continue;
+            }
             let radius = ROUND * line.span().length();
-            let lateral =
-                system.lateral(0, Origin::Coverage, t, line, (radius, None), params);
+            let lateral = system.lateral(0, Origin::Coverage, t, line, (radius, None), params);
             let (own, overlap) = raster.overlap(&lateral.outline);
             if own > 0 && overlap as f32 <= params.cover.overlap * own as f32 {
                 raster.add(&lateral.outline);
@@ -110,9 +113,9 @@ fn along_axis(
 /// straight line.
 fn copy_of_nearest(system: &System, t: f32, left: bool) -> Option<Line> {
     let base = system.axis.at(t);
-    let distance = |lateral: &&Lateral| (lateral.t - t).abs() + f32::from(u8::from(lateral.left != left));
-    let nearest =
-        system.laterals.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let distance =
+        |lateral: &&Lateral| (lateral.t - t).abs() + f32::from(u8::from(lateral.left != left));
+    let nearest = system.laterals.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
     let shape = nearest.and_then(Lateral::shape);
     let leaving = shape.as_ref().map_or(0.0, |shape| shape.leaving());
     let angle = system.angles.at(t) - leaving;
@@ -140,14 +143,13 @@ fn along_edge(
         if length < params.cover.bare {
             return;
         }
-        let grown = branch_towards(system, edge.points[middle], within, params);
+        let grown = branch_towards(system, edge.points[middle], within, raster, params);
         let Some((t, line)) = grown else {
             edge.covered[middle] = true;
             continue;
         };
         let radius = ROUND * line.span().length();
-        let lateral =
-            system.lateral(name(), Origin::Coverage, t, line, (radius, None), params);
+        let lateral = system.lateral(name(), Origin::Coverage, t, line, (radius, None), params);
         raster.add(&lateral.outline);
         edge.update(raster);
         // Whatever came of it, the place is done.
@@ -161,13 +163,15 @@ fn branch_towards(
     system: &System,
     edge: Vec2,
     within: [f32; 2],
+    raster: &Raster,
     params: &SystemParams,
 ) -> Option<(f32, Line)> {
     let (t, _) = system.axis.nearest(edge);
     let base = system.axis.at(t.clamp(within[0], within[1]));
     let way = edge - base;
     let end = base + END * way;
-    let found = infer(&system.axis, &system.angles, (end, way), within, &params.infer)?;
+    let is_inside = |point: Vec2| raster.is_inside(point);
+    let found = infer(&system.axis, &system.angles, (end, way), within, &is_inside, &params.infer)?;
     Some((found.t, found.line))
 }
 
@@ -195,8 +199,10 @@ impl Edge {
         let foot = system.axis.at(within[0]);
         let up = system.axis.tangent(within[0]);
         let reach = 0.08 * round / std::f32::consts::PI;
+        let near = NEAR * system.axis.length();
         let is_foot = |point: &Vec2| {
-            (*point - foot).dot(up) < 0.0 && point.distance(foot) < reach
+            let at_foot = (*point - foot).dot(up) < 0.0 && point.distance(foot) < reach;
+            at_foot || system.axis.nearest(*point).1 < near
         };
         let covered = points.iter().map(is_foot).collect();
         let mut edge = Self { points, inside, covered };
@@ -229,57 +235,5 @@ impl Edge {
         }
         let (end, length) = best;
         (length > 0).then_some(((end + n - length.div_ceil(2)) % n, length as f32 / n as f32))
-    }
-}
-
-/// Cells of an outline, and which of them are covered.
-struct Raster {
-    low: Vec2,
-    high: Vec2,
-    size: [usize; 2],
-    cell: f32,
-    inside: Vec<bool>,
-    covered: Vec<bool>,
-}
-
-impl Raster {
-    fn of(outline: &Outline) -> Self {
-        let (low, high) = outline.bounds();
-        let cell = ((high - low).max_element() / CELLS as f32).max(f32::MIN_POSITIVE);
-        let count = |length: f32| ((length / cell).ceil() as usize).clamp(1, CELLS + 1);
-        let size = [count(high.x - low.x), count(high.y - low.y)];
-        let high = low + cell * Vec2::new(size[0] as f32, size[1] as f32);
-        let inside = outline.mask(low, high, size[0], size[1]);
-        let covered = vec![false; inside.len()];
-        Self { low, high, size, cell, inside, covered }
-    }
-
-    fn cells(&self, outline: &Outline) -> Vec<bool> {
-        outline.mask(self.low, self.high, self.size[0], self.size[1])
-    }
-
-    fn add(&mut self, outline: &Outline) {
-        let cells = self.cells(outline);
-        self.covered.iter_mut().zip(cells).for_each(|(covered, cell)| *covered |= cell);
-    }
-
-    /// Cells of an outline, and those of them that are covered.
-    fn overlap(&self, outline: &Outline) -> (usize, usize) {
-        let cells = self.cells(outline);
-        let both = cells.iter().zip(&self.covered).filter(|&(&cell, &covered)| cell && covered);
-        (cells.iter().filter(|&&cell| cell).count(), both.count())
-    }
-
-    /// Share of the inside that is covered.
-    fn covered(&self) -> f32 {
-        let both = self.inside.iter().zip(&self.covered).filter(|&(&inside, &cover)| inside && cover);
-        both.count() as f32 / self.inside.iter().filter(|&&inside| inside).count().max(1) as f32
-    }
-
-    fn is_covered(&self, point: Vec2) -> bool {
-        let place = (point - self.low) / self.cell;
-        let (x, y) = (place.x.floor() as i64, place.y.floor() as i64);
-        let within = x >= 0 && y >= 0 && x < self.size[0] as i64 && y < self.size[1] as i64;
-        within && self.covered[y as usize * self.size[0] + x as usize]
     }
 }

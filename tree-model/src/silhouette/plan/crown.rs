@@ -50,7 +50,10 @@ pub(crate) fn axis_of(trunk: Option<&Line>, outline: &Outline) -> Option<Line> {
     if long_enough || is_through {
         return Some(trunk.clone());
     }
-    lengthened(trunk.points(), Some(trunk.tangent(1.0)), outline)
+    // The direction of its upper part: pens hook at the end.
+    let upper = (trunk.at(0.95) - trunk.at(0.4)).try_normalize();
+    let kept = trunk.part(0.0, 0.95)?;
+    lengthened(kept.points(), upper, outline)
 }
 
 /// The middle of a crown's lowest part.
@@ -74,7 +77,9 @@ fn lengthened(points: &[Vec2], direction: Option<Vec2>, outline: &Outline) -> Op
     let way = (centroid(outline) - from).try_normalize().unwrap_or(Vec2::Y);
     let to = from + REACH * farthest(outline, from, way)? * way;
     let reach = from.distance(to);
-    let leave = reach * direction.unwrap_or(way);
+    // A trunk that leads elsewhere is not followed far.
+    let direction = direction.filter(|direction| direction.dot(way) > 0.5).unwrap_or(way);
+    let leave = 0.6 * reach * direction;
     let mut line = points.to_vec();
     line.extend((1..=POINTS).map(|i| {
         let s = i as f32 / POINTS as f32;
@@ -83,7 +88,7 @@ fn lengthened(points: &[Vec2], direction: Option<Vec2>, outline: &Outline) -> Op
         (2.0 * s3 - 3.0 * s2 + 1.0) * from
             + (s3 - 2.0 * s2 + s) * leave
             + (3.0 * s2 - 2.0 * s3) * to
-            + (s3 - s2) * reach * way
+            + (s3 - s2) * 0.6 * reach * way
     }));
     Line::new(line)
 }

@@ -8,6 +8,7 @@ mod cover;
 mod crown;
 mod document;
 mod lateral;
+mod raster;
 mod system;
 
 pub use cover::{CoverParams, Coverage};

@@ -1,6 +1,7 @@
 //! An axis with an outline and branches.
 
-use super::cover::{self, Coverage, CoverParams};
+use super::cover::{self, CoverParams, Coverage};
+use super::raster::Raster;
 use super::{Lateral, Origin, crown};
 use crate::error::Result;
 use crate::silhouette::branch::{BranchingAngles, InferParams, infer};
@@ -8,6 +9,9 @@ use crate::silhouette::bump::{Bump, BumpParams, bumps};
 use crate::silhouette::sub::{SubParams, sub_outline};
 use crate::silhouette::{Line, Outline};
 use glam::Vec2;
+
+/// Spans of branches to bumps are at least this many radii of the bump.
+const ROUND: f32 = 1.0;
 
 /// How the branches of a system are found.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,6 +81,7 @@ impl System {
     pub fn grow(&mut self, params: &SystemParams, next_id: &mut u32) -> Coverage {
         self.laterals.retain(|lateral| lateral.origin == Origin::Drawn);
         let within = crown::foliage_part(&self.axis, &self.outline);
+        let mut raster = Raster::of(&self.outline);
         let mut name = || {
             *next_id += 1;
             *next_id
@@ -90,16 +95,25 @@ impl System {
                 &self.angles,
                 (bump.centre, bump.tangent),
                 within,
+                &|point| raster.is_inside(point),
                 &params.infer,
             );
+            // A bump rounder than its branch is long is the whole crown, and coverage's.
+            let found = found.filter(|found| found.line.span().length() >= ROUND * bump.radius);
             if let Some(found) = found {
                 let (radius, stretch) = (bump.radius, Some(bump.stretch));
-                let lateral =
-                    self.lateral(name(), Origin::Bump, found.t, found.line, (radius, stretch), params);
+                let lateral = self.lateral(
+                    name(),
+                    Origin::Bump,
+                    found.t,
+                    found.line,
+                    (radius, stretch),
+                    params,
+                );
                 self.laterals.push(lateral);
             }
         }
-        cover::cover(self, within, params, &mut name)
+        cover::cover(self, within, params, &mut raster, &mut name)
     }
 
     /// A branch of this system with its sub-silhouette.

@@ -15,7 +15,7 @@ use glam::Vec2;
 /// [`ModelError::Silhouette`] where nothing is covered; [`ModelError::Parameter`] for the threshold.
 ///
 /// # Complexity
-/// O(pixels), and about 10 ms.
+/// O(pixels), and some tens of milliseconds.
 pub fn from_mask(matte: &Matte, threshold: f32) -> Result<OutlineDrawing> {
     check("threshold", threshold, 0.01_f32, 1.0_f32)?;
     let refuse =

@@ -63,7 +63,8 @@ pub(super) fn border(grid: &Grid, cover: &[f32]) -> Vec<Vec2> {
 fn crossing(grid: &Grid, cover: &[f32], side: usize) -> DVec2 {
     let at = side / 2;
     let (x, y) = (at % grid.nx, at / grid.nx);
-    let (way, to) = if side % 2 == 0 { (DVec2::X, at + 1) } else { (DVec2::Y, at + grid.nx) };
+    let (way, to) =
+        if side.is_multiple_of(2) { (DVec2::X, at + 1) } else { (DVec2::Y, at + grid.nx) };
     let (a, b) = (f64::from(cover[at]), f64::from(cover[to]));
     let part = ((f64::from(HALF) - a) / (b - a)).clamp(0.0, 1.0);
     DVec2::new(x as f64 + 0.5, y as f64 + 0.5) + part * way

@@ -32,6 +32,7 @@ impl Grid {
         Some(Self { nx, ny, low: low - cell * MARGIN as f32, cell })
     }
 
+    #[cfg(feature = "svg")]
     pub(super) fn to_cells(self, point: Vec2) -> Vec2 {
         (point - self.low) / self.cell
     }

@@ -14,11 +14,12 @@
 //!
 //! Nothing is scaled: coordinates stay those of the drawing or pixels, y **down**.
 //!
-//! O(points + cells) for a silhouette: about 10 ms.
+//! O(points + cells) for a silhouette: some tens of milliseconds.
 
 mod alpha;
 mod border;
 mod cells;
+#[cfg(feature = "svg")]
 mod raster;
 #[cfg(feature = "svg")]
 mod svg;
@@ -132,7 +133,7 @@ pub enum ReadRepair {
         /// Their share of the area, 0 to 1.
         share: f32,
     },
-    /// Gaps in a frayed crown were closed.
+    /// Gaps in a frayed crown, or between its parts, were closed.
     GapsClosed {
         /// The widest gap closed, in units of the drawing.
         width: f32,
@@ -177,7 +178,7 @@ impl fmt::Display for ReadRepair {
                 write!(f, "holes of {:.1} % of the area were filled", percent(share))
             }
             Self::GapsClosed { width } => {
-                write!(f, "gaps of up to {width:.3} units in a frayed crown were closed")
+                write!(f, "gaps of up to {width:.3} units in the crown were closed")
             }
             Self::NoTrunk => f.write_str("no trunk was seen; the silhouette is all crown"),
             Self::TreeDropped { tree } => {

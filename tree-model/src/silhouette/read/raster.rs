@@ -56,8 +56,8 @@ pub(super) fn paint(
             }
         }
         let start = (first / LINES + i) * grid.nx;
-        for x in low..high {
-            let part = std::mem::take(&mut row[x]);
+        for (x, cell) in row.iter_mut().enumerate().take(high).skip(low) {
+            let part = std::mem::take(cell);
             if part > 0.0 {
                 visit(start + x, part.min(1.0));
             }

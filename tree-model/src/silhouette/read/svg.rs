@@ -38,7 +38,7 @@ const OPEN: f32 = 0.3;
 /// nothing of it is a tree.
 ///
 /// # Complexity
-/// O(bytes + points), and about 10 ms for each whole silhouette.
+/// O(bytes + points), and some tens of milliseconds for each whole silhouette.
 pub fn from_svg(text: &str) -> Result<OutlineDrawing> {
     let drawing = svg::read(text)?;
     let seen: Vec<Named<'_>> = drawing
@@ -247,7 +247,7 @@ fn middle_line(contour: &[Vec2]) -> Option<(Vec<Vec2>, f32)> {
     let grid = grid_over(&[contour.to_vec()])?;
     let mask = raster::mask(&grid, &[contour.to_vec()]);
     let (mask, _) = grid.bridge(&mask, 1, 1);
-    let trunk = super::trunk::Trunk::of(&grid, &mask, true)?;
+    let trunk = super::trunk::Trunk::given(&grid, &mask, f32::INFINITY)?;
     Some((trunk.line(&grid), trunk.width(&grid)))
 }
 

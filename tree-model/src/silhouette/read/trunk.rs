@@ -10,22 +10,34 @@ use glam::Vec2;
 /// How much higher a point counts, in heights of the tree, at half the tree's width from its middle, when the foot is
 /// sought: more than low branches hang below it.
 const ASIDE: f32 = 0.25;
-/// The lowest share of the height: root flare, of which the trunk's width is not taken.
+/// The lowest share of the height: roots and rounded ends, of which the trunk's width is not taken.
 const FLARE: f32 = 0.02;
+/// The trunk's narrowest place is looked for in this lowest share of the height,
+const LOWEST: f32 = 0.45;
+/// over this share of the height, in which widths are alike.
+const STEADY: f32 = 0.03;
+/// Widths are alike within this factor.
+const ALIKE: f32 = 1.3;
+/// Below its narrowest place a trunk is hardly narrower, not by more than this factor; pointed crowns are.
+const POINTED: f32 = 1.5;
+/// But teeth of roots may be narrow, where something between them and the narrowest place is wider by this factor.
+const ROOTS: f32 = 1.2;
 /// A trunk is narrower than this share of the tree's width.
 const NARROW: f32 = 0.4;
-/// The crown begins where the stretch is so many times as wide as the trunk at its narrowest,
-const WIDER: f32 = 1.6;
+/// One in its own colour is narrower than this share.
+const NARROW_GIVEN: f32 = 0.55;
+/// The crown begins where the stretch is so many times as wide as the trunk at its narrowest, the second where there is no
+/// such place above: twigs that hang down may lead away from the crown,
+const WIDER: [f32; 2] = [1.6, 1.25];
 /// and wider by this share of the tree's width,
 const WIDER_BY: f32 = 0.04;
 /// over this share of the height.
 const OVER: f32 = 0.02;
-/// A trunk is at least this share of the height long,
+/// A trunk is at least this share of the height long.
 const SHORTEST: f32 = 0.05;
-/// and about as narrow as at its narrowest (within this factor)
-const ALIKE: f32 = 1.3;
-/// over this share of the height. The rounded bottom of a crown widens faster.
-const STEADY: f32 = 0.03;
+/// Where the trunk is wider or narrower than its middle width by this factor, by roots or limbs, its middle is that of
+/// the nearest place where it is not.
+const ODD: f32 = 1.2;
 /// The trunk's middle line may deviate by this share of the silhouette's size when corners are left out.
 const TOLERANCE: f64 = 0.006;
 
@@ -38,46 +50,34 @@ pub(super) struct Trunk {
 }
 
 impl Trunk {
-    /// The trunk of a silhouette in one part; `None` where it has none. `given` says that the mask is nothing but
-    /// a trunk.
-    pub(super) fn of(grid: &Grid, mask: &[bool], given: bool) -> Option<Self> {
+    /// The trunk of a silhouette in one part; `None` where it has none.
+    pub(super) fn of(grid: &Grid, mask: &[bool]) -> Option<Self> {
         let tree = Extent::of(grid, mask)?;
+        let mut trunk = Self::follow(grid, mask, &tree)?;
+        let widths: Vec<f32> = trunk.runs.iter().map(|&(from, to)| (to - from) as f32).collect();
+        let crown = WIDER.iter().find_map(|&wider| crown_above(&widths, &tree, wider))?;
+        trunk.runs.truncate(crown);
+        Some(trunk)
+    }
+
+    /// The trunk in a mask of nothing else, in one part. `None` where that is wider than a trunk in a silhouette of
+    /// this width in cells.
+    pub(super) fn given(grid: &Grid, mask: &[bool], full: f32) -> Option<Self> {
+        let trunk = Self::follow(grid, mask, &Extent::of(grid, mask)?)?;
+        (trunk.median() < NARROW_GIVEN * full).then_some(trunk)
+    }
+
+    /// Stretches from the foot to the top.
+    fn follow(grid: &Grid, mask: &[bool], tree: &Extent) -> Option<Self> {
         let (column, base) = tree.foot(grid, mask);
-        let share = |share: f32| ((share * tree.height()).ceil() as usize).max(1);
         let mut run = run_at(grid, mask, base, column)?;
         let mut runs = vec![run];
-        let full = tree.width();
-        let mut narrow = f32::INFINITY;
-        let mut wide = 0;
-        let mut ended = false;
         for y in (tree.top..base).rev() {
             let Some(next) = run_above(grid, mask, y, run) else { break };
             run = next;
             runs.push(run);
-            let width = (run.1 - run.0) as f32;
-            if runs.len() > share(FLARE) {
-                if width > (WIDER * narrow).max(narrow + WIDER_BY * full) {
-                    wide += 1;
-                } else {
-                    wide = 0;
-                    narrow = narrow.min(width);
-                }
-                if wide >= share(OVER) && !given {
-                    ended = true;
-                    break;
-                }
-            }
         }
-        if given {
-            return Some(Self { base, runs });
-        }
-        runs.truncate(runs.len() - wide);
-        let alike = |&&(a, b): &&(usize, usize)| (b - a) as f32 <= ALIKE * narrow;
-        let is_trunk = ended
-            && narrow < NARROW * full
-            && runs.len() >= share(SHORTEST)
-            && runs.iter().filter(alike).count() >= share(STEADY);
-        is_trunk.then_some(Self { base, runs })
+        Some(Self { base, runs })
     }
 
     /// Takes the trunk out of a mask, and what lies beside its foot.
@@ -97,17 +97,36 @@ impl Trunk {
 
     /// The middle line, from the foot up, in units of the drawing.
     pub(super) fn line(&self, grid: &Grid) -> Vec<Vec2> {
-        let middle = |i: usize| {
-            let (from, to) = self.runs[i];
-            0.5 * (from + to) as f32
-        };
         let n = self.runs.len();
-        // Over some rows: roots and knots make the middle jump.
+        let median = self.median();
+        let is_odd = |&(from, to): &(usize, usize)| {
+            let width = (to - from) as f32;
+            width > ODD * median || width * ODD < median
+        };
+        // Teeth of roots may be as wide as the trunk: the longest stretch that is not odd is the trunk itself.
+        let (mut first, mut longest, mut length) = (0, 0, 0);
+        for (i, run) in self.runs.iter().enumerate() {
+            length = if is_odd(run) { 0 } else { length + 1 };
+            if length > longest {
+                (first, longest) = (i + 1 - length, length);
+            }
+        }
+        let mut last = 0.0;
+        let mut middles = vec![0.0; n];
+        for (i, run) in self.runs.iter().enumerate().skip(first) {
+            if i == first || !is_odd(run) {
+                last = 0.5 * (run.0 + run.1) as f32;
+            }
+            middles[i] = last;
+        }
+        let low = middles[first];
+        middles[..first].fill(low);
+        // Over some rows: knots make the middle jump.
         let reach = (n / 12).max(1);
         let mut points: Vec<Vec2> = (0..n)
             .map(|i| {
                 let reach = reach.min(i).min(n - 1 - i);
-                let sum: f32 = (i - reach..=i + reach).map(middle).sum();
+                let sum: f32 = middles[i - reach..=i + reach].iter().sum();
                 let y = (self.base - i) as f32 + 0.5;
                 Vec2::new(sum / (2 * reach + 1) as f32, y)
             })
@@ -124,10 +143,42 @@ impl Trunk {
 
     /// The middle of its widths, in units of the drawing.
     pub(super) fn width(&self, grid: &Grid) -> f32 {
+        self.median() * grid.cell
+    }
+
+    /// The middle of its widths, in cells.
+    fn median(&self) -> f32 {
         let mut widths: Vec<usize> = self.runs.iter().map(|&(from, to)| to - from).collect();
         widths.sort_unstable();
-        widths[widths.len() / 2] as f32 * grid.cell
+        widths.get(widths.len() / 2).copied().unwrap_or(0) as f32
     }
+}
+
+/// How many rows of these widths, from the foot up, are trunk; `None` where none is. The crown is `wider` by this factor.
+fn crown_above(widths: &[f32], tree: &Extent, wider: f32) -> Option<usize> {
+    let share = |share: f32| ((share * tree.height()).ceil() as usize).max(1);
+    let least = |widths: &[f32]| widths.iter().copied().fold(f32::INFINITY, f32::min);
+    let most = |widths: &[f32]| widths.iter().copied().fold(0.0, f32::max);
+    let full = tree.width();
+    let (flare, lowest) = (share(FLARE), share(LOWEST));
+    // The narrowest place so far, and its width.
+    let mut narrowest: Option<(usize, f32)> = None;
+    for row in flare..widths.len() {
+        let near = &widths[row..(row + share(STEADY)).min(widths.len())];
+        let (low, high) = (least(near), most(near));
+        let steady = high <= ALIKE * low && high < NARROW * full && row < lowest;
+        if steady && narrowest.is_none_or(|(_, narrow)| high < narrow) {
+            narrowest = Some((row, high));
+        }
+        let Some((at, narrow)) = narrowest else { continue };
+        let over = widths.get(row..row + share(OVER))?;
+        if least(over) > (wider * narrow).max(narrow + WIDER_BY * full) {
+            let below = &widths[flare..at];
+            let pointed = least(below) * POINTED < narrow && most(below) < ROOTS * narrow;
+            return (!pointed && row >= share(SHORTEST)).then_some(row);
+        }
+    }
+    None
 }
 
 /// The rows and columns a mask reaches over, with the ends.

@@ -7,7 +7,7 @@ use super::{Kind, Level, LevelStroke, ReadRepair, TreeStrokes};
 use crate::error::{ModelError, Result};
 
 /// Parts within this share of the size of each other are bridged.
-const BRIDGE: f32 = 0.04;
+const BRIDGE: f32 = 0.08;
 
 /// Parts smaller than this share of the whole are specks.
 const SPECK: f32 = 0.001;
@@ -20,8 +20,22 @@ const LEAST_WOOD: f32 = 0.002;
 /// and at most.
 const MOST_WOOD: f32 = 0.8;
 
-/// Gaps closed in the crown of a photograph, as shares of its size, until its border is smooth enough.
-const GAPS: [f32; 6] = [0.005, 0.01, 0.015, 0.02, 0.03, 0.045];
+/// Gaps in the crown are closed over twice these shares of its size, the next where the last were not enough to make it one
+/// part, and of a photograph smooth.
+const GAPS: [f32; 7] = [0.0, 0.005, 0.01, 0.015, 0.02, 0.03, 0.045];
+
+/// Gaps of twice so many cells are closed in a photograph before its trunk is looked for, which may not lead into a twig.
+const FRAYED: f32 = 2.0;
+
+/// A crown is one part when it holds this share of what is covered.
+const ONE: f32 = 0.95;
+/// A photograph's is, when it holds this share: its thin twigs cover little and reach far.
+const ONE_FRAYED: f32 = 0.985;
+
+/// Narrow ways into a drawn crown, highlights between its leaves, are closed up to twice this share of its size,
+const WAY: f32 = 0.022;
+/// where they cover so many squares of that width's half: corners between lobes do not.
+const WAY_AREA: f32 = 6.0;
 
 /// A border is smooth enough with at most so many corners,
 const SMOOTH: usize = 110;
@@ -55,8 +69,11 @@ impl Silhouette {
     ) -> Result<TreeStrokes> {
         let grid = &self.grid;
         let all: Vec<bool> = self.cover.iter().map(|&cover| cover >= HALF).collect();
-        let solid = self.solid(&all, repairs);
-        let count = |mask: &[bool]| mask.iter().filter(|&&cell| cell).count();
+        let solid = if self.frayed {
+            self.solid(&grid.closed(&all, FRAYED), repairs)
+        } else {
+            self.solid(&all, repairs)
+        };
         let covered = count(&solid);
         let stroke = |kind, points, what: &str| LevelStroke {
             level: Level::Number(0),
@@ -123,10 +140,31 @@ impl Silhouette {
             let ((area, height), (part, low)) = all;
             if part > LEAST_WOOD * area && part < MOST_WOOD * area && low > height {
                 let (wood, _) = self.grid.bridge(&wood, 1, 1);
-                return Trunk::of(&self.grid, &wood, true);
+                let full = self.grid.nx - 2 * MARGIN;
+                if let Some(trunk) = Trunk::given(&self.grid, &wood, full as f32) {
+                    return Some(trunk);
+                }
             }
         }
-        Trunk::of(&self.grid, solid, false)
+        Trunk::of(&self.grid, solid).or_else(|| self.trunk_of_parts(solid))
+    }
+
+    /// The trunk of a silhouette whose parts are parted by gaps, which bridges do not make wide enough.
+    fn trunk_of_parts(&self, solid: &[bool]) -> Option<Trunk> {
+        let covers = |(&cover, &inside): (&f32, &bool)| cover >= HALF && inside;
+        let parted: Vec<bool> = self.cover.iter().zip(solid).map(covers).collect();
+        let one = |mask: &[bool]| {
+            let parts = self.grid.parts(mask);
+            parts.first().is_some_and(|part| part.len() as f32 >= ONE * count(mask) as f32)
+        };
+        if one(&parted) {
+            return None;
+        }
+        let along = (self.grid.nx.max(self.grid.ny) - 2 * MARGIN) as f32;
+        let closed = GAPS.iter().skip(1).map(|gap| self.grid.closed(&parted, gap * along));
+        let mut joined = closed.into_iter().find(|mask| one(mask))?;
+        self.grid.fill_holes(&mut joined);
+        Trunk::of(&self.grid, &joined)
     }
 
     /// How many cells of a mask there are, and their mean row.
@@ -143,31 +181,53 @@ impl Silhouette {
     fn crown(&self, crown: &[bool], repairs: &mut Vec<ReadRepair>) -> Vec<glam::Vec2> {
         let grid = &self.grid;
         let size = (grid.nx.max(grid.ny) - 2 * MARGIN) as f32 * grid.cell;
-        let gaps = if self.frayed { &GAPS[..] } else { &[0.0][..] };
+        let covered = count(crown);
+        // The photograph's own details go first.
+        let first = usize::from(self.frayed);
         let mut ring = Vec::new();
-        for (i, &gap) in gaps.iter().enumerate() {
+        for (i, &gap) in GAPS.iter().enumerate().skip(first) {
             let distance = gap * size / grid.cell;
             let closed = if gap > 0.0 { grid.closed(crown, distance) } else { crown.to_vec() };
-            let least = closed.iter().filter(|&&cell| cell).count() as f32 * SPECK;
-            let (mut one, _) = grid.bridge(&closed, reach(), least.ceil() as usize);
+            let largest = grid.parts(&closed).into_iter().next().unwrap_or_default();
+            let held = largest.iter().filter(|&&at| crown[at]).count() as f32;
+            let is_last = i + 1 == GAPS.len();
+            let one = if self.frayed { ONE_FRAYED } else { ONE };
+            if held < one * covered as f32 && !is_last {
+                continue;
+            }
+            let (mut one, _) = grid.bridge(&closed, reach(), (SPECK * covered as f32) as usize + 1);
             grid.fill_holes(&mut one);
             if self.frayed {
-                // The closing's own radius would round lobes: twigs are thinner.
-                one = grid.opened(&one, (0.5 * distance).max(1.0));
+                // Twigs are thinner than the lobes that the whole distance would take away.
+                let open = grid.opened(&one, (0.5 * distance).max(1.0));
+                one = if open.contains(&true) { open } else { one };
+            } else {
+                self.close_ways(&mut one, WAY * size / grid.cell);
             }
             ring = border::border(grid, &self.levels(&one));
-            if !self.frayed || border::simplified(&ring, DETAIL * size).len() <= SMOOTH {
-                if i > 0 {
+            let smooth = !self.frayed || border::simplified(&ring, DETAIL * size).len() <= SMOOTH;
+            if smooth || is_last {
+                if i > first {
                     repairs.push(ReadRepair::GapsClosed { width: 2.0 * gap * size });
                 }
                 break;
             }
-            if i + 1 == gaps.len() {
-                repairs.push(ReadRepair::GapsClosed { width: 2.0 * gap * size });
-            }
         }
         let tolerance = if self.frayed { 2.0 * TOLERANCE } else { TOLERANCE };
         border::simplified(&ring, tolerance * size)
+    }
+
+    /// Closes narrow ways into a mask.
+    fn close_ways(&self, mask: &mut Vec<bool>, distance: f32) {
+        let closed = self.grid.closed(mask, distance);
+        let filled: Vec<bool> = closed.iter().zip(&*mask).map(|(&c, &m)| c && !m).collect();
+        for part in self.grid.parts(&filled) {
+            if part.len() as f32 > WAY_AREA * distance * distance {
+                part.into_iter().for_each(|at| mask[at] = true);
+            }
+        }
+        self.grid.fill_holes(mask);
+        *mask = self.grid.bridge(mask, 0, 1).0;
     }
 
     /// Levels whose border is that of a mask: how far cells are covered, where that agrees with the mask.
@@ -197,6 +257,10 @@ impl Silhouette {
         }
         levels
     }
+}
+
+fn count(mask: &[bool]) -> usize {
+    mask.iter().filter(|&&cell| cell).count()
 }
 
 /// How many cells are bridged.

@@ -34,8 +34,10 @@ impl Change {
     pub(super) fn between(before: Option<&Plan>, after: Option<&Plan>) -> Self {
         let (old, new) = (branches(before), branches(after));
         let mut change = Self {
-            trunk: before.map(|plan| (&plan.system.axis, &plan.system.outline, &plan.system.sections))
-                != after.map(|plan| (&plan.system.axis, &plan.system.outline, &plan.system.sections)),
+            trunk: before
+                .map(|plan| (&plan.system.axis, &plan.system.outline, &plan.system.sections))
+                != after
+                    .map(|plan| (&plan.system.axis, &plan.system.outline, &plan.system.sections)),
             leaf: before.map(|plan| &plan.leaf) != after.map(|plan| &plan.leaf),
             ..Self::default()
         };

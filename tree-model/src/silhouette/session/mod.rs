@@ -13,9 +13,9 @@
 
 mod change;
 mod edit;
+mod params;
 mod play;
 mod redraw;
-mod params;
 mod state;
 mod target;
 mod view;

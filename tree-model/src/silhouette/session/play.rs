@@ -23,7 +23,8 @@ impl PlayReport {
         match change {
             Ok(change) => {
                 self.strokes += 1;
-                self.repairs.extend(change.repairs.into_iter().map(|repair| format!("{name}: {repair}")));
+                self.repairs
+                    .extend(change.repairs.into_iter().map(|repair| format!("{name}: {repair}")));
             }
             Err(ModelError::Silhouette { what, problem }) => {
                 self.refused.push(format!("{name}: {what}: {problem}"));
@@ -45,7 +46,10 @@ pub(crate) struct Ground {
 
 impl Ground {
     pub(crate) fn to_plan(self, points: &[Vec2]) -> Vec<Vec2> {
-        points.iter().map(|&p| self.scale * Vec2::new(p.x - self.base.x, self.base.y - p.y)).collect()
+        points
+            .iter()
+            .map(|&p| self.scale * Vec2::new(p.x - self.base.x, self.base.y - p.y))
+            .collect()
     }
 }
 

@@ -15,7 +15,11 @@ const ROUND: f32 = 0.4;
 
 /// Who takes the shape and angle of a branch drawn over.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum Transfer {
     /// All siblings that were not drawn themselves.
     #[default]
@@ -81,7 +85,8 @@ impl Session {
             let plane = seen.points().iter().map(|&point| {
                 // The trunk as it is seen from there stands where its own plane has it.
                 let point = view.to_plane(point);
-                let (t, _) = plan.system.axis.nearest(Vec2::new(plan.system.axis.start().x, point.y));
+                let (t, _) =
+                    plan.system.axis.nearest(Vec2::new(plan.system.axis.start().x, point.y));
                 let trunk = plan.system.axis.at(t).x;
                 Vec2::new(trunk + point.x - trunk * libm::cosf(view.yaw), point.y)
             });
@@ -125,8 +130,8 @@ impl Drawn {
             let foot = |point| system.axis.nearest(point).1;
             foot(line.start()).min(foot(line.end()))
         };
-        let nearest = (0..bearers.len())
-            .min_by(|&a, &b| off(bearers[a]).total_cmp(&off(bearers[b])));
+        let nearest =
+            (0..bearers.len()).min_by(|&a, &b| off(bearers[a]).total_cmp(&off(bearers[b])));
         nearest.map(|i| (i, None)).ok_or_else(|| {
             let problem = format!("no branch of level {} has an outline yet", level - 1);
             ModelError::Silhouette { what: format!("branch of level {level}"), problem }

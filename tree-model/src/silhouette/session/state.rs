@@ -164,7 +164,9 @@ pub(super) fn line_of(stroke: &[Vec2], what: &str, repairs: &mut Vec<String>) ->
         stroke.iter().copied().filter(|p| p.x.abs() <= LARGEST && p.y.abs() <= LARGEST).collect();
     let n_bad = stroke.len() - good.len();
     if n_bad > 0 {
-        repairs.push(format!("{what}: {n_bad} points were not finite or too far away and were left out"));
+        repairs.push(format!(
+            "{what}: {n_bad} points were not finite or too far away and were left out"
+        ));
     }
     let line = Line::new(good).filter(|line| line.length() > 1e-6).ok_or_else(|| {
         let problem = "it has no length; a line needs two different points".into();

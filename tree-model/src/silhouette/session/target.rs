@@ -47,7 +47,11 @@ pub(super) fn find(system: &mut System, id: u32) -> Option<&mut Lateral> {
 }
 
 /// The system that bears the branch of an id, the index of it there, and the level of the system's axis.
-pub(super) fn bearer(system: &mut System, id: u32, level: u32) -> Option<(&mut System, usize, u32)> {
+pub(super) fn bearer(
+    system: &mut System,
+    id: u32,
+    level: u32,
+) -> Option<(&mut System, usize, u32)> {
     if let Some(index) = system.laterals.iter().position(|lateral| lateral.id == id) {
         return Some((system, index, level));
     }

@@ -219,9 +219,10 @@ fn rank(round: &Round<'_>, branch: &Line, found: &SubOutline) -> Rank {
                 point.distance_squared(a + part * side) <= may * may
             })
     };
-    let mut probes = found.curves.iter().flat_map(|curve| {
-        (1..=PROBES).map(move |i| curve.at(i as f32 / (PROBES + 1) as f32))
-    });
+    let mut probes = found
+        .curves
+        .iter()
+        .flat_map(|curve| (1..=PROBES).map(move |i| curve.at(i as f32 / (PROBES + 1) as f32)));
     if probes.all(is_inside) { Rank::Inside } else { Rank::Holding }
 }
 

@@ -40,12 +40,7 @@ impl<'a> Round<'a> {
 
     /// The part inside the cone about a branch that hangs together with the point the branch is directed at, within a
     /// stretch. O(n).
-    pub(super) fn section(
-        &self,
-        branch: &Line,
-        half: f32,
-        stretch: Option<[f32; 2]>,
-    ) -> Section {
+    pub(super) fn section(&self, branch: &Line, half: f32, stretch: Option<[f32; 2]>) -> Section {
         let (base, end) = (branch.start(), branch.end());
         let span = base.distance(end);
         let direction = (end - base).try_normalize().unwrap_or_else(|| branch.tangent(1.0));

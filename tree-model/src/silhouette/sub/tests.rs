@@ -40,7 +40,10 @@ fn crosses(outline: &Outline) -> bool {
 fn the_cone_opens_with_the_radius() {
     let params = SubParams::default();
     let degrees = |radius: f32| params.opening(radius, 2.0).to_degrees().round();
-    assert_eq!((degrees(0.0), degrees(1.0), degrees(2.0), degrees(9.0)), (20.0, 65.0, 110.0, 110.0));
+    assert_eq!(
+        (degrees(0.0), degrees(1.0), degrees(2.0), degrees(9.0)),
+        (20.0, 65.0, 110.0, 110.0)
+    );
     let crown = crown(0.0, 0.0);
     let branch = line(&[Vec2::ZERO, Vec2::X]);
     // On a circle about the base a part as long as the angle says.
@@ -64,8 +67,8 @@ fn curves_go_on_in_the_direction_of_the_outline() {
             // The join lies on the parent, and the tangent along it.
             assert!(Line::new(crown.points().to_vec()).unwrap().nearest(join.point).1 < 1e-3);
         }
-        let within = found.shared[0] >= bump.stretch[0] - 1e-3
-            && found.shared[1] <= bump.stretch[1] + 1e-3;
+        let within =
+            found.shared[0] >= bump.stretch[0] - 1e-3 && found.shared[1] <= bump.stretch[1] + 1e-3;
         let round = crown.perimeter();
         let again = found.shared[0] + round >= bump.stretch[0] - 1e-3
             && found.shared[1] + round <= bump.stretch[1] + 1e-3;

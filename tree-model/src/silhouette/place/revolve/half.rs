@@ -17,23 +17,34 @@ const END_SHARE: usize = 5;
 /// How much larger than it is a box is taken, as a share of the largest coordinate: rounding must not drop a crossing.
 const MARGIN: f32 = 1e-5;
 
-/// One half of an outline.
+/// Points of a half.
+pub(super) const POINTS: usize = BLOCK * BLOCKS + 1;
+
+/// One half of an outline, in columns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Half {
     /// In radians, 0 to 2π.
     pub(super) azimuth: f32,
-    /// (r, y) from top to bottom, `BLOCK · BLOCKS + 1` of them.
-    pub(super) points: Vec<Vec2>,
-    /// Middle and half extent of each block.
-    pub(super) boxes: Vec<(Vec2, Vec2)>,
+    /// r and y of the points, from top to bottom.
+    pub(super) points: [[f32; POINTS]; 2],
+    /// Middle of each block's box, r and y, and half its extent.
+    pub(super) boxes: [[f32; BLOCKS]; 4],
 }
 
 impl Half {
     /// Of a line from top to bottom.
     fn of(line: &[Vec2]) -> Self {
-        let points = evenly(line, BLOCK * BLOCKS);
-        let boxes = (0..BLOCKS).map(|block| bounds(&points[block * BLOCK..=(block + 1) * BLOCK]));
-        Self { azimuth: 0.0, boxes: boxes.collect(), points }
+        let points = evenly(line, POINTS - 1);
+        let mut half = Self { azimuth: 0.0, points: [[0.0; POINTS]; 2], boxes: [[0.0; BLOCKS]; 4] };
+        for (i, point) in points.iter().enumerate().take(POINTS) {
+            (half.points[0][i], half.points[1][i]) = (point.x, point.y);
+        }
+        for block in 0..BLOCKS {
+            let (middle, reach) = bounds(&points[block * BLOCK..=(block + 1) * BLOCK]);
+            let box_ = [middle.x, middle.y, reach.x, reach.y];
+            half.boxes.iter_mut().zip(box_).for_each(|(column, value)| column[block] = value);
+        }
+        half
     }
 }
 
