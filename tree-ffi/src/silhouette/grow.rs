@@ -194,6 +194,11 @@ pub struct tree_silhouette_grow_params {
     pub slenderness: f32,
     /// How radii add up at forks: Δ of the pipe model, 1 to 10. Default Murray's.
     pub exponent: f32,
+    /// Whether twigs and leaves that would be seen outside the outlines are left out. Default 1.
+    pub fence: u32,
+    /// How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10.
+    /// Default 1.3.
+    pub fill: f32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -221,6 +226,8 @@ impl tree_silhouette_grow_params {
             trunk_radius: params.trunk_radius.unwrap_or(0.0),
             slenderness: params.slenderness,
             exponent: params.exponent,
+            fence: params.fence.into(),
+            fill: params.fill,
         }
     }
 
@@ -264,6 +271,8 @@ impl tree_silhouette_grow_params {
             trunk_radius: (self.trunk_radius != 0.0).then_some(self.trunk_radius),
             slenderness: self.slenderness,
             exponent: self.exponent,
+            fence: self.fence != 0,
+            fill: self.fill,
         })
     }
 }
@@ -296,6 +305,10 @@ pub struct tree_silhouette_grown {
     pub n_leaves: u64,
     /// Branches without room in the outline of their parent, which were left out.
     pub n_without_room: u64,
+    /// Branches and leaves left out because they would be seen outside the outlines.
+    pub n_fenced: u64,
+    /// Leaves added where the outlines were empty.
+    pub n_filled: u64,
     /// Different patterns that were made.
     pub n_patterns: u64,
     /// Leaves and branches together: the paper's count of elements.
@@ -324,6 +337,8 @@ impl tree_silhouette_grown {
             n_sketched: report.sketched,
             n_leaves: report.leaves,
             n_without_room: report.without_room,
+            n_fenced: report.fenced,
+            n_filled: report.filled,
             n_patterns: report.patterns,
             n_elements: report.elements(),
         }

@@ -273,6 +273,8 @@ mod tests {
         params.grow.depth = Some(3);
         params.grow.trunk_radius = Some(0.2);
         params.grow.gibbs.moves = 17;
+        params.grow.fence = false;
+        params.grow.fill = 0.5;
         params.grow.species.name = "birch".into();
         for leaves in
             [None, Some(Leaves { length: Some(0.1), bare: Some(0.0), ..Leaves::default() })]
