@@ -19,6 +19,11 @@
 // make the tree. A `tree_sketch_session` does all that and lets strokes and depths be changed; `tree_from_sketch` does
 // it in one call.
 //
+// From outlines: `tree_outline_drawing_from_svg`, `tree_outline_drawing_of_matte` or `tree_outline_drawing_of_photo` reads what was
+// drawn, `tree_outline_close` closes a stroke. Step by step, `tree_outline_bumps`, `tree_branch_infer` and `tree_outline_sub`
+// find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
+// parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -556,7 +561,7 @@
 #define TREE_CONCENTRATION_BINS 12
 
 // A leaf.
-#define TREE_LEVEL_OF_LEAF UINT32_MAX
+#define TREE_LEVEL_OF_LEAF 4294967295u
 
 // An open line: a trunk or a branch, from either end.
 #define TREE_DRAWN_KIND_AXIS 0
@@ -4315,9 +4320,9 @@ typedef struct tree_silhouette_level {
     const struct tree_branching_angles *angles;
     // How they are arranged round the axis. Default `TREE_ARRANGEMENT_SPREAD`.
     struct tree_arrangement arrangement;
-    // Branches added in space for each one in the plane, 0 to 100. Default 1.5.
+    // Branches added in space for each one in the plane, 0 to 100. Default 2.
     float density;
-    // Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 12.
+    // Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 18.
     uint32_t count;
     // How far branches are turned about their span from base to end, in radians, -2π to 2π: a slight spiral.
     // Default 0, planar.
@@ -4378,6 +4383,11 @@ typedef struct tree_silhouette_grow_params {
     float slenderness;
     // How radii add up at forks: Δ of the pipe model, 1 to 10. Default Murray's.
     float exponent;
+    // Whether twigs and leaves that would be seen outside the outlines are left out. Default 1.
+    uint32_t fence;
+    // How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10.
+    // Default 1.3.
+    float fill;
 } tree_silhouette_grow_params;
 
 // How a plan became a tree. Set `struct_size` first.
@@ -4394,6 +4404,10 @@ typedef struct tree_silhouette_grown {
     uint64_t n_leaves;
     // Branches without room in the outline of their parent, which were left out.
     uint64_t n_without_room;
+    // Branches and leaves left out because they would be seen outside the outlines.
+    uint64_t n_fenced;
+    // Leaves added where the outlines were empty.
+    uint64_t n_filled;
     // Different patterns that were made.
     uint64_t n_patterns;
     // Leaves and branches together: the paper's count of elements.
@@ -8199,12 +8213,14 @@ tree_status tree_branch_infer_params_check(const struct tree_branch_infer_params
 
 // Infers the branch that ends at `end` along `tangent` (two floats each; a tangent of zeros: from where it comes): the
 // shortest curve from the parent, which is left at the branching angle. `parent` has `n_parent` points, two floats each, from
-// its base to its tip; the branch may leave it between the shares `from` and `to` of its length, 0 and 1 for anywhere. Its
-// line goes into `points`, from base to end, two floats each; `capacity` counts floats, and two for each of `points` of
-// the parameters always do. `n_points` gets their number, `share` where it leaves the parent. `angles`, `params` and
+// its base to its tip; the branch may leave it between the shares `from` and `to` of its length, 0 and 1 for anywhere.
+// `outline` is that of the foliage, which the branch keeps within where it can; NULL where there is none. The
+// branch's line goes into `points`, from base to end, two floats each; `capacity` counts floats, and two for each of `points`
+// of the parameters always do. `n_points` gets their number, `share` where it leaves the parent. `angles`, `params` and
 // `control` may be NULL; `nodes` of the limits caps the points. `TREE_ERROR_NO_RESULT` where the end lies on the parent.
 tree_status tree_branch_infer(const float *parent,
                               size_t n_parent,
+                              const struct tree_outline *outline,
                               const struct tree_branching_angles *angles,
                               const float *end,
                               const float *tangent,
@@ -8761,62 +8777,62 @@ tree_status tree_silhouette_change_view(const struct tree_silhouette_change *cha
 tree_status tree_silhouette_change_free(struct tree_silhouette_change *change);
 
 // Draws the trunk, from the ground up; one drawn downwards is turned. Branches are inferred anew when there is a
-// crown. `points` has two floats for each of `n_points` points, in metres, y up. `control` may be NULL; `nodes` of its
+// crown. `stroke` has two floats for each of `n_points` points, in metres, y up. `control` may be NULL; `nodes` of its
 // limits caps the points. `change` may be NULL where it is not wanted; else free what is put there with
 // `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
 tree_status tree_silhouette_draw_trunk(struct tree_silhouette *silhouette,
-                                       const float *points,
+                                       const float *stroke,
                                        size_t n_points,
                                        const struct tree_control *control,
                                        struct tree_silhouette_change **change);
 
-// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. Stroke,
+// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
 // `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
 // the trunk stays away from it.
 tree_status tree_silhouette_draw_crown(struct tree_silhouette *silhouette,
-                                       const float *points,
+                                       const float *stroke,
                                        size_t n_points,
                                        const struct tree_control *control,
                                        struct tree_silhouette_change **change);
 
 // Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
-// drawing plane. An outline in that plane is replaced. Stroke, `control` and `change` as in
+// drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
 // `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 tree_status tree_silhouette_draw_section(struct tree_silhouette *silhouette,
                                          float azimuth,
-                                         const float *points,
+                                         const float *stroke,
                                          size_t n_points,
                                          const struct tree_control *control,
                                          struct tree_silhouette_change **change);
 
 // Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
-// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. Stroke, `control`
+// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
 // and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
 // branch of that level.
 tree_status tree_silhouette_refine(struct tree_silhouette *silhouette,
                                    uint32_t level,
-                                   const float *points,
+                                   const float *stroke,
                                    size_t n_points,
                                    const struct tree_control *control,
                                    struct tree_silhouette_change **change);
 
-// Draws the outline of the foliage of the branch of this id. Stroke, `control` and `change` as in
+// Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
 // `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
 tree_status tree_silhouette_refine_branch(struct tree_silhouette *silhouette,
                                           uint32_t id,
-                                          const float *points,
+                                          const float *stroke,
                                           size_t n_points,
                                           const struct tree_control *control,
                                           struct tree_silhouette_change **change);
 
 // Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
 // Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
-// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. Stroke,
+// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. `stroke`,
 // `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
 // there is no axis of that level.
 tree_status tree_silhouette_redraw(struct tree_silhouette *silhouette,
                                    uint32_t level,
-                                   const float *points,
+                                   const float *stroke,
                                    size_t n_points,
                                    tree_transfer transfer,
                                    const uint32_t *only,
@@ -8832,7 +8848,7 @@ tree_status tree_silhouette_redraw(struct tree_silhouette *silhouette,
 tree_status tree_silhouette_redraw_from(struct tree_silhouette *silhouette,
                                         float yaw,
                                         float pitch,
-                                        const float *points,
+                                        const float *stroke,
                                         size_t n_points,
                                         tree_transfer transfer,
                                         const uint32_t *only,
@@ -8846,10 +8862,10 @@ tree_status tree_silhouette_remove(struct tree_silhouette *silhouette,
                                    uint32_t id,
                                    struct tree_silhouette_change **change);
 
-// Draws the leaf. Its length is as drawn. Stroke, `control` and `change` as in `tree_silhouette_draw_trunk`.
+// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_draw_trunk`.
 // `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 tree_status tree_silhouette_draw_leaf(struct tree_silhouette *silhouette,
-                                      const float *points,
+                                      const float *stroke,
                                       size_t n_points,
                                       const struct tree_control *control,
                                       struct tree_silhouette_change **change);

@@ -40,6 +40,7 @@ static const tree_silhouette_params *small(void) {
     OK(tree_silhouette_leaves_init(&leaves, sizeof leaves));
     CHECK(params.nearness == 0.35f && params.height == 10 && params.grow == NULL);
     CHECK(grow.has_leaves == 1 && grow.depth == 0 && grow.n_levels == 0 && grow.trunk_radius == 0);
+    CHECK(grow.fence == 1 && grow.fill == 1.3f);
     CHECK(isnan(leaves.length) && isnan(leaves.bare) && leaves.petiole == 0.05f);
     CHECK(leaves.arrangement.kind == TREE_ARRANGEMENT_SPIRAL);
     leaves.spacing = 2;
@@ -465,7 +466,7 @@ static void test_tree(void) {
     tree_silhouette_grow_params grow = *params.grow;
     tree_silhouette_level level;
     OK(tree_silhouette_level_init(&level, sizeof level));
-    CHECK(level.density == 1.5f && level.count == 12 && level.angles == NULL);
+    CHECK(level.density == 2 && level.count == 18 && level.angles == NULL);
     CHECK(level.arrangement.kind == TREE_ARRANGEMENT_SPREAD);
     level.density = 0;
     grow.levels = &level;
@@ -566,7 +567,7 @@ static void test_what_goes_wrong(void) {
     FAILS(TREE_ERROR_INVALID, "crown", tree_silhouette_draw_crown(silhouette, spot, 3, NULL, &change));
     FAILS(TREE_ERROR_INVALID, "trunk", tree_silhouette_draw_trunk(silhouette, nowhere, 3, NULL, &change));
     FAILS(TREE_ERROR_INVALID, "leaf", tree_silhouette_draw_leaf(silhouette, NULL, 0, NULL, &change));
-    FAILS(TREE_ERROR_NULL, "points", tree_silhouette_draw_leaf(silhouette, NULL, 3, NULL, &change));
+    FAILS(TREE_ERROR_NULL, "stroke", tree_silhouette_draw_leaf(silhouette, NULL, 3, NULL, &change));
     FAILS(TREE_ERROR_PARAMETER, "azimuth",
           tree_silhouette_draw_section(silhouette, 7, points, n, NULL, &change));
     OK(tree_silhouette_depth(silhouette, &n_undo, &n_redo));

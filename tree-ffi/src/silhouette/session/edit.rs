@@ -75,7 +75,7 @@ unsafe fn draw(
     let body = |session: &mut Session| {
         let limits = unsafe { limits(stroke.control) }?;
         let points =
-            unsafe { vec2s(stroke.points, stroke.n_points, &limits, Resource::Nodes, "points") }?;
+            unsafe { vec2s(stroke.points, stroke.n_points, &limits, Resource::Nodes, "stroke") }?;
         let body = |control: &Control| {
             control.check()?;
             Ok(work(session, points)?)
@@ -86,97 +86,97 @@ unsafe fn draw(
 }
 
 /// Draws the trunk, from the ground up; one drawn downwards is turned. Branches are inferred anew when there is a
-/// crown. `points` has two floats for each of `n_points` points, in metres, y up. `control` may be NULL; `nodes` of its
+/// crown. `stroke` has two floats for each of `n_points` points, in metres, y up. `control` may be NULL; `nodes` of its
 /// limits caps the points. `change` may be NULL where it is not wanted; else free what is put there with
 /// `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_silhouette_draw_trunk(
     silhouette: *mut tree_silhouette,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     call(|| unsafe { draw(silhouette, stroke, change, Session::draw_trunk) })
 }
 
-/// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. Stroke,
+/// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
 /// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
 /// the trunk stays away from it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_silhouette_draw_crown(
     silhouette: *mut tree_silhouette,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     call(|| unsafe { draw(silhouette, stroke, change, Session::draw_crown) })
 }
 
 /// Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
-/// drawing plane. An outline in that plane is replaced. Stroke, `control` and `change` as in
+/// drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
 /// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_silhouette_draw_section(
     silhouette: *mut tree_silhouette,
     azimuth: f32,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     let work = |session: &mut Session, points: &[Vec2]| session.draw_section(azimuth, points);
     call(|| unsafe { draw(silhouette, stroke, change, work) })
 }
 
 /// Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
-/// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. Stroke, `control`
+/// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
 /// and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
 /// branch of that level.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_silhouette_refine(
     silhouette: *mut tree_silhouette,
     level: u32,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     let work = |session: &mut Session, points: &[Vec2]| session.refine(level, points);
     call(|| unsafe { draw(silhouette, stroke, change, work) })
 }
 
-/// Draws the outline of the foliage of the branch of this id. Stroke, `control` and `change` as in
+/// Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
 /// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_silhouette_refine_branch(
     silhouette: *mut tree_silhouette,
     id: u32,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     let work = |session: &mut Session, points: &[Vec2]| session.refine_branch(id, points);
     call(|| unsafe { draw(silhouette, stroke, change, work) })
 }
 
 /// Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
 /// Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
-/// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. Stroke,
+/// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. `stroke`,
 /// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
 /// there is no axis of that level.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_silhouette_redraw(
     silhouette: *mut tree_silhouette,
     level: u32,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     transfer: tree_transfer,
     only: *const u32,
@@ -184,7 +184,7 @@ pub unsafe extern "C" fn tree_silhouette_redraw(
     control: *const tree_control,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     call(|| {
         // NULL is there even where what comes next is an error.
         unsafe { out_opt(change, "change") }?;
@@ -204,7 +204,7 @@ pub unsafe extern "C" fn tree_silhouette_redraw_from(
     silhouette: *mut tree_silhouette,
     yaw: f32,
     pitch: f32,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     transfer: tree_transfer,
     only: *const u32,
@@ -213,7 +213,7 @@ pub unsafe extern "C" fn tree_silhouette_redraw_from(
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
     let viewpoint = Viewpoint { yaw, pitch };
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     call(|| {
         // NULL is there even where what comes next is an error.
         unsafe { out_opt(change, "change") }?;
@@ -235,17 +235,17 @@ pub unsafe extern "C" fn tree_silhouette_remove(
     call(|| unsafe { edit(silhouette, change, |session| Ok(session.remove(id)?)) })
 }
 
-/// Draws the leaf. Its length is as drawn. Stroke, `control` and `change` as in `tree_silhouette_draw_trunk`.
+/// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_draw_trunk`.
 /// `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_silhouette_draw_leaf(
     silhouette: *mut tree_silhouette,
-    points: *const f32,
+    stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
-    let stroke = Stroke { points, n_points, control };
+    let stroke = Stroke { points: stroke, n_points, control };
     call(|| unsafe { draw(silhouette, stroke, change, Session::draw_leaf) })
 }
 
