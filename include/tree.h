@@ -19,6 +19,11 @@
 // make the tree. A `tree_sketch_session` does all that and lets strokes and depths be changed; `tree_from_sketch` does
 // it in one call.
 //
+// From outlines: `tree_outline_drawing_from_svg`, `tree_outline_drawing_of_matte` or `tree_outline_drawing_of_photo` reads what was
+// drawn, `tree_outline_close` closes a stroke. Step by step, `tree_outline_bumps`, `tree_branch_infer` and `tree_outline_sub`
+// find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
+// parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -552,6 +557,141 @@
 // Parallel projection; what lies behind the eye is not drawn.
 #define TREE_LENS_ORTHOGRAPHIC 1
 
+// Number of bins in `tree_concentration`.
+#define TREE_CONCENTRATION_BINS 12
+
+// A leaf.
+#define TREE_LEVEL_OF_LEAF 4294967295u
+
+// An open line: a trunk or a branch, from either end.
+#define TREE_DRAWN_KIND_AXIS 0
+
+// The outline of a crown, of a branch's foliage or of a leaf. Its first point is not repeated.
+#define TREE_DRAWN_KIND_OUTLINE 1
+
+// Levels of branches that `tree_silhouette_grown` counts, the trunk's included.
+#define TREE_SILHOUETTE_LEVELS 16
+
+// `count` points were not finite or absurdly far away, and were left out.
+#define TREE_OUTLINE_POINTS_DROPPED 0
+
+// `count` points repeated at once were left out.
+#define TREE_OUTLINE_DUPLICATES_DROPPED 1
+
+// Of `count` points `after` were kept.
+#define TREE_OUTLINE_THINNED 2
+
+// It was open, with close ends, and was closed straight over `gap` metres.
+#define TREE_OUTLINE_CLOSED 3
+
+// It was wide open, by `gap` metres, a `share` of its length, and was closed straight.
+#define TREE_OUTLINE_WIDE_GAP_CLOSED 4
+
+// It ran out and straight back at `count` corners, which were left out.
+#define TREE_OUTLINE_SPIKES_DROPPED 5
+
+// It crossed or touched itself; what it winds round was kept.
+#define TREE_OUTLINE_CROSSING_UNDONE 6
+
+// Of what it winds round only the largest part was kept: `count` others, a `share` of the area, were left out.
+#define TREE_OUTLINE_PARTS_DROPPED 7
+
+// It ran with the clock and was turned.
+#define TREE_OUTLINE_TURNED 8
+
+// Something else: `tree_outline_repairs_text` says what.
+#define TREE_OUTLINE_OTHER 9
+
+// Evenly over length and azimuth, without a pattern. The default.
+#define TREE_ARRANGEMENT_SPREAD 0
+
+// One at a node, each turned against the last by `angle`.
+#define TREE_ARRANGEMENT_SPIRAL 1
+
+// Two at a node, all pairs in one plane.
+#define TREE_ARRANGEMENT_OPPOSITE 2
+
+// Two at a node, each pair across the last.
+#define TREE_ARRANGEMENT_DECUSSATE 3
+
+// `per_node` at a node, each whorl turned against the last by `angle`.
+#define TREE_ARRANGEMENT_WHORLED 4
+
+// Two at a node, all in the horizontal plane, which lies at the azimuth `angle`.
+#define TREE_ARRANGEMENT_HORIZONTAL 5
+
+// Any other: `per_node` at a node, each node turned against the last by `angle`.
+#define TREE_ARRANGEMENT_CUSTOM 6
+
+// In place of a branch's id: the trunk, as a parent; none, as the source of a style. No branch has this id.
+#define TREE_NO_BRANCH 0
+
+// A bump of the outline.
+#define TREE_BRANCH_OF_BUMP 0
+
+// The outline was not covered there.
+#define TREE_BRANCH_OF_COVERAGE 1
+
+// A person drew it.
+#define TREE_BRANCH_DRAWN 2
+
+// `count` shapes outside all layers, or outside the groups of trees, were left out.
+#define TREE_DRAWN_STRAY_SHAPES 0
+
+// `count` open lines beside filled shapes were left out.
+#define TREE_DRAWN_LINES_DROPPED 1
+
+// A trunk drawn as an area became its middle line.
+#define TREE_DRAWN_TRUNK_THINNED 2
+
+// A shape as large as the drawing was left out as its background.
+#define TREE_DRAWN_BACKGROUND_DROPPED 3
+
+// `count` parts near the tree were joined to it.
+#define TREE_DRAWN_PARTS_BRIDGED 4
+
+// `count` parts far from the tree, or too small, a `share` of the area, were left out.
+#define TREE_DRAWN_PARTS_DROPPED 5
+
+// Holes, a `share` of the area, were filled.
+#define TREE_DRAWN_HOLES_FILLED 6
+
+// Gaps in a frayed crown were closed, the widest of `width` in units of the drawing.
+#define TREE_DRAWN_GAPS_CLOSED 7
+
+// No trunk was seen: the silhouette is all crown.
+#define TREE_DRAWN_NO_TRUNK 8
+
+// A tree of which nothing could be used was left out.
+#define TREE_DRAWN_TREE_DROPPED 9
+
+// Something else: `tree_outline_drawing_repairs_text` says what.
+#define TREE_DRAWN_OTHER 10
+
+// All siblings that were not drawn themselves.
+#define TREE_TRANSFER_SIBLINGS 0
+
+// Those of them on the same side of the axis.
+#define TREE_TRANSFER_SIDE 1
+
+// The siblings that are listed, drawn or not.
+#define TREE_TRANSFER_ONLY 2
+
+// None.
+#define TREE_TRANSFER_NOBODY 3
+
+// The horizon follows from ground points and sizes; trees drawn on about one height stand on one line. The default.
+#define TREE_PERSPECTIVE_ESTIMATED 0
+
+// The horizon is given.
+#define TREE_PERSPECTIVE_HORIZON 1
+
+// There is none: all trees stand on one line, their sizes are as drawn.
+#define TREE_PERSPECTIVE_FLAT 2
+
+// In place of a tree's number: no tree.
+#define TREE_NO_TREE 4294967295u
+
 // Parent of the root: no node.
 #define TREE_NO_PARENT 4294967295u
 
@@ -843,11 +983,17 @@
 // Cameras for several views of one tree.
 typedef struct tree_aligned tree_aligned;
 
+// Places that branches found.
+typedef struct tree_arranged tree_arranged;
+
 // Main branches in one picture, as a forest whose roots are at the tree's base.
 typedef struct tree_attractor tree_attractor;
 
 // All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
 typedef struct tree_axes tree_axes;
+
+// The bumps of an outline.
+typedef struct tree_bumps tree_bumps;
 
 // A file in memory.
 typedef struct tree_bytes tree_bytes;
@@ -912,6 +1058,10 @@ typedef struct tree_inferred tree_inferred;
 // see how much of its triangles is visible.
 typedef struct tree_leaf_model tree_leaf_model;
 
+// A drawn leaf in its own plane: base at the origin, tip at (0, 1), in triangles. Multiplied by the leaf's length it is in
+// metres.
+typedef struct tree_leaf_outline tree_leaf_outline;
+
 // Lines of text, for people: warnings, mostly. There may be none.
 typedef struct tree_lines tree_lines;
 
@@ -929,6 +1079,17 @@ typedef struct tree_mesh tree_mesh;
 
 // The middle lines of a filled area.
 typedef struct tree_midlines tree_midlines;
+
+// A closed outline in metres, x to the right, y up: a polygon without crossings, against the clock.
+typedef struct tree_outline tree_outline;
+
+// A drawing of outlines: the strokes of one tree or several, each of a level. Nothing is scaled: coordinates are those of
+// the drawing or pixels, y downwards.
+typedef struct tree_outline_drawing tree_outline_drawing;
+
+// A tree in the plane, level in level: trunk and crown, branches with the outlines of their foliage, their own branches
+// where those were drawn, the leaf. In metres, x to the right, y up, the trunk's base near the origin.
+typedef struct tree_outline_plan tree_outline_plan;
 
 // A surface in the axes and the layout of an engine.
 typedef struct tree_packed tree_packed;
@@ -965,6 +1126,10 @@ typedef struct tree_pool tree_pool;
 // A drawn profile: radius over height, from the ground up.
 typedef struct tree_profile tree_profile;
 
+// A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
+// has y along the straight span of the axis from its start, and r across.
+typedef struct tree_revolved tree_revolved;
+
 // Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
 // or the tips of a graph.
 typedef struct tree_rows tree_rows;
@@ -972,6 +1137,20 @@ typedef struct tree_rows tree_rows;
 // The triangles of a mesh, welded and sorted into connected components, each of which is wood, a leaf, a
 // body of leaves or nothing. It holds copies of the parts.
 typedef struct tree_separation tree_separation;
+
+// A tree being drawn: trunk, crown, outlines of branches, leaf. Strokes are in metres, y up, the trunk's base near
+// the origin. The plan in the plane is ready after each edit; the tree in space is made when it is asked for.
+//
+// Branches are named by ids, which are above 0 and stay for as long as the branch is there. An edit is done whole or not
+// at all, and can be undone.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+// on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
+// and outlives it.
+typedef struct tree_silhouette tree_silhouette;
+
+// What an edit of a `tree_silhouette` changed.
+typedef struct tree_silhouette_change tree_silhouette_change;
 
 // Branches as a rooted tree of nodes with radii.
 typedef struct tree_skeleton tree_skeleton;
@@ -992,6 +1171,9 @@ typedef struct tree_sketch_branches tree_sketch_branches;
 // on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
 // and outlives it.
 typedef struct tree_sketch_session tree_sketch_session;
+
+// Trees that grew of one drawing: at least one.
+typedef struct tree_stand tree_stand;
 
 // Strokes read from a drawing, a session's branches as strokes, or outlines.
 typedef struct tree_strokes tree_strokes;
@@ -3963,6 +4145,727 @@ typedef struct tree_style {
     float ground_color[3];
 } tree_style;
 
+// How places are found. Begin with `tree_gibbs_params_init`.
+typedef struct tree_gibbs_params {
+    // `sizeof(tree_gibbs_params)`.
+    size_t struct_size;
+    // How quickly branches stop to keep others away, 0 to 1000 for a distance of the whole length. Default 20.
+    float reach;
+    // Weight of closeness, 0 to 1000. Default 2.
+    float closeness;
+    // Weight of the pattern, 0 to 1000. Default 1.
+    float pattern;
+    // Most moves, 0 to 1,000,000. Default 3000.
+    uint32_t moves;
+    // The process ends when four moves of each branch lower the cost by less than this share, 0 to 1. Default 0.0001.
+    // 0 makes all moves.
+    float quiet;
+    // How far branches of a node stand off from it along the parent, as a share of the average node length, 0 to 0.5.
+    // Default 0.06.
+    float scatter;
+} tree_gibbs_params;
+
+// Where a branch may stand on its parent.
+typedef struct tree_domain {
+    // Lowest and highest share of the parent's length, 0 to 1. Equal where the place is given.
+    float along[2];
+    // First and last azimuth in radians, -1000 to 1000, in the sense that azimuth turns: 0 is the right side of the
+    // drawing, π the left. The last may be less than the first (the domain then passes 2π); 2π or more apart is all round.
+    float azimuth[2];
+} tree_domain;
+
+// A pattern of branches round their parent: a `TREE_ARRANGEMENT_` constant.
+typedef uint32_t tree_arrangement_kind;
+
+// How branches are arranged round their parent: in the paper's terms n:φ. A part of other structs; zeros are
+// `TREE_ARRANGEMENT_SPREAD`. `tree_arrangement_from_text` fills one in by name.
+typedef struct tree_arrangement {
+    // Which pattern.
+    tree_arrangement_kind kind;
+    // Branches at a node, 1 to 64; read for whorls and custom patterns.
+    uint32_t per_node;
+    // In radians, -2π to 2π: the turn from a node to the next of spirals, whorls and custom patterns, the azimuth
+    // of horizontal pairs.
+    float angle;
+} tree_arrangement;
+
+// How places came about.
+typedef struct tree_arranged_report {
+    // `sizeof(tree_arranged_report)`.
+    size_t struct_size;
+    // The total cost of the places.
+    float cost;
+    // Moves tried.
+    uint32_t moves;
+    // Moves kept.
+    uint32_t accepted;
+    // 0.
+    uint32_t reserved;
+} tree_arranged_report;
+
+// Where a branch stands on its parent.
+typedef struct tree_site {
+    // Share of the parent's length, 0 to 1.
+    float along;
+    // Azimuth round the parent in radians, 0 to 2π. 0 is the right side of the drawing, π the left.
+    float azimuth;
+    // The node it stands at, counted from the parent's base; without a pattern its rank along the parent.
+    uint32_t node;
+} tree_site;
+
+// How closely branches gather at the privileged positions of a pattern.
+typedef struct tree_concentration {
+    // `sizeof(tree_concentration)`.
+    size_t struct_size;
+    // Angles tested.
+    uint32_t pairs;
+    // Mean resultant length, 0 (evenly about) to 1 (all alike).
+    float resultant;
+    // Where they gather, as an angle from the privileged position in radians.
+    float offset;
+    // The probability that chance alone gathers them so closely.
+    float p_value;
+    // Angles by twelfths of the angle between neighbours at a node, the first bin centred on the privileged position.
+    uint32_t histogram[TREE_CONCENTRATION_BINS];
+    // 1 where there is a pattern to keep to, else 0.
+    uint32_t has_pattern;
+    // 1 where the test is passed: angles gather significantly (p below 0.001) and the fullest bin is the first; without a
+    // pattern, that they do not gather (p at least 0.05). Else 0.
+    uint32_t passes;
+} tree_concentration;
+
+// The branching angle function: the angle between a parent's direction and that of its branches where they leave,
+// along the parent. Between samples it is interpolated, beyond them it is constant. Begin with
+// `tree_branching_angles_init`.
+typedef struct tree_branching_angles {
+    // `sizeof(tree_branching_angles)`.
+    size_t struct_size;
+    // Number of samples, at most 10,000; 0 for those of `tree_branching_angles_init`.
+    size_t n_samples;
+    // Two floats for each: place along the parent, 0 at its base to 1 at its tip, in rising order; and angle in
+    // radians, 0 (straight on) to π (backwards). Default 1.35 at the base to 0.6 at the tip: low branches are near
+    // horizontal, high ones near upright.
+    const float *samples;
+} tree_branching_angles;
+
+// How branches are inferred. Begin with `tree_branch_infer_params_init`.
+typedef struct tree_branch_infer_params {
+    // `sizeof(tree_branch_infer_params)`.
+    size_t struct_size;
+    // Places along the parent that are tried, 2 to 10,000. Default 48.
+    uint32_t places;
+    // Points of a branch, 2 to 1000. Default 16.
+    uint32_t points;
+    // Length of the tangents over the distance of base and end, 0 (straight) to 2. Default 0.5.
+    float tangents;
+    // 0.
+    uint32_t reserved;
+} tree_branch_infer_params;
+
+// From where to where a branch runs.
+typedef struct tree_branch_span {
+    // Where it begins.
+    float base[2];
+    // Where it ends.
+    float end[2];
+    // Whether it is on its parent's left side: a shape is mirrored between the sides.
+    uint32_t left;
+} tree_branch_span;
+
+// What the shape of a branch is like, whatever its size.
+typedef struct tree_branch_shape_report {
+    // `sizeof(tree_branch_shape_report)`.
+    size_t struct_size;
+    // The angle in radians from the span to the direction the branch leaves in, positive towards the outer side, away
+    // from the parent's tip.
+    float leaving;
+    // How far its outline reaches along the span, in spans; at least 1.
+    float reach;
+} tree_branch_shape_report;
+
+// How bumps are found. Begin with `tree_bump_params_init`.
+typedef struct tree_bump_params {
+    // `sizeof(tree_bump_params)`.
+    size_t struct_size;
+    // How far a feature must stand out to be a bump, as a share of the width of what it stands on, 0.01 to 10.
+    // Between clear valleys half of it is enough, without any it takes twice as much. Default 0.2.
+    float prominence;
+    // Features that stand out less than this share of the outline's size (the longer side of its box) are no
+    // bumps, 0.001 to 0.5. Default 0.02.
+    float detail;
+} tree_bump_params;
+
+// One bump of an outline: the foliage of one major branch.
+typedef struct tree_bump {
+    // Its central point, where the branch ends: the middle of a round end, and about the tip of a sharp one.
+    float centre[2];
+    // Its outermost point, on the outline.
+    float tip[2];
+    // Direction of the chordal axis at the centre, outwards, of unit length.
+    float tangent[2];
+    // Radius of the disc about the centre that fits into the outline, in metres; about 0 at a sharp feature.
+    float radius;
+    // The part of the outline that is the bump's: from one length along it, in metres against the clock from its
+    // first corner, to another, which is greater than the perimeter where it passes that corner.
+    float stretch[2];
+} tree_bump;
+
+// How the branches on axes of one level stand, and what they are like where nobody drew any. Begin with
+// `tree_silhouette_level_init`.
+typedef struct tree_silhouette_level {
+    // `sizeof(tree_silhouette_level)`.
+    size_t struct_size;
+    // Angles where no system of the level was drawn: NULL, the default, for 1.1 at the base and 0.6 at the tip. For the
+    // trunk it is `angles` of `tree_silhouette_params` that counts.
+    const struct tree_branching_angles *angles;
+    // How they are arranged round the axis. Default `TREE_ARRANGEMENT_SPREAD`.
+    struct tree_arrangement arrangement;
+    // Branches added in space for each one in the plane, 0 to 100. Default 2.
+    float density;
+    // Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 18.
+    uint32_t count;
+    // How far branches are turned about their span from base to end, in radians, -2π to 2π: a slight spiral.
+    // Default 0, planar.
+    float spiral;
+    // Variation of lengths, as a share, 0 to 0.9; angles vary by half of that in radians. Default 0.12.
+    float jitter;
+    // 0.
+    uint32_t reserved;
+} tree_silhouette_level;
+
+// The leaves. NaN stands for what is to be found in the drawing. Begin with `tree_silhouette_leaves_init`.
+typedef struct tree_silhouette_leaves {
+    // `sizeof(tree_silhouette_leaves)`.
+    size_t struct_size;
+    // How they are arranged along a branch. Default the spiral of the golden angle.
+    struct tree_arrangement arrangement;
+    // Length in metres, 1e-5 to 100. NaN, the default, for that of the drawn leaf, or else what suits the branches that
+    // bear them.
+    float length;
+    // Distance of leaves along a branch in leaf lengths, all sides together, 0.001 to 100. NaN, the default, for what was
+    // drawn, or 0.3.
+    float spacing;
+    // Angle to the branch, 0 to π. NaN, the default, for what was drawn, or 1.
+    float angle;
+    // Share of the branch that is bare, from its base, 0 to 1. NaN, the default, for what was drawn, or 0.1.
+    float bare;
+    // Petiole in leaf lengths, 0 to 10. Default 0.05.
+    float petiole;
+    // How far upper faces are turned up, 0 (as they grow) to 1. Default 0.5.
+    float facing;
+    // Variation of lengths, as a share, 0 to 0.9. Default 0.2.
+    float jitter;
+} tree_silhouette_leaves;
+
+// How a plan becomes a tree. Begin with `tree_silhouette_grow_params_init`.
+typedef struct tree_silhouette_grow_params {
+    // `sizeof(tree_silhouette_grow_params)`.
+    size_t struct_size;
+    // Number of levels of axes that parameters are given for, at most 64. Default 0: all as by default.
+    size_t n_levels;
+    // Levels of axes that bear branches: the trunk first. Levels beyond are as the last.
+    const struct tree_silhouette_level *levels;
+    // The leaves. NULL, the default, for `tree_silhouette_leaves_init`.
+    const struct tree_silhouette_leaves *leaves;
+    // Names of the tree, its bark and its leaf, which is kind 0. NULL, the default, for an oak with clusters of leaves.
+    const struct tree_species *species;
+    // The search for azimuths. NULL is the default.
+    const struct tree_gibbs_params *gibbs;
+    // 0 for a bare tree. Default 1.
+    uint32_t has_leaves;
+    // Levels of branches on the trunk, 1 to 8. 0, the default, for those drawn, but two at least where no leaf tells.
+    uint32_t depth;
+    // How far a sketched branch may stand off the drawing's plane, in radians, 0 to below π/2. Default π/4.
+    float domain;
+    // Radius of the trunk in metres, 1e-6 to 100. 0, the default, for `slenderness` times the height.
+    float trunk_radius;
+    // Radius of the trunk as a share of the height, 1e-4 to 0.2. Default 0.018.
+    float slenderness;
+    // How radii add up at forks: Δ of the pipe model, 1 to 10. Default Murray's.
+    float exponent;
+    // Whether twigs and leaves that would be seen outside the outlines are left out. Default 1.
+    uint32_t fence;
+    // How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10.
+    // Default 1.3.
+    float fill;
+} tree_silhouette_grow_params;
+
+// How a plan became a tree. Set `struct_size` first.
+typedef struct tree_silhouette_grown {
+    // `sizeof(tree_silhouette_grown)`.
+    size_t struct_size;
+    // Number of levels of branches, the trunk's included.
+    size_t n_levels;
+    // Branches of every level, the trunk first; levels beyond the array count with the last.
+    uint64_t branches[TREE_SILHOUETTE_LEVELS];
+    // Of those on the trunk, how many were sketched. The others were added in space.
+    uint64_t n_sketched;
+    // Leaves.
+    uint64_t n_leaves;
+    // Branches without room in the outline of their parent, which were left out.
+    uint64_t n_without_room;
+    // Branches and leaves left out because they would be seen outside the outlines.
+    uint64_t n_fenced;
+    // Leaves added where the outlines were empty.
+    uint64_t n_filled;
+    // Different patterns that were made.
+    uint64_t n_patterns;
+    // Leaves and branches together: the paper's count of elements.
+    uint64_t n_elements;
+} tree_silhouette_grown;
+
+// A view of a drawn leaf, in lengths of the leaf.
+typedef struct tree_leaf_outline_columns {
+    // `sizeof(tree_leaf_outline_columns)`.
+    size_t struct_size;
+    // Number of corners, at most 64.
+    size_t n_points;
+    // Number of indices, three for each triangle.
+    size_t n_indices;
+    // Two floats for each corner: the border, against the clock.
+    const float *points;
+    // Three for each triangle, against the clock: its corners.
+    const uint32_t *indices;
+    // Lowest coordinates.
+    float low[2];
+    // Highest coordinates.
+    float high[2];
+    // Area for a leaf of length 1.
+    float area;
+    // 0.
+    uint32_t reserved;
+} tree_leaf_outline_columns;
+
+// How a drawn stroke becomes an outline. Begin with `tree_outline_close_params_init`.
+typedef struct tree_outline_close_params {
+    // `sizeof(tree_outline_close_params)`.
+    size_t struct_size;
+    // Ends closer than this share of the stroke's length count as closed by hand; wider gaps are noted as such, 0 to
+    // 1. Default 0.15.
+    float gap;
+    // Most corners of an outline, 8 to 4096; those that change its shape least are left out. Default 2000.
+    uint32_t corners;
+} tree_outline_close_params;
+
+// A view of an outline.
+typedef struct tree_outline_columns {
+    // `sizeof(tree_outline_columns)`.
+    size_t struct_size;
+    // Number of corners, three at least.
+    size_t n_points;
+    // Two floats for each corner, against the clock. The last is joined to the first.
+    const float *points;
+    // Lowest coordinates in metres.
+    float low[2];
+    // Highest coordinates in metres.
+    float high[2];
+    // Area in square metres.
+    float area;
+    // Length round in metres.
+    float perimeter;
+} tree_outline_columns;
+
+// What was repaired or noticed of a stroke that became an outline: a `TREE_OUTLINE_` constant. New ones may be added.
+typedef uint32_t tree_outline_repair_kind;
+
+// One thing that was repaired or noticed of a stroke. Fields that its kind does not name are 0.
+typedef struct tree_outline_repair {
+    // What it was.
+    tree_outline_repair_kind kind;
+    // How many there were.
+    uint32_t count;
+    // How many there are now.
+    uint32_t after;
+    // A length in metres.
+    float gap;
+    // A share, 0 to 1.
+    float share;
+} tree_outline_repair;
+
+// How gaps between branches are filled. Begin with `tree_cover_params_init`.
+typedef struct tree_cover_params {
+    // `sizeof(tree_cover_params)`.
+    size_t struct_size;
+    // Places on each side of the axis that are tried, 0 to 10,000. Default 24.
+    uint32_t places;
+    // Share of a new branch's outline that may overlap its siblings, 0 to 1. Default 0.2, as in the paper.
+    float overlap;
+    // Longest stretch of the outline that may stay bare, as a share of its length round, 0.005 to 1. Default 0.04.
+    float bare;
+    // 0.
+    uint32_t reserved;
+} tree_cover_params;
+
+// How sub-silhouettes are cut out. Begin with `tree_sub_params_init`.
+typedef struct tree_sub_params {
+    // `sizeof(tree_sub_params)`.
+    size_t struct_size;
+    // Opening of the cone at a sharp feature, in radians, 0.02 to 3. Default 20°.
+    float narrow;
+    // Opening where the radius at the end is the branch's span or more, in radians, 0.02 to 3. Default 110°.
+    float wide;
+} tree_sub_params;
+
+// How the branches of a system are found: an axis with the outline of its foliage. A part that is NULL, as all are
+// after `tree_branch_system_params_init`, is its default.
+typedef struct tree_branch_system_params {
+    // `sizeof(tree_branch_system_params)`.
+    size_t struct_size;
+    // How bumps are found.
+    const struct tree_bump_params *bumps;
+    // How branches are inferred.
+    const struct tree_branch_infer_params *infer;
+    // How sub-silhouettes are made.
+    const struct tree_sub_params *sub;
+    // How gaps are filled.
+    const struct tree_cover_params *cover;
+} tree_branch_system_params;
+
+// All parameters from strokes to a tree. A part that is NULL, as all are after `tree_silhouette_params_init`, is its
+// default.
+typedef struct tree_silhouette_params {
+    // `sizeof(tree_silhouette_params)`.
+    size_t struct_size;
+    // How strokes become outlines.
+    const struct tree_outline_close_params *outline;
+    // How branches are found in outlines.
+    const struct tree_branch_system_params *system;
+    // Angles of the branches on the trunk, until branches are redrawn. Default 1.35 at the base, 0.6 at the tip.
+    const struct tree_branching_angles *angles;
+    // How the plan becomes a tree.
+    const struct tree_silhouette_grow_params *grow;
+    // A stroke redraws a branch when its ends are on average no farther off than this share of the branch's span, 0
+    // to 10; else it adds one. Default 0.35. Messages call it `near`.
+    float nearness;
+    // Height in metres of the tallest tree of a drawing, 0.001 to 1000. Default 10.
+    float height;
+} tree_silhouette_params;
+
+// The numbers behind an arrangement.
+typedef struct tree_arrangement_numbers {
+    // `sizeof(tree_arrangement_numbers)`.
+    size_t struct_size;
+    // Branches at a node, n. 1 for `TREE_ARRANGEMENT_SPREAD`.
+    uint32_t per_node;
+    // Turn from a node to the next, φ, in radians.
+    float turn;
+    // Angle between two neighbours at a node, γ, in radians.
+    float spacing;
+    // The azimuth that one privileged position of every node has, in radians, where `has_fixed` says so.
+    float fixed;
+    // 1 where the arrangement fixes an azimuth, else 0.
+    uint32_t has_fixed;
+    // 1 where branches have privileged positions at all, else 0.
+    uint32_t has_pattern;
+} tree_arrangement_numbers;
+
+// Why there is a branch: one of the `TREE_BRANCH_` constants.
+typedef uint32_t tree_branch_origin;
+
+// All branches of a `tree_outline_plan`, parents first: a view. Set `struct_size` first.
+typedef struct tree_outline_plan_columns {
+    // `sizeof(tree_outline_plan_columns)`.
+    size_t struct_size;
+    // Number of rows.
+    size_t n_branches;
+    // Rows of the tree itself. Those after them are branches of other trees that it may copy the style of.
+    size_t n_own;
+    // Id of each, above 0.
+    const uint32_t *ids;
+    // Id of the branch it stands on; `TREE_NO_BRANCH` for those on a trunk.
+    const uint32_t *parents;
+    // 1 for those on the trunk, 2 for those on these, and so on.
+    const uint32_t *levels;
+    // Why it is there.
+    const tree_branch_origin *origins;
+    // Id of the branch whose style it takes; `TREE_NO_BRANCH` for the nearest one whose outline was drawn.
+    const uint32_t *styles;
+    // Where it leaves its parent, as a share of the parent's length.
+    const float *places;
+    // Radius of its bump in metres, or of what stands for one.
+    const float *radii;
+    // Where round the axis it was drawn, in radians from the right side of the plane; NaN where that is to be found.
+    const float *azimuths;
+    // Two floats each: the part of the parent's outline it may share, as lengths along; NaN for all.
+    const float *stretches;
+    // 1 where it is on the left side of its parent, looking towards the parent's tip.
+    const uint8_t *lefts;
+    // 1 where the outline of its foliage was drawn, so that it bears a system.
+    const uint8_t *refined;
+    // Number of points of all lines.
+    size_t n_line_points;
+    // Where each line begins in `line_points`, and at last their number: `n_branches + 1` values.
+    const uint32_t *line_starts;
+    // Two floats for each point, from base to end.
+    const float *line_points;
+    // Number of points of all outlines.
+    size_t n_outline_points;
+    // Where each outline begins in `outline_points`, and at last their number: `n_branches + 1` values.
+    const uint32_t *outline_starts;
+    // Two floats for each point, against the clock, the first not repeated.
+    const float *outline_points;
+} tree_outline_plan_columns;
+
+// One branch of a plan: a view. Set `struct_size` first.
+typedef struct tree_outline_branch {
+    // `sizeof(tree_outline_branch)`.
+    size_t struct_size;
+    // Number of points of its line.
+    size_t n_line_points;
+    // Two floats for each, from base to end.
+    const float *line_points;
+    // Number of points of the outline of its foliage.
+    size_t n_outline_points;
+    // Two floats for each, against the clock, the first not repeated.
+    const float *outline_points;
+    // Its id.
+    uint32_t id;
+    // Id of the branch it stands on; `TREE_NO_BRANCH` for the trunk.
+    uint32_t parent;
+    // 1 for one on the trunk, 2 for one on these, and so on.
+    uint32_t level;
+    // Why it is there.
+    tree_branch_origin origin;
+    // Id of the branch whose style it takes; `TREE_NO_BRANCH` for the nearest one whose outline was drawn.
+    uint32_t style;
+    // 1 where it is on the left side of its parent, looking towards the parent's tip.
+    uint32_t is_left;
+    // 1 where the outline of its foliage was drawn, so that it bears a system.
+    uint32_t is_refined;
+    // Where it leaves its parent, as a share of the parent's length.
+    float place;
+    // Radius of its bump in metres, or of what stands for one.
+    float radius;
+    // Where round the axis it was drawn, in radians from the right side of the plane; NaN where that is to be found.
+    float azimuth;
+} tree_outline_branch;
+
+// An axis, the outline of its foliage and the angles at which branches leave it: a view. Set `struct_size` first.
+typedef struct tree_outline_system {
+    // `sizeof(tree_outline_system)`.
+    size_t struct_size;
+    // Number of points of the axis: the trunk or branch.
+    size_t n_axis_points;
+    // Two floats for each, from base to tip.
+    const float *axis_points;
+    // Number of points of the outline of its foliage: the crown of the trunk.
+    size_t n_outline_points;
+    // Two floats for each, against the clock, the first not repeated.
+    const float *outline_points;
+    // Number of samples of the branching angles.
+    size_t n_angles;
+    // Two floats for each: place along the axis, 0 at its base to 1 at its tip, in rising order; and angle, 0 (straight
+    // on) to π (backwards).
+    const float *angles;
+    // Number of branches on it.
+    size_t n_branches;
+    // Number of outlines in further planes; see `tree_outline_plan_section`.
+    size_t n_sections;
+} tree_outline_system;
+
+// What a stroke belongs to: a branching order, 0 for the trunk and the crown, 1 for its branches, and so on; or
+// `TREE_LEVEL_OF_LEAF`.
+typedef uint32_t tree_drawn_level;
+
+// What a stroke shows: a `TREE_DRAWN_KIND_` constant.
+typedef uint32_t tree_drawn_kind;
+
+// A stroke of a drawing of outlines: as input, or as a view of a `tree_outline_drawing`. Zeros are its defaults: an axis of
+// level 0 in the plane of the drawing. Set `struct_size` first.
+typedef struct tree_drawn_stroke {
+    // `sizeof(tree_drawn_stroke)`.
+    size_t struct_size;
+    // Number of points.
+    size_t n_points;
+    // Two floats for each point, in units of the drawing, y downwards. All are finite.
+    const float *points;
+    // Its name in the drawing; empty where it has none.
+    struct tree_str name;
+    // What it belongs to. Default 0.
+    tree_drawn_level level;
+    // What it shows. Default `TREE_DRAWN_KIND_AXIS`.
+    tree_drawn_kind kind;
+    // By how much the plane it is drawn in is turned about the trunk, in radians. Default 0, the plane of the drawing.
+    float azimuth;
+    // 0.
+    uint32_t reserved;
+} tree_drawn_stroke;
+
+// A view of one tree of a drawing.
+typedef struct tree_drawn_tree {
+    // `sizeof(tree_drawn_tree)`.
+    size_t struct_size;
+    // Its name in the drawing; empty where it has none.
+    struct tree_str name;
+    // Number of strokes, one at least.
+    size_t n_strokes;
+    // Width of the trunk in units of the drawing, where it was drawn as an area; else 0.
+    float trunk_width;
+    // 0.
+    uint32_t reserved;
+} tree_drawn_tree;
+
+// What was repaired or noticed in a drawing: a `TREE_DRAWN_` constant. New ones may be added.
+typedef uint32_t tree_drawn_repair_kind;
+
+// One thing that was repaired or noticed in a drawing. Fields that its kind does not name are 0.
+typedef struct tree_drawn_repair {
+    // What it was.
+    tree_drawn_repair_kind kind;
+    // How many there were.
+    uint32_t count;
+    // A share, 0 to 1.
+    float share;
+    // A length in units of the drawing.
+    float width;
+} tree_drawn_repair;
+
+// The frame of a surface.
+typedef struct tree_revolved_frame {
+    // `sizeof(tree_revolved_frame)`.
+    size_t struct_size;
+    // Where it begins: the start of the axis, in the drawing.
+    float origin[2];
+    // The unit vector along the span of the axis, in the drawing.
+    float up[2];
+} tree_revolved_frame;
+
+// What became of a drawing's strokes. `tree_silhouette_repairs` and `tree_silhouette_refused` tell more. Set
+// `struct_size` first.
+typedef struct tree_silhouette_play_report {
+    // `sizeof(tree_silhouette_play_report)`.
+    size_t struct_size;
+    // Repairs of strokes.
+    uint64_t n_repairs;
+    // Strokes that could not be used.
+    uint64_t n_refused;
+    // Strokes that were used.
+    uint32_t n_strokes;
+    // 0.
+    uint32_t reserved;
+} tree_silhouette_play_report;
+
+// A view of a `tree_silhouette_change`: ids of branches, in rising order. Set `struct_size` first.
+typedef struct tree_silhouette_change_columns {
+    // `sizeof(tree_silhouette_change_columns)`.
+    size_t struct_size;
+    // Number of branches that are new.
+    size_t n_added;
+    // Their ids.
+    const uint32_t *added;
+    // Number of branches that are gone.
+    size_t n_removed;
+    // Their ids.
+    const uint32_t *removed;
+    // Number of branches whose line, outline or place is another.
+    size_t n_reshaped;
+    // Their ids.
+    const uint32_t *reshaped;
+    // Number of branches that bear a drawn system which they did not, or another one, or take their style from
+    // elsewhere.
+    size_t n_restyled;
+    // Their ids.
+    const uint32_t *restyled;
+    // Number of repairs of the stroke.
+    size_t n_repairs;
+    // What was repaired in the stroke, in sentences.
+    const struct tree_str *repairs;
+    // 1 where the trunk or the crown is another.
+    uint32_t trunk;
+    // 1 where the leaf is another.
+    uint32_t leaf;
+} tree_silhouette_change_columns;
+
+// Who takes the shape and angle of a branch that is drawn over: one of the `TREE_TRANSFER_` constants.
+typedef uint32_t tree_transfer;
+
+// How distances are read from a drawing: one of the `TREE_PERSPECTIVE_` constants.
+typedef uint32_t tree_perspective;
+
+// How a drawing becomes a stand. Begin with `tree_stand_params_init`.
+typedef struct tree_stand_params {
+    // `sizeof(tree_stand_params)`.
+    size_t struct_size;
+    // Of each tree; `height` is that of the tallest. NULL, the default, for `tree_silhouette_params_init`.
+    const struct tree_silhouette_params *silhouette;
+    // Number of rows of `lendings`. Default 0.
+    size_t n_lendings;
+    // Who borrows from whom, where that is not to be the detailed tree with the most similar crown: two numbers each,
+    // places in the drawing from 0: the tree that borrows, and the one that lends, `TREE_NO_TREE` for nobody. The last row
+    // for a tree counts.
+    const uint32_t *lendings;
+    // How distances are read. Default `TREE_PERSPECTIVE_ESTIMATED`.
+    tree_perspective perspective;
+    // For `TREE_PERSPECTIVE_HORIZON` the height of the horizon in the drawing: y in its units, downwards, -1e6 to 1e6.
+    float horizon;
+    // Angle under which the width of all trees is seen in the drawing, in radians, 0.05 to 2.5: what turns sizes into
+    // distances. Default 0.9, as in a photograph. Unused without perspective.
+    float fov;
+    // Without perspective: how far trees stand off their line, as a share of their mean distance, 0 to 10. Default 0.4.
+    float jitter;
+    // Borrowed branches and leaves are scaled as the crowns are, but at most by this factor up or down, 1 to 100.
+    // Default 3.
+    float scaling;
+    // 0.
+    uint32_t reserved;
+} tree_stand_params;
+
+// A stand as a whole: a view. Set `struct_size` first.
+typedef struct tree_stand_whole {
+    // `sizeof(tree_stand_whole)`.
+    size_t struct_size;
+    // Number of trees.
+    size_t n_trees;
+    // Leaves and branches of all trees together.
+    uint64_t n_elements;
+    // 1 where the drawing is in perspective, and the fields below count.
+    uint32_t has_view;
+    // Distance of the drawing from the eye, in units of the drawing.
+    float focal;
+    // The point of the drawing that the eye looks at: on the horizon, in units of the drawing.
+    float centre[2];
+    // The eye in metres; it looks level along -Z.
+    float eye[3];
+    // 0.
+    uint32_t reserved;
+} tree_stand_whole;
+
+// One tree of a stand: a view. Set `struct_size` first.
+typedef struct tree_stand_tree {
+    // `sizeof(tree_stand_tree)`.
+    size_t struct_size;
+    // Its name in the drawing, or `tree 3` for the third where it has none.
+    struct tree_str name;
+    // Its place among the trees of the drawing, from 0.
+    uint32_t number;
+    // The tree, by its place in the drawing, whose branches or leaf it borrows; `TREE_NO_TREE` where it borrows nothing.
+    uint32_t lender;
+    // Where its base stands in the stand, in metres: x as in the drawing, +Z towards the viewer.
+    float position[3];
+    // Metres for a unit of the drawing, at this tree.
+    float scale;
+    // By how much what it borrows is scaled; 1 where it borrows nothing.
+    float borrowed_scale;
+    // 0.
+    uint32_t reserved;
+} tree_stand_tree;
+
+// How a sub-silhouette hangs together with its parent.
+typedef struct tree_sub_report {
+    // `sizeof(tree_sub_report)`.
+    size_t struct_size;
+    // Begin and end of the shared part, in metres along the parent against the clock from its first corner; the second
+    // may be greater than the perimeter. Both are one place where nothing could be shared.
+    float shared[2];
+    // The points where the curves join the shared part: its begin, then its end.
+    float join_points[4];
+    // Directions of the outline there, against the clock, of unit length.
+    float join_tangents[4];
+    // The curves from the branch's base to the begin, and from the end to the base. Of each: where it begins, the
+    // derivative there, where it ends, the derivative there, two floats each, of a cubic Hermite curve.
+    float curves[16];
+} tree_sub_report;
+
 // A skeleton's columns: as input, or as a view of a `tree_skeleton`.
 typedef struct tree_skeleton_columns {
     // `sizeof(tree_skeleton_columns)`.
@@ -5535,6 +6438,14 @@ tree_status tree_look_new(const struct tree_material *bark,
                           size_t n_leaves,
                           const struct tree_control *control,
                           struct tree_look **look);
+
+// Makes a look that is as another but for the leaves of kind `kind`. Textures are shared; the other look stays as it is.
+// `control` may be NULL; only its limits matter. Free the new look with `tree_look_free`.
+tree_status tree_look_with_leaf(const struct tree_look *look,
+                                size_t kind,
+                                const struct tree_leaf_look *leaf,
+                                const struct tree_control *control,
+                                struct tree_look **changed);
 
 // Number of leaf kinds that a look dresses; it has one material more.
 tree_status tree_look_leaf_count(const struct tree_look *look, size_t *n_leaves);
@@ -7223,6 +8134,886 @@ tree_status tree_view_init(struct tree_view *view, size_t size);
 tree_status tree_view_place(const struct tree_view *view,
                             const struct tree_mesh *mesh,
                             struct tree_view *placed);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_gibbs_params_init(struct tree_gibbs_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_gibbs_params_check(const struct tree_gibbs_params *params);
+
+// Finds a place in each of `n_domains` domains, at most 20,000, by a Gibbs process: branches keep apart, and keep to the
+// pattern of `arrangement`. The same seed gives the same places. `params`, `control` and `report` may be NULL. Free the
+// places with `tree_arranged_free`.
+tree_status tree_arranged_new(const struct tree_domain *domains,
+                              size_t n_domains,
+                              const struct tree_arrangement *arrangement,
+                              const struct tree_gibbs_params *params,
+                              uint64_t seed,
+                              const struct tree_control *control,
+                              struct tree_arranged_report *report,
+                              struct tree_arranged **arranged);
+
+// A ready pattern of `n` branches, at most 20,000, that may stand anywhere, sorted along the parent. Other variants are
+// other draws of the same seed. It has no trace. `control` may be NULL. Free the places with `tree_arranged_free`.
+tree_status tree_arranged_ready(uint32_t n,
+                                const struct tree_arrangement *arrangement,
+                                uint64_t variant,
+                                uint64_t seed,
+                                const struct tree_control *control,
+                                struct tree_arranged **arranged);
+
+// Views the places, one for each domain in their order: where they begin and how many there are.
+tree_status tree_arranged_sites(const struct tree_arranged *arranged,
+                                const struct tree_site **sites,
+                                size_t *n_sites);
+
+// Views the cost at the start and after each kept move, which never rises: where the numbers begin and how many there are.
+tree_status tree_arranged_trace(const struct tree_arranged *arranged,
+                                const float **costs,
+                                size_t *n_costs);
+
+// Frees places.
+tree_status tree_arranged_free(struct tree_arranged *arranged);
+
+// Tests whether `n_sites` branches of one parent keep to an arrangement, by Rayleigh's test of the angles between
+// one and the next. `control` may be NULL; `nodes` of its limits caps the places. Set `concentration->struct_size` first.
+tree_status tree_sites_privileged(const struct tree_site *sites,
+                                  size_t n_sites,
+                                  const struct tree_arrangement *arrangement,
+                                  const struct tree_control *control,
+                                  struct tree_concentration *concentration);
+
+// Makes `angles`, of `size` bytes, the default; its samples are valid for ever.
+tree_status tree_branching_angles_init(struct tree_branching_angles *angles, size_t size);
+
+// The angles at `n_places` places along the parent, shares of its length from 0 to 1, into `values`, which has room for
+// `capacity`. `angles` and `control` may be NULL; `nodes` of the limits caps the places.
+tree_status tree_branching_angles_at(const struct tree_branching_angles *angles,
+                                     const float *places,
+                                     size_t n_places,
+                                     const struct tree_control *control,
+                                     float *values,
+                                     size_t capacity);
+
+// Takes the angle of a redrawn branch as a sample; it replaces those close to it, but the function keeps its ends. The
+// samples go into `samples`, two floats each; `capacity` counts floats: two more samples than there are always have room.
+// `n_samples` gets their number. `angles` stays as it is, and may be NULL for the default.
+tree_status tree_branching_angles_set(const struct tree_branching_angles *angles,
+                                      float place,
+                                      float angle,
+                                      float *samples,
+                                      size_t capacity,
+                                      size_t *n_samples);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_branch_infer_params_init(struct tree_branch_infer_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_branch_infer_params_check(const struct tree_branch_infer_params *params);
+
+// Infers the branch that ends at `end` along `tangent` (two floats each; a tangent of zeros: from where it comes): the
+// shortest curve from the parent, which is left at the branching angle. `parent` has `n_parent` points, two floats each, from
+// its base to its tip; the branch may leave it between the shares `from` and `to` of its length, 0 and 1 for anywhere.
+// `outline` is that of the foliage, which the branch keeps within where it can; NULL where there is none. The
+// branch's line goes into `points`, from base to end, two floats each; `capacity` counts floats, and two for each of `points`
+// of the parameters always do. `n_points` gets their number, `share` where it leaves the parent. `angles`, `params` and
+// `control` may be NULL; `nodes` of the limits caps the points. `TREE_ERROR_NO_RESULT` where the end lies on the parent.
+tree_status tree_branch_infer(const float *parent,
+                              size_t n_parent,
+                              const struct tree_outline *outline,
+                              const struct tree_branching_angles *angles,
+                              const float *end,
+                              const float *tangent,
+                              float from,
+                              float to,
+                              const struct tree_branch_infer_params *params,
+                              const struct tree_control *control,
+                              float *points,
+                              size_t capacity,
+                              size_t *n_points,
+                              float *share);
+
+// Where a drawn branch leaves its parent: `share` gets the place nearest to its start as a share of the parent's length,
+// `angle` the angle there in radians, 0 to π, and `is_left` whether the branch is on the parent's left side. Both are lines of
+// two floats a point, from base to tip. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_branch_base(const float *parent,
+                             size_t n_parent,
+                             const float *branch,
+                             size_t n_branch,
+                             const struct tree_control *control,
+                             float *share,
+                             float *angle,
+                             uint32_t *is_left);
+
+// Carries the shape of a branch to another span. `branch` is its line, `n_branch` points from base to end of two floats
+// each, `left` says whether it is on its parent's left side, and `outline` is that of its foliage. The same line on `span`
+// goes into `points`; `capacity` counts floats, and `2 * n_branch` always do. `n_points` gets their number, `carried` the
+// outline there. `control` and `report` may be NULL; `nodes` of the limits caps the points. Free the outline with
+// `tree_outline_free`.
+tree_status tree_branch_carry(const float *branch,
+                              size_t n_branch,
+                              uint32_t left,
+                              const struct tree_outline *outline,
+                              const struct tree_branch_span *span,
+                              const struct tree_control *control,
+                              struct tree_branch_shape_report *report,
+                              float *points,
+                              size_t capacity,
+                              size_t *n_points,
+                              struct tree_outline **carried);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_bump_params_init(struct tree_bump_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_bump_params_check(const struct tree_bump_params *params);
+
+// Finds the bumps of an outline by its chordal axis, in their order against the clock along it: one at least, which is the
+// whole of an outline where nothing stands out. The foot of a crown, where the trunk comes in, may be one like every other.
+// `params` and `control` may be NULL. Free the bumps with `tree_bumps_free`.
+tree_status tree_outline_bumps(const struct tree_outline *outline,
+                               const struct tree_bump_params *params,
+                               const struct tree_control *control,
+                               struct tree_bumps **bumps);
+
+// Views bumps: where they begin and how many there are.
+tree_status tree_bumps_view(const struct tree_bumps *bumps,
+                            const struct tree_bump **rows,
+                            size_t *n_rows);
+
+// Frees bumps.
+tree_status tree_bumps_free(struct tree_bumps *bumps);
+
+// Makes `level`, of `size` bytes, the default.
+tree_status tree_silhouette_level_init(struct tree_silhouette_level *level, size_t size);
+
+// Makes `leaves`, of `size` bytes, the default.
+tree_status tree_silhouette_leaves_init(struct tree_silhouette_leaves *leaves, size_t size);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_silhouette_grow_params_init(struct tree_silhouette_grow_params *params,
+                                             size_t size);
+
+// Grows a tree of a plan: the same plan, parameters and seed give the same bits for any number of threads. `params`,
+// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of
+// range; `TREE_ERROR_LIMIT` comes before the memory is asked for.
+tree_status tree_outline_plan_grow(const struct tree_outline_plan *plan,
+                                   const struct tree_silhouette_grow_params *params,
+                                   uint64_t seed,
+                                   const struct tree_control *control,
+                                   struct tree_silhouette_grown *report,
+                                   struct tree_tree **tree);
+
+// Makes a leaf of an outline that is attached at `base` and points to `tip`, two floats each. Its border is thinned to at most
+// 64 corners. Free the leaf with `tree_leaf_outline_free`. `TREE_ERROR_INVALID` where both are the same point.
+tree_status tree_leaf_outline_of(const struct tree_outline *outline,
+                                 const float *base,
+                                 const float *tip,
+                                 struct tree_leaf_outline **leaf);
+
+// As `tree_leaf_outline_of`, with base and tip as `tree_leaf_outline_ends` finds them.
+tree_status tree_leaf_outline_guess(const struct tree_outline *outline,
+                                    struct tree_leaf_outline **leaf);
+
+// Where a drawn leaf is attached and what it points to, as it looks: `base` gets the end of its stalk where it has one,
+// else the lowest point near the middle of an upright leaf and the left end of a lying one; `tip` the point farthest from
+// there.
+tree_status tree_leaf_outline_ends(const struct tree_outline *outline,
+                                   float (*base)[2],
+                                   float (*tip)[2]);
+
+// Views a drawn leaf. Set `columns->struct_size` first.
+tree_status tree_leaf_outline_view(const struct tree_leaf_outline *leaf,
+                                   struct tree_leaf_outline_columns *columns);
+
+// The flat mesh of a drawn leaf; its picture, if it gets one, spans the leaf's bounds. Free the model with
+// `tree_leaf_model_free`. `tree_leaf_model_view` views it as `mesh` of a `tree_leaf_look` takes it: with the form
+// `TREE_LEAF_MESH` that goes into `tree_look_new` or `tree_look_with_leaf`, and all leaves of the kind are as drawn.
+tree_status tree_leaf_outline_model(const struct tree_leaf_outline *leaf,
+                                    struct tree_leaf_model **model);
+
+// Frees a drawn leaf.
+tree_status tree_leaf_outline_free(struct tree_leaf_outline *leaf);
+
+// Length in metres of a line of `n_line` points, two floats each: points that are not finite, and repeated ones, are left
+// out. `control` may be NULL; `nodes` of its limits caps the points. `TREE_ERROR_INVALID` where fewer than two are left.
+tree_status tree_line_length(const float *line,
+                             size_t n_line,
+                             const struct tree_control *control,
+                             float *length);
+
+// The points at `n_places` places along a line, shares of its length from 0 to 1, and its directions there, of unit
+// length. `points` and `tangents` get two floats for each and have room for `capacity` floats; one may be NULL. The line
+// and `control` are as for `tree_line_length`.
+tree_status tree_line_at(const float *line,
+                         size_t n_line,
+                         const float *places,
+                         size_t n_places,
+                         const struct tree_control *control,
+                         float *points,
+                         float *tangents,
+                         size_t capacity);
+
+// The place along a line that is nearest to each of `n_spots` points, two floats each. `shares` gets where that is as a
+// share of the length, and `distances` how far it is from the point; each has room for `capacity`, and one may be NULL.
+// The line and `control` are as for `tree_line_length`.
+tree_status tree_line_nearest(const float *line,
+                              size_t n_line,
+                              const float *spots,
+                              size_t n_spots,
+                              const struct tree_control *control,
+                              float *shares,
+                              float *distances,
+                              size_t capacity);
+
+// A line by points at even distances, from `from` to a greater `to`, shares of its length from 0 to 1: `count` of them,
+// 2 at least, or 0 for its own points there. They go into `points`, two floats each; `capacity` counts floats. `n_points`
+// gets their number. The line and `control` are as for `tree_line_length`. `TREE_ERROR_NO_RESULT` where nothing is left.
+tree_status tree_line_part(const float *line,
+                           size_t n_line,
+                           float from,
+                           float to,
+                           uint32_t count,
+                           const struct tree_control *control,
+                           float *points,
+                           size_t capacity,
+                           size_t *n_points);
+
+// Says of `n_spots` points, two floats each, whether they lie inside: 1 or 0 into `inside`, which has room for
+// `capacity`. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_outline_contains(const struct tree_outline *outline,
+                                  const float *spots,
+                                  size_t n_spots,
+                                  const struct tree_control *control,
+                                  uint8_t *inside,
+                                  size_t capacity);
+
+// How far it is along `n_rays` rays to the outline, the first crossing in front: each ray is four floats, its beginning
+// and its direction, of unit length. `exits`, which has room for `capacity`, gets metres, infinite where there is no
+// crossing; from outside it is the near side. `control` as for `tree_outline_contains`.
+tree_status tree_outline_exits(const struct tree_outline *outline,
+                               const float *rays,
+                               size_t n_rays,
+                               const struct tree_control *control,
+                               float *exits,
+                               size_t capacity);
+
+// The place along the outline that is nearest to each of `n_spots` points, two floats each. `lengths` gets how far that
+// is along it, in metres against the clock from the first corner, and `distances` how far it is from the point; each has room
+// for `capacity`, and one may be NULL. `control` as for `tree_outline_contains`.
+tree_status tree_outline_nearest(const struct tree_outline *outline,
+                                 const float *spots,
+                                 size_t n_spots,
+                                 const struct tree_control *control,
+                                 float *lengths,
+                                 float *distances,
+                                 size_t capacity);
+
+// The points at `n_lengths` lengths along an outline, in metres against the clock from the first corner, below 0 and beyond
+// the perimeter on round; and the outline's directions there, of unit length, with the inside to the left. `points` and
+// `tangents` get two floats for each and have room for `capacity` floats; one may be NULL. `control` as for
+// `tree_outline_contains`.
+tree_status tree_outline_along(const struct tree_outline *outline,
+                               const float *lengths,
+                               size_t n_lengths,
+                               const struct tree_control *control,
+                               float *points,
+                               float *tangents,
+                               size_t capacity);
+
+// The corners of the stretch from one length along an outline to another, both ends among them, into `points`, two floats
+// each; `capacity` counts floats, and twice the corners plus four always do. `to` may exceed the perimeter where
+// the stretch passes the first corner; it ends after once round. `n_points` gets their number: one where `to` is not above
+// `from`.
+tree_status tree_outline_part(const struct tree_outline *outline,
+                              float from,
+                              float to,
+                              float *points,
+                              size_t capacity,
+                              size_t *n_points);
+
+// Area that two outlines have in common, in square metres, within about 1 %; and the same over the area they cover
+// together, 0 to 1 (the intersection over union).
+tree_status tree_outline_overlap(const struct tree_outline *outline,
+                                 const struct tree_outline *other,
+                                 float *area,
+                                 float *iou);
+
+// Which of the `width` by `height` cells between the corners `low` and `high`, two floats each, have their centres
+// inside: 1 or 0 into `cells`, row by row from the lowest, each from the left. `cells` has room for `capacity`. `control`
+// may be NULL; `pixels` of its limits caps the cells.
+tree_status tree_outline_mask(const struct tree_outline *outline,
+                              const float *low,
+                              const float *high,
+                              uint32_t width,
+                              uint32_t height,
+                              const struct tree_control *control,
+                              uint8_t *cells,
+                              size_t capacity);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_outline_close_params_init(struct tree_outline_close_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_outline_close_params_check(const struct tree_outline_close_params *params);
+
+// Makes an outline of a drawn stroke of `n_points` points, two floats each, in metres, y up: it is closed, made simple and
+// turned against the clock. `tree_outline_repairs` tells what was done. `name`, of `name_len` bytes or
+// `TREE_NUL_TERMINATED`, is what messages call the stroke; NULL for none. `params` and `control` may be NULL; `nodes` of the
+// limits caps the points. Free the outline with `tree_outline_free`. `TREE_ERROR_INVALID` where fewer than three different
+// points are left, or it encloses next to nothing.
+tree_status tree_outline_close(const float *stroke,
+                               size_t n_points,
+                               const char *name,
+                               size_t name_len,
+                               const struct tree_outline_close_params *params,
+                               const struct tree_control *control,
+                               struct tree_outline **outline);
+
+// Makes an outline of points that already are one, two floats each: closed (the first is not repeated at the end), against
+// the clock, without crossings, in metres, at most 4096. Nothing is repaired. `control` may be NULL; only its limits
+// matter. Free the outline with `tree_outline_free`. `TREE_ERROR_INVALID` says what is wrong and at which point.
+tree_status tree_outline_from_points(const float *spots,
+                                     size_t n_spots,
+                                     const struct tree_control *control,
+                                     struct tree_outline **outline);
+
+// Views an outline's corners and tells how large it is. Set `columns->struct_size` first.
+tree_status tree_outline_view(const struct tree_outline *outline,
+                              struct tree_outline_columns *columns);
+
+// Views what was repaired or noticed by `tree_outline_close`, in that order: where the repairs begin and how many there are.
+// None for other outlines.
+tree_status tree_outline_repairs(const struct tree_outline *outline,
+                                 const struct tree_outline_repair **repairs,
+                                 size_t *n_repairs);
+
+// A sentence for each repair. Free the lines with `tree_lines_free`.
+tree_status tree_outline_repairs_text(const struct tree_outline *outline,
+                                      struct tree_lines **lines);
+
+// The same outline by `n_points` corners at even lengths from the first on, at least 3 and at most 4096. Where so few
+// would make it cross itself, or so many are not allowed, it stays as it is. Free it with `tree_outline_free`.
+tree_status tree_outline_resampled(const struct tree_outline *outline,
+                                   uint32_t n_points,
+                                   const struct tree_control *control,
+                                   struct tree_outline **resampled);
+
+// The outline with every corner moved by an affine map, turned against the clock where that mirrors it. `affine` is six
+// floats, a, b, c, d, e, f, as in SVG's matrices: x becomes a·x + c·y + e, y becomes b·x + d·y + f. Free the outline with
+// `tree_outline_free`. `TREE_ERROR_NO_RESULT` where nothing is enclosed then.
+tree_status tree_outline_transformed(const struct tree_outline *outline,
+                                     const float *affine,
+                                     struct tree_outline **transformed);
+
+// Frees an outline. What was made of it lives on.
+tree_status tree_outline_free(struct tree_outline *outline);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_cover_params_init(struct tree_cover_params *params, size_t size);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_branch_system_params_init(struct tree_branch_system_params *params, size_t size);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_silhouette_params_init(struct tree_silhouette_params *params, size_t size);
+
+// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give.
+tree_status tree_silhouette_params_check(const struct tree_silhouette_params *params);
+
+// Reads an arrangement by name: `spread`, `spiral` (144°), `golden` (137.5°), `opposite`, `decussate`, `whorl3` (any number),
+// `horizontal`, or `2:90` for two at a node and a turn of 90°. An angle in degrees may follow the names that have one:
+// `spiral:137.5`, `whorl3:45`, `horizontal:30`. `text` has `len` bytes or is `TREE_NUL_TERMINATED`.
+// `TREE_ERROR_UNKNOWN_NAME` for another name, `TREE_ERROR_PARAMETER` for a number out of range.
+tree_status tree_arrangement_from_text(const char *text,
+                                       size_t len,
+                                       struct tree_arrangement *arrangement);
+
+// Writes an arrangement as `tree_arrangement_from_text` reads it, angles in degrees to two places. Free the bytes, which
+// are UTF-8, with `tree_bytes_free`.
+tree_status tree_arrangement_to_text(const struct tree_arrangement *arrangement,
+                                     struct tree_bytes **bytes);
+
+// Tells the numbers behind an arrangement, and checks its ranges on the way. Set `numbers->struct_size` first.
+tree_status tree_arrangement_measure(const struct tree_arrangement *arrangement,
+                                     struct tree_arrangement_numbers *numbers);
+
+// The domain of a branch that was drawn: at the share `along` of the parent's length, within 45° of the side it was
+// drawn on, the left where `left` is not 0.
+tree_status tree_domain_drawn(float along,
+                              uint32_t left,
+                              struct tree_domain *domain);
+
+// Says whether a place lies in a domain.
+tree_status tree_domain_contains(const struct tree_domain *domain,
+                                 float along,
+                                 float azimuth,
+                                 uint32_t *inside);
+
+// How far an azimuth lies outside a domain, in radians, 0 to π.
+tree_status tree_domain_outside(const struct tree_domain *domain, float azimuth, float *angle);
+
+// Views all branches. Valid until `tree_outline_plan_free`.
+tree_status tree_outline_plan_view(const struct tree_outline_plan *plan,
+                                   struct tree_outline_plan_columns *columns);
+
+// The row of the branch of this id. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_outline_plan_find(const struct tree_outline_plan *plan, uint32_t id, size_t *row);
+
+// Views the branch of this id. Valid until `tree_outline_plan_free`. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_outline_plan_branch(const struct tree_outline_plan *plan,
+                                     uint32_t id,
+                                     struct tree_outline_branch *branch);
+
+// Views the system on the branch of this id, or with `TREE_NO_BRANCH` that of the trunk, whose outline is the crown.
+// Valid until `tree_outline_plan_free`. `TREE_ERROR_INVALID` for an id that is not there, `TREE_ERROR_NO_RESULT` for a
+// branch whose outline was not drawn.
+tree_status tree_outline_plan_system(const struct tree_outline_plan *plan,
+                                     uint32_t id,
+                                     struct tree_outline_system *system);
+
+// Of the system on a branch, or on the trunk, the outline in a further plane: how far the plane is turned about the
+// axis, in radians from +X towards +Z, goes into `azimuth`. Free the outline with `tree_outline_free`.
+// `TREE_ERROR_INVALID` for a section that is not there; else as `tree_outline_plan_system`.
+tree_status tree_outline_plan_section(const struct tree_outline_plan *plan,
+                                      uint32_t id,
+                                      size_t section,
+                                      float *azimuth,
+                                      struct tree_outline **outline);
+
+// The outline of a branch's foliage, or with `TREE_NO_BRANCH` the crown, as an object of its own. Free it with
+// `tree_outline_free`. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_outline_plan_outline(const struct tree_outline_plan *plan,
+                                      uint32_t id,
+                                      struct tree_outline **outline);
+
+// Number of levels of outlines that were drawn: 1 for the crown only, 2 with that of a branch, and so on.
+tree_status tree_outline_plan_count_levels(const struct tree_outline_plan *plan,
+                                           uint32_t *n_levels);
+
+// The drawn leaf, one long, and its length in metres. Free it with `tree_leaf_outline_free`. `TREE_ERROR_NO_RESULT`
+// where none was drawn.
+tree_status tree_outline_plan_leaf(const struct tree_outline_plan *plan,
+                                   float *length,
+                                   struct tree_leaf_outline **leaf);
+
+// Frees a plan.
+tree_status tree_outline_plan_free(struct tree_outline_plan *plan);
+
+// Makes a drawing of one tree of strokes, which are copied: one at least, in the order they were drawn. `name`, of
+// `name_len` bytes or `TREE_NUL_TERMINATED`, is the tree's, NULL for none; `trunk_width` is the trunk's in units of the drawing,
+// 0 where it is not known. `control` may be NULL; `nodes` of its limits caps the points of all strokes. Free the drawing
+// with `tree_outline_drawing_free`. `TREE_ERROR_INVALID` names a point that is not finite.
+tree_status tree_outline_drawing_new(const struct tree_drawn_stroke *strokes,
+                                     size_t n_strokes,
+                                     const char *name,
+                                     size_t name_len,
+                                     float trunk_width,
+                                     const struct tree_control *control,
+                                     struct tree_outline_drawing **drawing);
+
+// Reads outlines from an SVG drawing: `svg` of `len` bytes or `TREE_NUL_TERMINATED`. What is not seen is left out.
+//
+// Layers are groups, or single shapes, by id, class, layer label or name: `L0`, `L1`, `L2` and so on, and `leaf`. `L0@90` is
+// drawn in a plane turned about the trunk by so many degrees. In `L0`, what is named *trunk* or *stem*, and an open line,
+// is the trunk; what is closed or filled is the crown. In other layers what is closed or filled is the outline of a
+// branch, and an open line a branch redrawn. Groups named `tree`, `tree1`, `tree-oak` hold one tree each.
+//
+// Without layers what is filled is one silhouette for each tree: its trunk is what is named so, or what is brown where
+// something else is green, or the narrow part above the foot; the rest is its crown.
+//
+// `control` may be NULL; only its limits matter. Free the drawing with `tree_outline_drawing_free`. `TREE_ERROR_FORMAT` when
+// the text is no SVG, draws nothing, or nothing of it is a tree.
+tree_status tree_outline_drawing_from_svg(const char *svg,
+                                          size_t len,
+                                          const struct tree_control *control,
+                                          struct tree_outline_drawing **drawing);
+
+// Trunk and crown of the tree that a matte shows, in pixels, y downwards. Pixels covered to `threshold` or more belong to
+// it, 0.01 to 1; 0.5 is usual. Fine details are smoothed away and the gaps of a frayed crown closed, so that the outline is
+// one that can be drawn: at most 400 points. `control` may be NULL. Free the drawing with `tree_outline_drawing_free`.
+// `TREE_ERROR_INVALID` where nothing is covered.
+tree_status tree_outline_drawing_of_matte(const struct tree_matte *matte,
+                                          float threshold,
+                                          const struct tree_control *control,
+                                          struct tree_outline_drawing **drawing);
+
+// As `tree_outline_drawing_of_matte`, of a photograph that has been cut out, or of a mask in black and white: a half of
+// `tree_photo_mask`.
+tree_status tree_outline_drawing_of_photo(const struct tree_photo *photo,
+                                          const struct tree_control *control,
+                                          struct tree_outline_drawing **drawing);
+
+// The matte of a picture of one tree: its alpha where it has one; else how dark it is, for a tree on a light border, or how
+// light, for one on a dark border. `control` may be NULL. Free the matte with `tree_matte_free`. `TREE_ERROR_NO_RESULT` where
+// the picture is transparent everywhere.
+tree_status tree_photo_mask(const struct tree_photo *photo,
+                            const struct tree_control *control,
+                            struct tree_matte **matte);
+
+// Number of trees, one at least.
+tree_status tree_outline_drawing_count(const struct tree_outline_drawing *drawing, size_t *n_trees);
+
+// Views a tree of a drawing. `index` is below `tree_outline_drawing_count`. Set `tree->struct_size` first.
+tree_status tree_outline_drawing_tree(const struct tree_outline_drawing *drawing,
+                                      size_t index,
+                                      struct tree_drawn_tree *tree);
+
+// Views a stroke of tree `number` of a drawing. `index` is below the tree's `n_strokes`. Set `stroke->struct_size` first.
+tree_status tree_outline_drawing_stroke(const struct tree_outline_drawing *drawing,
+                                        size_t number,
+                                        size_t index,
+                                        struct tree_drawn_stroke *stroke);
+
+// Views what was repaired or noticed when the drawing was read: where the repairs begin and how many there are.
+tree_status tree_outline_drawing_repairs(const struct tree_outline_drawing *drawing,
+                                         const struct tree_drawn_repair **repairs,
+                                         size_t *n_repairs);
+
+// A sentence for each repair. Free the lines with `tree_lines_free`.
+tree_status tree_outline_drawing_repairs_text(const struct tree_outline_drawing *drawing,
+                                              struct tree_lines **lines);
+
+// Frees a drawing of outlines. What was made of it lives on.
+tree_status tree_outline_drawing_free(struct tree_outline_drawing *drawing);
+
+// Makes the surface through `n_sections` outlines, 1 to 1000, round an axis of `n_axis` points, two floats each, which is drawn in the
+// plane of azimuth 0. Outline `i` is what is seen in a plane turned about the vertical to `azimuths[i]` radians: 0 for the
+// drawing, π/2 for one seen from its right side; metres, x to that plane's right, y up, the tree's base at the origin.
+// Between their halves the surface is blended. `control` may be NULL; `nodes` of the limits caps the points of the axis.
+// Free the surface with `tree_revolved_free`.
+tree_status tree_revolved_of(const float *axis,
+                             size_t n_axis,
+                             const struct tree_outline *const *outlines,
+                             const float *azimuths,
+                             size_t n_sections,
+                             const struct tree_control *control,
+                             struct tree_revolved **revolved);
+
+// Tells the frame of a surface. Set `frame->struct_size` first.
+tree_status tree_revolved_view(const struct tree_revolved *revolved,
+                               struct tree_revolved_frame *frame);
+
+// Brings `n_spots` points of the drawing, two floats each, into the frame of the axis: (r, y) each into `places`, which has
+// room for `capacity` floats. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_revolved_to_frame(const struct tree_revolved *revolved,
+                                   const float *spots,
+                                   size_t n_spots,
+                                   const struct tree_control *control,
+                                   float *places,
+                                   size_t capacity);
+
+// The half of the surface at an azimuth: points (r, y) in metres, from top to bottom, two floats each into `points`;
+// `capacity` counts floats. `n_points` gets their number; where `capacity` is too small, `TREE_ERROR_BUFFER` says how many floats
+// are needed.
+tree_status tree_revolved_half(const struct tree_revolved *revolved,
+                               float azimuth,
+                               float *points,
+                               size_t capacity,
+                               size_t *n_points);
+
+// The outline of both halves at an azimuth and across from it, in (r, y). Free it with `tree_outline_free`.
+// `TREE_ERROR_NO_RESULT` where nothing is left of it.
+tree_status tree_revolved_profile(const struct tree_revolved *revolved,
+                                  float azimuth,
+                                  struct tree_outline **outline);
+
+// How far it is along `n_rays` rays to the surface: each ray is four floats, its beginning (r, y) and its direction, of
+// unit length, in the half-plane of the azimuth in `azimuths`. `exits`, which has room for `capacity`, gets metres,
+// infinite from outside. A ray may lead across the axis. `control` may be NULL; `nodes` of its limits caps the rays.
+tree_status tree_revolved_exits(const struct tree_revolved *revolved,
+                                const float *rays,
+                                const float *azimuths,
+                                size_t n_rays,
+                                const struct tree_control *control,
+                                float *exits,
+                                size_t capacity);
+
+// Says of `n_points` points in the frame of the axis, three floats each (x to the right of the drawing, y along the span, z
+// towards azimuth π/2), whether they lie inside: 1 or 0 into `inside`, which has room for `capacity`. `control` may be
+// NULL; `nodes` of its limits caps the points.
+tree_status tree_revolved_contains(const struct tree_revolved *revolved,
+                                   const float *points,
+                                   size_t n_points,
+                                   const struct tree_control *control,
+                                   uint8_t *inside,
+                                   size_t capacity);
+
+// Frees a surface.
+tree_status tree_revolved_free(struct tree_revolved *revolved);
+
+// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_free`.
+// `TREE_ERROR_PARAMETER` names what is out of range.
+tree_status tree_silhouette_new(const struct tree_silhouette_params *params,
+                                uint64_t seed,
+                                struct tree_silhouette **silhouette);
+
+// Draws all strokes of one tree of a drawing, the first being number 0; its height becomes that of the parameters.
+// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_repairs` and
+// `tree_silhouette_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
+// NULL. Free it with `tree_silhouette_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
+tree_status tree_silhouette_of_drawing(const struct tree_outline_drawing *drawing,
+                                       size_t tree,
+                                       const struct tree_silhouette_params *params,
+                                       uint64_t seed,
+                                       const struct tree_control *control,
+                                       struct tree_silhouette_play_report *report,
+                                       struct tree_silhouette **silhouette);
+
+// A second one in the state of the first, with all that can be undone: to try something, and go back. Free it
+// too.
+tree_status tree_silhouette_copy(const struct tree_silhouette *silhouette,
+                                 struct tree_silhouette **copy);
+
+// Frees it. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a progress callback
+// for instance: it lives on then.
+tree_status tree_silhouette_free(struct tree_silhouette *silhouette);
+
+// Views a change. Valid until `tree_silhouette_change_free`.
+tree_status tree_silhouette_change_view(const struct tree_silhouette_change *change,
+                                        struct tree_silhouette_change_columns *columns);
+
+// Frees a change.
+tree_status tree_silhouette_change_free(struct tree_silhouette_change *change);
+
+// Draws the trunk, from the ground up; one drawn downwards is turned. Branches are inferred anew when there is a
+// crown. `stroke` has two floats for each of `n_points` points, in metres, y up. `control` may be NULL; `nodes` of its
+// limits caps the points. `change` may be NULL where it is not wanted; else free what is put there with
+// `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
+tree_status tree_silhouette_draw_trunk(struct tree_silhouette *silhouette,
+                                       const float *stroke,
+                                       size_t n_points,
+                                       const struct tree_control *control,
+                                       struct tree_silhouette_change **change);
+
+// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
+// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
+// the trunk stays away from it.
+tree_status tree_silhouette_draw_crown(struct tree_silhouette *silhouette,
+                                       const float *stroke,
+                                       size_t n_points,
+                                       const struct tree_control *control,
+                                       struct tree_silhouette_change **change);
+
+// Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
+// drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
+// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
+tree_status tree_silhouette_draw_section(struct tree_silhouette *silhouette,
+                                         float azimuth,
+                                         const float *stroke,
+                                         size_t n_points,
+                                         const struct tree_control *control,
+                                         struct tree_silhouette_change **change);
+
+// Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
+// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
+// and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
+// branch of that level.
+tree_status tree_silhouette_refine(struct tree_silhouette *silhouette,
+                                   uint32_t level,
+                                   const float *stroke,
+                                   size_t n_points,
+                                   const struct tree_control *control,
+                                   struct tree_silhouette_change **change);
+
+// Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
+// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
+tree_status tree_silhouette_refine_branch(struct tree_silhouette *silhouette,
+                                          uint32_t id,
+                                          const float *stroke,
+                                          size_t n_points,
+                                          const struct tree_control *control,
+                                          struct tree_silhouette_change **change);
+
+// Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
+// Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
+// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. `stroke`,
+// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
+// there is no axis of that level.
+tree_status tree_silhouette_redraw(struct tree_silhouette *silhouette,
+                                   uint32_t level,
+                                   const float *stroke,
+                                   size_t n_points,
+                                   tree_transfer transfer,
+                                   const uint32_t *only,
+                                   size_t n_only,
+                                   const struct tree_control *control,
+                                   struct tree_silhouette_change **change);
+
+// Draws a branch on the trunk as it is seen by a viewer who has gone round the tree by `yaw` radians, -2π to 2π,
+// against the clock seen from above (0 is in front, +X to the right), and looks down by `pitch`, within ±1.4. It lies
+// in the upright plane through the trunk that faces the viewer. A branch drawn from near there before, with ends near
+// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_redraw`, which this is from in
+// front.
+tree_status tree_silhouette_redraw_from(struct tree_silhouette *silhouette,
+                                        float yaw,
+                                        float pitch,
+                                        const float *stroke,
+                                        size_t n_points,
+                                        tree_transfer transfer,
+                                        const uint32_t *only,
+                                        size_t n_only,
+                                        const struct tree_control *control,
+                                        struct tree_silhouette_change **change);
+
+// Takes a branch away, with all on it. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for an id
+// that is not there.
+tree_status tree_silhouette_remove(struct tree_silhouette *silhouette,
+                                   uint32_t id,
+                                   struct tree_silhouette_change **change);
+
+// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_draw_trunk`.
+// `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
+tree_status tree_silhouette_draw_leaf(struct tree_silhouette *silhouette,
+                                      const float *stroke,
+                                      size_t n_points,
+                                      const struct tree_control *control,
+                                      struct tree_silhouette_change **change);
+
+// Has `n_targets` branches take the style of the branch `source`, whose outline was drawn; 0: of the nearest such branch
+// again. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
+// whose outline was not drawn.
+tree_status tree_silhouette_copy_style(struct tree_silhouette *silhouette,
+                                       uint32_t source,
+                                       const uint32_t *targets,
+                                       size_t n_targets,
+                                       struct tree_silhouette_change **change);
+
+// Other parameters, NULL for the defaults. Where those of branches or angles differ, branches are inferred anew.
+// `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
+tree_status tree_silhouette_set_params(struct tree_silhouette *silhouette,
+                                       const struct tree_silhouette_params *params,
+                                       struct tree_silhouette_change **change);
+
+// Another seed: only what is drawn by chance differs. This is no edit, and is not undone.
+tree_status tree_silhouette_set_seed(struct tree_silhouette *silhouette, uint64_t seed);
+
+// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_draw_trunk`.
+// `TREE_ERROR_NO_RESULT` where there is none.
+tree_status tree_silhouette_undo(struct tree_silhouette *silhouette,
+                                 struct tree_silhouette_change **change);
+
+// Does again what was taken back last. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
+// is nothing.
+tree_status tree_silhouette_redo(struct tree_silhouette *silhouette,
+                                 struct tree_silhouette_change **change);
+
+// The seed.
+tree_status tree_silhouette_seed(const struct tree_silhouette *silhouette, uint64_t *seed);
+
+// The parameters, all parts given; a trunk drawn as an area tells its radius there. What they point at belongs to the
+// session and stays until `tree_silhouette_set_params`, `tree_silhouette_undo`, `tree_silhouette_redo` or
+// `tree_silhouette_free`. Set `params->struct_size` first.
+tree_status tree_silhouette_get_params(const struct tree_silhouette *silhouette,
+                                       struct tree_silhouette_params *params);
+
+// Numbers of edits that can be undone, and done again.
+tree_status tree_silhouette_depth(const struct tree_silhouette *silhouette,
+                                  size_t *n_undo,
+                                  size_t *n_redo);
+
+// How well the outlines of branches cover the crown: shares of its area, 0 to 1, in those of branches from bumps, and in
+// those of all. 0 before a crown was drawn.
+tree_status tree_silhouette_coverage(const struct tree_silhouette *silhouette,
+                                     float *by_bumps,
+                                     float *by_all);
+
+// What was repaired in the drawing it began with, a line each, for a person to read. Free the lines with
+// `tree_lines_free`.
+tree_status tree_silhouette_repairs(const struct tree_silhouette *silhouette,
+                                    struct tree_lines **lines);
+
+// Which strokes of the drawing it began with could not be used, and why, a line each. Free the lines with
+// `tree_lines_free`.
+tree_status tree_silhouette_refused(const struct tree_silhouette *silhouette,
+                                    struct tree_lines **lines);
+
+// The plan as it is now: a copy, which later edits do not change. Free it with `tree_outline_plan_free`.
+// `TREE_ERROR_NO_RESULT` before a crown was drawn.
+tree_status tree_silhouette_plan(const struct tree_silhouette *silhouette,
+                                 struct tree_outline_plan **plan);
+
+// The tree in space. The same strokes, parameters and seed give the same bits for any number of threads. `control` and
+// `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_INVALID` before a crown was drawn;
+// `TREE_ERROR_LIMIT` comes before the memory is asked for.
+tree_status tree_silhouette_tree(const struct tree_silhouette *silhouette,
+                                 const struct tree_control *control,
+                                 struct tree_silhouette_grown *report,
+                                 struct tree_tree **tree);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_stand_params_init(struct tree_stand_params *params, size_t size);
+
+// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give. Whether the trees of
+// `lendings` are there is seen when they are used.
+tree_status tree_stand_params_check(const struct tree_stand_params *params);
+
+// Grows all trees of a drawing, one outline for each, in parallel. Trees without details borrow branches and leaf of
+// the detailed tree with the most similar crown, or of the one that `params` says. Trees that cannot be used are left
+// out, and `tree_stand_notes` says so. `params` and `control` may be NULL. Free the stand with `tree_stand_free`.
+//
+// `TREE_ERROR_INVALID` when no tree can be used, and for a horizon below all of them; `TREE_ERROR_PARAMETER` names what
+// is out of range; `TREE_ERROR_LIMIT` for more nodes or leaves, all trees together, than the limits allow.
+tree_status tree_stand_of_drawing(const struct tree_outline_drawing *drawing,
+                                  const struct tree_stand_params *params,
+                                  uint64_t seed,
+                                  const struct tree_control *control,
+                                  struct tree_stand **stand);
+
+// Views a stand as a whole.
+tree_status tree_stand_view(const struct tree_stand *stand, struct tree_stand_whole *whole);
+
+// What was noticed, a line each, for a person to read. Free the lines with `tree_lines_free`.
+tree_status tree_stand_notes(const struct tree_stand *stand, struct tree_lines **lines);
+
+// Views a tree of a stand, the first being number 0, in the order of the drawing. Valid until `tree_stand_free`.
+tree_status tree_stand_at(const struct tree_stand *stand,
+                          size_t index,
+                          struct tree_stand_tree *row);
+
+// What grew as tree `index`, its base at the origin. `report` may be NULL. Free the tree with `tree_tree_free`.
+tree_status tree_stand_grown(const struct tree_stand *stand,
+                             size_t index,
+                             struct tree_silhouette_grown *report,
+                             struct tree_tree **tree);
+
+// What was drawn and borrowed of tree `index`, to be looked at or drawn on: a copy, its base at the origin. `report`,
+// which may be NULL, tells what became of its strokes. Its
+// `tree_silhouette_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_free`.
+tree_status tree_stand_silhouette(const struct tree_stand *stand,
+                                  size_t index,
+                                  struct tree_silhouette_play_report *report,
+                                  struct tree_silhouette **silhouette);
+
+// Frees a stand. What it handed out lives on.
+tree_status tree_stand_free(struct tree_stand *stand);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_sub_params_init(struct tree_sub_params *params, size_t size);
+
+// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+tree_status tree_sub_params_check(const struct tree_sub_params *params);
+
+// Opening in radians of the cone of a branch of span `span` with radius `radius` at its end. `params` may be NULL.
+tree_status tree_sub_params_opening(const struct tree_sub_params *params,
+                                    float radius,
+                                    float span,
+                                    float *angle);
+
+// Cuts out the part of a parent's outline that is a branch's. `branch` is its line, `n_branch` points of two floats each from
+// base to end, and `radius`, 0 or more, that of the disc at its end, as `tree_bump` has it. With `stretch`, two floats, only
+// that part of the parent is shared: from 0 to the perimeter, to as much more again; NULL for whatever the cone reaches.
+// `params`, `control` and `report` may be NULL; `nodes` of the limits caps the points. Free the outline, which is simple
+// whatever the branch, with `tree_outline_free`.
+tree_status tree_outline_sub(const struct tree_outline *parent,
+                             const float *branch,
+                             size_t n_branch,
+                             float radius,
+                             const float *stretch,
+                             const struct tree_sub_params *params,
+                             const struct tree_control *control,
+                             struct tree_sub_report *report,
+                             struct tree_outline **sub);
 
 // Makes a skeleton of columns, which are copied. Node 0 is the root, parents come before their children;
 // for rows in another order there is `tree_skeleton_from_unordered`. `control` may be NULL; only its

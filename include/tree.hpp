@@ -391,8 +391,10 @@ inline void rethrow(const Field &field) { field.rethrow(); }
 } // namespace detail
 
 class Aligned;
+class Arranged;
 class Attractor;
 class Axes;
+class Bumps;
 class Bytes;
 class Cancel;
 class Capsules;
@@ -412,12 +414,16 @@ class GraphNodes;
 class Grid;
 class Inferred;
 class LeafModel;
+class LeafOutline;
 class Lines;
 class Look;
 class Mask;
 class Matte;
 class Mesh;
 class Midlines;
+class Outline;
+class OutlineDrawing;
+class OutlinePlan;
 class Packed;
 class Photo;
 class PhotoSession;
@@ -426,11 +432,15 @@ class Pieces;
 class Plan;
 class Pool;
 class Profile;
+class Revolved;
 class Rows;
 class Separation;
+class Silhouette;
+class SilhouetteChange;
 class Skeleton;
 class SketchBranches;
 class SketchSession;
+class Stand;
 class Strokes;
 class Swc;
 class Templates;
@@ -447,6 +457,9 @@ struct AlignParams;
 struct AlignReport;
 using AlignWarning = tree_align_warning;
 struct Allocator;
+struct ArrangedReport;
+using Arrangement = tree_arrangement;
+struct ArrangementNumbers;
 struct AttractorColumns;
 struct AttractorNearestPoint;
 struct AutomaticParams;
@@ -455,7 +468,14 @@ struct AxisColumns;
 using BarkPatches = tree_bark_patches;
 struct BarkStyle;
 struct Bounds;
+struct BranchInferParams;
 struct BranchMotion;
+struct BranchShapeReport;
+using BranchSpan = tree_branch_span;
+struct BranchSystemParams;
+struct BranchingAngles;
+using Bump = tree_bump;
+struct BumpParams;
 using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
@@ -464,7 +484,9 @@ using Choice = tree_choice;
 struct CleanParams;
 using CleanRepair = tree_clean_repair;
 struct ColorSamples;
+struct Concentration;
 struct ConventionTraits;
+struct CoverParams;
 struct CrossingPairs;
 struct CrownMeasures;
 struct CrownParams;
@@ -478,6 +500,10 @@ using DensityView = tree_density_view;
 struct DifferenceParams;
 struct DirectionFieldColumns;
 struct DisplaceParams;
+using Domain = tree_domain;
+using DrawnRepair = tree_drawn_repair;
+struct DrawnStroke;
+struct DrawnTree;
 struct EquationsColumns;
 struct EraseReport;
 struct FieldParams;
@@ -486,6 +512,7 @@ struct FlowParams;
 struct FlowReport;
 struct FlowView;
 struct Foliage;
+struct GibbsParams;
 struct GlbOptions;
 struct GltfAttribute;
 struct GltfInstances;
@@ -504,6 +531,7 @@ struct LeafKinds;
 struct LeafLook;
 struct LeafMesh;
 struct LeafModelReport;
+struct LeafOutlineColumns;
 struct LeafParams;
 struct LeafReport;
 struct LeafShape;
@@ -524,7 +552,13 @@ struct MidlineParams;
 struct NaturalParams;
 struct NaturalReport;
 struct OcclusionParams;
+struct OutlineBranch;
+struct OutlineCloseParams;
+struct OutlineColumns;
 struct OutlineParams;
+struct OutlinePlanColumns;
+using OutlineRepair = tree_outline_repair;
+struct OutlineSystem;
 struct PackedColumns;
 using PackedVertex = tree_packed_vertex;
 struct PackedVertices;
@@ -552,10 +586,19 @@ struct PoolOptions;
 struct ProfileColumns;
 struct ProfileOptions;
 struct RadiusRule;
+struct RevolvedFrame;
 struct ScreenParams;
 struct SeedParams;
 struct SelectParams;
 struct SeparationColumns;
+struct SilhouetteChangeColumns;
+struct SilhouetteGrowParams;
+struct SilhouetteGrown;
+struct SilhouetteLeaves;
+struct SilhouetteLevel;
+struct SilhouetteParams;
+struct SilhouettePlayReport;
+using Site = tree_site;
 struct SkeletonColumns;
 struct SkeletonizeParams;
 struct SkeletonizeReport;
@@ -578,12 +621,17 @@ struct SketchStroke;
 using SketchTraceRow = tree_sketch_trace_row;
 struct Solid;
 struct Species;
+struct StandParams;
+struct StandTree;
+struct StandWhole;
 using Stream = tree_stream;
 struct StrewParams;
 struct StrokeParams;
 struct StrokeReport;
 struct StrokesColumns;
 struct Style;
+struct SubParams;
+struct SubReport;
 struct SubdivideParams;
 struct Surface;
 struct SwcContents;
@@ -617,6 +665,14 @@ struct Allocator : tree_allocator {
     Allocator() : tree_allocator{} { struct_size = sizeof *this; }
 };
 
+struct ArrangedReport : tree_arranged_report {
+    ArrangedReport() : tree_arranged_report{} { struct_size = sizeof *this; }
+};
+
+struct ArrangementNumbers : tree_arrangement_numbers {
+    ArrangementNumbers() : tree_arrangement_numbers{} { struct_size = sizeof *this; }
+};
+
 struct AttractorColumns : tree_attractor_columns {
     AttractorColumns() : tree_attractor_columns{} { struct_size = sizeof *this; }
 };
@@ -645,8 +701,34 @@ struct Bounds : tree_bounds {
     Bounds() : tree_bounds{} { struct_size = sizeof *this; }
 };
 
+struct BranchInferParams : tree_branch_infer_params {
+    BranchInferParams() : tree_branch_infer_params{} { tree_branch_infer_params_init(this, sizeof(tree_branch_infer_params)); }
+    bool check() const;
+};
+
 struct BranchMotion : tree_branch_motion {
     BranchMotion() : tree_branch_motion{} { struct_size = sizeof *this; }
+};
+
+struct BranchShapeReport : tree_branch_shape_report {
+    BranchShapeReport() : tree_branch_shape_report{} { struct_size = sizeof *this; }
+};
+
+struct BranchSystemParams : tree_branch_system_params {
+    BranchSystemParams() : tree_branch_system_params{} { tree_branch_system_params_init(this, sizeof(tree_branch_system_params)); }
+};
+
+struct BranchingAngles : tree_branching_angles {
+    BranchingAngles() : tree_branching_angles{} { tree_branching_angles_init(this, sizeof(tree_branching_angles)); }
+    std::vector<float> at(Span<const float> places, Ref<tree_control> control = nullptr) const;
+    bool at(Span<const float> places, Ref<tree_control> control, Span<float> values) const;
+    std::tuple<std::vector<float>, size_t> set(float place, float angle) const;
+    size_t set(float place, float angle, Span<float> samples) const;
+};
+
+struct BumpParams : tree_bump_params {
+    BumpParams() : tree_bump_params{} { tree_bump_params_init(this, sizeof(tree_bump_params)); }
+    bool check() const;
 };
 
 struct CapsuleParams : tree_capsule_params {
@@ -670,8 +752,16 @@ struct ColorSamples : tree_color_samples {
     ColorSamples() : tree_color_samples{} { tree_color_samples_init(this, sizeof(tree_color_samples)); }
 };
 
+struct Concentration : tree_concentration {
+    Concentration() : tree_concentration{} { struct_size = sizeof *this; }
+};
+
 struct ConventionTraits : tree_convention_traits {
     ConventionTraits() : tree_convention_traits{} { struct_size = sizeof *this; }
+};
+
+struct CoverParams : tree_cover_params {
+    CoverParams() : tree_cover_params{} { tree_cover_params_init(this, sizeof(tree_cover_params)); }
 };
 
 struct CrossingPairs : tree_crossing_pairs {
@@ -720,6 +810,14 @@ struct DisplaceParams : tree_displace_params {
     DisplaceParams() : tree_displace_params{} { tree_displace_params_init(this, sizeof(tree_displace_params)); }
 };
 
+struct DrawnStroke : tree_drawn_stroke {
+    DrawnStroke() : tree_drawn_stroke{} { struct_size = sizeof *this; }
+};
+
+struct DrawnTree : tree_drawn_tree {
+    DrawnTree() : tree_drawn_tree{} { struct_size = sizeof *this; }
+};
+
 struct EquationsColumns : tree_equations_columns {
     EquationsColumns() : tree_equations_columns{} { struct_size = sizeof *this; }
 };
@@ -756,6 +854,11 @@ struct FlowView : tree_flow_view {
 
 struct Foliage : tree_foliage {
     Foliage() : tree_foliage{} { struct_size = sizeof *this; }
+};
+
+struct GibbsParams : tree_gibbs_params {
+    GibbsParams() : tree_gibbs_params{} { tree_gibbs_params_init(this, sizeof(tree_gibbs_params)); }
+    bool check() const;
 };
 
 struct GlbOptions : tree_glb_options {
@@ -824,6 +927,10 @@ struct LeafMesh : tree_leaf_mesh {
 
 struct LeafModelReport : tree_leaf_model_report {
     LeafModelReport() : tree_leaf_model_report{} { struct_size = sizeof *this; }
+};
+
+struct LeafOutlineColumns : tree_leaf_outline_columns {
+    LeafOutlineColumns() : tree_leaf_outline_columns{} { struct_size = sizeof *this; }
 };
 
 struct LeafParams : tree_leaf_params {
@@ -915,8 +1022,29 @@ struct OcclusionParams : tree_occlusion_params {
     OcclusionParams() : tree_occlusion_params{} { tree_occlusion_params_init(this, sizeof(tree_occlusion_params)); }
 };
 
+struct OutlineBranch : tree_outline_branch {
+    OutlineBranch() : tree_outline_branch{} { struct_size = sizeof *this; }
+};
+
+struct OutlineCloseParams : tree_outline_close_params {
+    OutlineCloseParams() : tree_outline_close_params{} { tree_outline_close_params_init(this, sizeof(tree_outline_close_params)); }
+    bool check() const;
+};
+
+struct OutlineColumns : tree_outline_columns {
+    OutlineColumns() : tree_outline_columns{} { struct_size = sizeof *this; }
+};
+
 struct OutlineParams : tree_outline_params {
     OutlineParams() : tree_outline_params{} { tree_outline_params_init(this, sizeof(tree_outline_params)); }
+};
+
+struct OutlinePlanColumns : tree_outline_plan_columns {
+    OutlinePlanColumns() : tree_outline_plan_columns{} { struct_size = sizeof *this; }
+};
+
+struct OutlineSystem : tree_outline_system {
+    OutlineSystem() : tree_outline_system{} { struct_size = sizeof *this; }
 };
 
 struct PackedColumns : tree_packed_columns {
@@ -1034,6 +1162,10 @@ struct RadiusRule : tree_radius_rule {
     bool check() const;
 };
 
+struct RevolvedFrame : tree_revolved_frame {
+    RevolvedFrame() : tree_revolved_frame{} { struct_size = sizeof *this; }
+};
+
 struct ScreenParams : tree_screen_params {
     ScreenParams() : tree_screen_params{} { tree_screen_params_init(this, sizeof(tree_screen_params)); }
 };
@@ -1049,6 +1181,35 @@ struct SelectParams : tree_select_params {
 
 struct SeparationColumns : tree_separation_columns {
     SeparationColumns() : tree_separation_columns{} { struct_size = sizeof *this; }
+};
+
+struct SilhouetteChangeColumns : tree_silhouette_change_columns {
+    SilhouetteChangeColumns() : tree_silhouette_change_columns{} { struct_size = sizeof *this; }
+};
+
+struct SilhouetteGrowParams : tree_silhouette_grow_params {
+    SilhouetteGrowParams() : tree_silhouette_grow_params{} { tree_silhouette_grow_params_init(this, sizeof(tree_silhouette_grow_params)); }
+};
+
+struct SilhouetteGrown : tree_silhouette_grown {
+    SilhouetteGrown() : tree_silhouette_grown{} { struct_size = sizeof *this; }
+};
+
+struct SilhouetteLeaves : tree_silhouette_leaves {
+    SilhouetteLeaves() : tree_silhouette_leaves{} { tree_silhouette_leaves_init(this, sizeof(tree_silhouette_leaves)); }
+};
+
+struct SilhouetteLevel : tree_silhouette_level {
+    SilhouetteLevel() : tree_silhouette_level{} { tree_silhouette_level_init(this, sizeof(tree_silhouette_level)); }
+};
+
+struct SilhouetteParams : tree_silhouette_params {
+    SilhouetteParams() : tree_silhouette_params{} { tree_silhouette_params_init(this, sizeof(tree_silhouette_params)); }
+    bool check() const;
+};
+
+struct SilhouettePlayReport : tree_silhouette_play_report {
+    SilhouettePlayReport() : tree_silhouette_play_report{} { struct_size = sizeof *this; }
 };
 
 struct SkeletonColumns : tree_skeleton_columns {
@@ -1115,6 +1276,19 @@ struct Species : tree_species {
     Species() : tree_species{} { struct_size = sizeof *this; }
 };
 
+struct StandParams : tree_stand_params {
+    StandParams() : tree_stand_params{} { tree_stand_params_init(this, sizeof(tree_stand_params)); }
+    bool check() const;
+};
+
+struct StandTree : tree_stand_tree {
+    StandTree() : tree_stand_tree{} { struct_size = sizeof *this; }
+};
+
+struct StandWhole : tree_stand_whole {
+    StandWhole() : tree_stand_whole{} { struct_size = sizeof *this; }
+};
+
 struct StrewParams : tree_strew_params {
     StrewParams() : tree_strew_params{} { tree_strew_params_init(this, sizeof(tree_strew_params)); }
 };
@@ -1134,6 +1308,16 @@ struct StrokesColumns : tree_strokes_columns {
 struct Style : tree_style {
     Style() : tree_style{} { tree_style_init(this, sizeof(tree_style)); }
     static Style studio();
+};
+
+struct SubParams : tree_sub_params {
+    SubParams() : tree_sub_params{} { tree_sub_params_init(this, sizeof(tree_sub_params)); }
+    bool check() const;
+    float opening(float radius, float span) const;
+};
+
+struct SubReport : tree_sub_report {
+    SubReport() : tree_sub_report{} { struct_size = sizeof *this; }
 };
 
 struct SubdivideParams : tree_subdivide_params {
@@ -1220,6 +1404,17 @@ public:
     Span<const tree_align_warning> warnings() const && = delete;
 };
 
+class Arranged : public detail::Object<tree_arranged, tree_arranged_free> {
+public:
+    using Object::Object;
+    static Arranged make(Span<const tree_domain> domains, const tree_arrangement &arrangement, Ref<tree_gibbs_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_arranged_report *report = nullptr);
+    static Arranged ready(uint32_t n, const tree_arrangement &arrangement, uint64_t variant, uint64_t seed, Ref<tree_control> control = nullptr);
+    Span<const tree_site> sites() const &;
+    Span<const tree_site> sites() const && = delete;
+    Span<const float> trace() const &;
+    Span<const float> trace() const && = delete;
+};
+
 class Attractor : public detail::Object<tree_attractor, tree_attractor_free> {
 public:
     using Object::Object;
@@ -1244,6 +1439,13 @@ public:
     using Object::Object;
     AxisColumns view() const &;
     AxisColumns view() const && = delete;
+};
+
+class Bumps : public detail::Object<tree_bumps, tree_bumps_free> {
+public:
+    using Object::Object;
+    Span<const tree_bump> view() const &;
+    Span<const tree_bump> view() const && = delete;
 };
 
 class Bytes : public detail::Object<tree_bytes, tree_bytes_free> {
@@ -1438,6 +1640,16 @@ public:
     LeafMesh view() const && = delete;
 };
 
+class LeafOutline : public detail::Object<tree_leaf_outline, tree_leaf_outline_free> {
+public:
+    using Object::Object;
+    static LeafOutline of(const Outline &outline, const Floats<2> &base, const Floats<2> &tip);
+    static LeafOutline guess(const Outline &outline);
+    LeafOutlineColumns view() const &;
+    LeafOutlineColumns view() const && = delete;
+    LeafModel model() const;
+};
+
 class Lines : public detail::Object<tree_lines, tree_lines_free> {
 public:
     using Object::Object;
@@ -1452,6 +1664,7 @@ public:
     static Look plain(Ref<tree_species> species = nullptr);
     static Look of_tree(const Tree &tree, bool plain);
     static Look make(Ref<tree_material> bark, Span<const tree_leaf_look> leaves, Ref<tree_control> control = nullptr);
+    Look with_leaf(size_t kind, Ref<tree_leaf_look> leaf, Ref<tree_control> control = nullptr) const;
     size_t leaf_count() const;
     Material material(size_t number) const &;
     Material material(size_t number) const && = delete;
@@ -1558,6 +1771,70 @@ public:
     Span<const float> half_widths() const && = delete;
 };
 
+class Outline : public detail::Object<tree_outline, tree_outline_free> {
+public:
+    using Object::Object;
+    Bumps bumps(Ref<tree_bump_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    std::tuple<std::array<float, 2>, std::array<float, 2>> leaf_outline_ends() const;
+    std::vector<uint8_t> contains(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool contains(Span<const float> spots, Ref<tree_control> control, Span<uint8_t> inside) const;
+    std::vector<float> exits(Span<const float> rays, Ref<tree_control> control = nullptr) const;
+    bool exits(Span<const float> rays, Ref<tree_control> control, Span<float> exits) const;
+    std::tuple<std::vector<float>, std::vector<float>> nearest(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool nearest(Span<const float> spots, Ref<tree_control> control, Span<float> lengths, Span<float> distances) const;
+    std::tuple<std::vector<float>, std::vector<float>> along(Span<const float> lengths, Ref<tree_control> control = nullptr) const;
+    bool along(Span<const float> lengths, Ref<tree_control> control, Span<float> points, Span<float> tangents) const;
+    std::tuple<std::vector<float>, size_t> part(float from, float to) const;
+    size_t part(float from, float to, Span<float> points) const;
+    std::tuple<float, float> overlap(const Outline &other) const;
+    std::vector<uint8_t> mask(const Floats<2> &low, const Floats<2> &high, uint32_t width, uint32_t height, Ref<tree_control> control = nullptr) const;
+    bool mask(const Floats<2> &low, const Floats<2> &high, uint32_t width, uint32_t height, Ref<tree_control> control, Span<uint8_t> cells) const;
+    static Outline close(Span<const float> stroke, std::string_view name, Ref<tree_outline_close_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Outline from_points(Span<const float> spots, Ref<tree_control> control = nullptr);
+    OutlineColumns view() const &;
+    OutlineColumns view() const && = delete;
+    Span<const tree_outline_repair> repairs() const &;
+    Span<const tree_outline_repair> repairs() const && = delete;
+    Lines repairs_text() const;
+    Outline resampled(uint32_t n_points, Ref<tree_control> control = nullptr) const;
+    Outline transformed(const Floats<6> &affine) const;
+    Outline sub(Span<const float> branch, float radius, const Floats<2> &stretch, Ref<tree_sub_params> params = nullptr, Ref<tree_control> control = nullptr, tree_sub_report *report = nullptr) const;
+};
+
+class OutlineDrawing : public detail::Object<tree_outline_drawing, tree_outline_drawing_free> {
+public:
+    using Object::Object;
+    static OutlineDrawing make(Span<const tree_drawn_stroke> strokes, std::string_view name, float trunk_width, Ref<tree_control> control = nullptr);
+    static OutlineDrawing from_svg(std::string_view svg, Ref<tree_control> control = nullptr);
+    static OutlineDrawing of_matte(const Matte &matte, float threshold, Ref<tree_control> control = nullptr);
+    static OutlineDrawing of_photo(const Photo &photo, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    DrawnTree tree(size_t index) const &;
+    DrawnTree tree(size_t index) const && = delete;
+    DrawnStroke stroke(size_t number, size_t index) const &;
+    DrawnStroke stroke(size_t number, size_t index) const && = delete;
+    Span<const tree_drawn_repair> repairs() const &;
+    Span<const tree_drawn_repair> repairs() const && = delete;
+    Lines repairs_text() const;
+};
+
+class OutlinePlan : public detail::Object<tree_outline_plan, tree_outline_plan_free> {
+public:
+    using Object::Object;
+    std::tuple<SilhouetteGrown, Tree> grow(Ref<tree_silhouette_grow_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    OutlinePlanColumns view() const &;
+    OutlinePlanColumns view() const && = delete;
+    size_t find(uint32_t id) const;
+    OutlineBranch branch(uint32_t id) const &;
+    OutlineBranch branch(uint32_t id) const && = delete;
+    OutlineSystem system(uint32_t id) const &;
+    OutlineSystem system(uint32_t id) const && = delete;
+    std::tuple<float, Outline> section(uint32_t id, size_t section) const;
+    Outline outline(uint32_t id) const;
+    uint32_t count_levels() const;
+    std::tuple<float, LeafOutline> leaf() const;
+};
+
 class Packed : public detail::Object<tree_packed, tree_packed_free> {
 public:
     using Object::Object;
@@ -1586,6 +1863,7 @@ public:
     Photo mirrored() const;
     Bytes to_png() const;
     bool write_png(std::string_view path) const;
+    Matte mask(Ref<tree_control> control = nullptr) const;
 };
 
 class PhotoSession : public detail::Object<tree_photo_session, tree_photo_session_free> {
@@ -1687,6 +1965,21 @@ public:
     Volume volume(const Floats<3> &base) const;
 };
 
+class Revolved : public detail::Object<tree_revolved, tree_revolved_free> {
+public:
+    using Object::Object;
+    static Revolved of(Span<const float> axis, const Handles<tree_outline> &outlines, Span<const float> azimuths, Ref<tree_control> control = nullptr);
+    RevolvedFrame view() const;
+    std::vector<float> to_frame(Span<const float> spots, Ref<tree_control> control = nullptr) const;
+    bool to_frame(Span<const float> spots, Ref<tree_control> control, Span<float> places) const;
+    size_t half(float azimuth, Span<float> points) const;
+    Outline profile(float azimuth) const;
+    std::vector<float> exits(Span<const float> rays, Span<const float> azimuths, Ref<tree_control> control = nullptr) const;
+    bool exits(Span<const float> rays, Span<const float> azimuths, Ref<tree_control> control, Span<float> exits) const;
+    std::vector<uint8_t> contains(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool contains(Span<const float> points, Ref<tree_control> control, Span<uint8_t> inside) const;
+};
+
 class Rows : public detail::Object<tree_rows, tree_rows_free> {
 public:
     using Object::Object;
@@ -1705,6 +1998,44 @@ public:
     SeparationColumns view() const && = delete;
     Separation with_classes(Span<const tree_class> classes) const;
     Skeleton outward(const Skeleton &skeleton) const;
+};
+
+class Silhouette : public detail::Object<tree_silhouette, tree_silhouette_free> {
+public:
+    using Object::Object;
+    static Silhouette make(Ref<tree_silhouette_params> params, uint64_t seed);
+    static Silhouette of_drawing(const OutlineDrawing &drawing, size_t tree, Ref<tree_silhouette_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_silhouette_play_report *report = nullptr);
+    Silhouette copy() const;
+    SilhouetteChange draw_trunk(Span<const float> stroke, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange draw_crown(Span<const float> stroke, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange draw_section(float azimuth, Span<const float> stroke, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange refine(uint32_t level, Span<const float> stroke, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange refine_branch(uint32_t id, Span<const float> stroke, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange redraw(uint32_t level, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange redraw_from(float yaw, float pitch, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange remove(uint32_t id) const;
+    SilhouetteChange draw_leaf(Span<const float> stroke, Ref<tree_control> control = nullptr) const;
+    SilhouetteChange copy_style(uint32_t source, Span<const uint32_t> targets) const;
+    SilhouetteChange set_params(Ref<tree_silhouette_params> params = nullptr) const;
+    bool set_seed(uint64_t seed) const;
+    SilhouetteChange undo() const;
+    SilhouetteChange redo() const;
+    uint64_t seed() const;
+    SilhouetteParams get_params() const &;
+    SilhouetteParams get_params() const && = delete;
+    std::tuple<size_t, size_t> depth() const;
+    std::tuple<float, float> coverage() const;
+    Lines repairs() const;
+    Lines refused() const;
+    OutlinePlan plan() const;
+    std::tuple<SilhouetteGrown, Tree> tree(Ref<tree_control> control = nullptr) const;
+};
+
+class SilhouetteChange : public detail::Object<tree_silhouette_change, tree_silhouette_change_free> {
+public:
+    using Object::Object;
+    SilhouetteChangeColumns view() const &;
+    SilhouetteChangeColumns view() const && = delete;
 };
 
 class Skeleton : public detail::Object<tree_skeleton, tree_skeleton_free> {
@@ -1790,6 +2121,18 @@ public:
     Skeleton wood(Ref<tree_control> control = nullptr) const;
     Tree tree(Ref<tree_control> control = nullptr, tree_sketch_report *report = nullptr) const;
     Lines warnings(Ref<tree_control> control = nullptr) const;
+};
+
+class Stand : public detail::Object<tree_stand, tree_stand_free> {
+public:
+    using Object::Object;
+    static Stand of_drawing(const OutlineDrawing &drawing, Ref<tree_stand_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    StandWhole view() const;
+    Lines notes() const;
+    StandTree at(size_t index) const &;
+    StandTree at(size_t index) const && = delete;
+    std::tuple<SilhouetteGrown, Tree> grown(size_t index) const;
+    Silhouette silhouette(size_t index, tree_silhouette_play_report *report = nullptr) const;
 };
 
 class Strokes : public detail::Object<tree_strokes, tree_strokes_free> {
@@ -2003,6 +2346,23 @@ float path_preset_paper_seconds(size_t index);
 PathParams path_preset(std::string_view name);
 Lines align_warnings_text(Span<const tree_align_warning> warnings);
 Aligned align_all(const Handles<tree_matte> &mattes, Span<const tree_align_params> params, float height, Ref<tree_control> control = nullptr);
+Concentration sites_privileged(Span<const tree_site> sites, const tree_arrangement &arrangement, Ref<tree_control> control = nullptr);
+std::tuple<size_t, float> branch_infer(Span<const float> parent, Maybe<tree_outline> outline, Ref<tree_branching_angles> angles, const Floats<2> &end, const Floats<2> &tangent, float from, float to, Ref<tree_branch_infer_params> params, Ref<tree_control> control, Span<float> points);
+std::tuple<float, float, bool> branch_base(Span<const float> parent, Span<const float> branch, Ref<tree_control> control = nullptr);
+std::tuple<std::vector<float>, size_t, Outline> branch_carry(Span<const float> branch, bool left, const Outline &outline, const tree_branch_span &span, Ref<tree_control> control = nullptr, tree_branch_shape_report *report = nullptr);
+std::tuple<size_t, Outline> branch_carry(Span<const float> branch, bool left, const Outline &outline, const tree_branch_span &span, Ref<tree_control> control, tree_branch_shape_report *report, Span<float> points);
+float line_length(Span<const float> line, Ref<tree_control> control = nullptr);
+std::tuple<std::vector<float>, std::vector<float>> line_at(Span<const float> line, Span<const float> places, Ref<tree_control> control = nullptr);
+bool line_at(Span<const float> line, Span<const float> places, Ref<tree_control> control, Span<float> points, Span<float> tangents);
+std::tuple<std::vector<float>, std::vector<float>> line_nearest(Span<const float> line, Span<const float> spots, Ref<tree_control> control = nullptr);
+bool line_nearest(Span<const float> line, Span<const float> spots, Ref<tree_control> control, Span<float> shares, Span<float> distances);
+size_t line_part(Span<const float> line, float from, float to, uint32_t count, Ref<tree_control> control, Span<float> points);
+tree_arrangement arrangement_from_text(std::string_view text);
+Bytes arrangement_to_text(const tree_arrangement &arrangement);
+ArrangementNumbers arrangement_measure(const tree_arrangement &arrangement);
+tree_domain domain_drawn(float along, bool left);
+bool domain_contains(const tree_domain &domain, float along, float azimuth);
+float domain_outside(const tree_domain &domain, float azimuth);
 Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr);
 size_t exemplar_count();
 std::tuple<std::string_view, std::string_view, std::string_view> exemplar_name(size_t index);
@@ -2450,6 +2810,11 @@ inline Look Look::make(Ref<tree_material> bark, Span<const tree_leaf_look> leave
     Look look;
     detail::done(tree_look_new(bark, leaves.data(), leaves.size(), control, look.place()), control);
     return look;
+}
+inline Look Look::with_leaf(size_t kind, Ref<tree_leaf_look> leaf, Ref<tree_control> control) const {
+    Look changed;
+    detail::done(tree_look_with_leaf(get(), kind, leaf, control, changed.place()), control);
+    return changed;
 }
 inline size_t Look::leaf_count() const {
     size_t n_leaves{};
@@ -3606,6 +3971,648 @@ inline View View::place(const Mesh &mesh) const {
     View placed;
     if (!(detail::done(tree_view_place(this, mesh.get(), &placed)))) { placed.struct_size = 0; }
     return placed;
+}
+inline bool GibbsParams::check() const {
+    return detail::done(tree_gibbs_params_check(this));
+}
+inline Arranged Arranged::make(Span<const tree_domain> domains, const tree_arrangement &arrangement, Ref<tree_gibbs_params> params, uint64_t seed, Ref<tree_control> control, tree_arranged_report *report) {
+    Arranged arranged;
+    detail::done(tree_arranged_new(domains.data(), domains.size(), &arrangement, params, seed, control, report, arranged.place()), control);
+    return arranged;
+}
+inline Arranged Arranged::ready(uint32_t n, const tree_arrangement &arrangement, uint64_t variant, uint64_t seed, Ref<tree_control> control) {
+    Arranged arranged;
+    detail::done(tree_arranged_ready(n, &arrangement, variant, seed, control, arranged.place()), control);
+    return arranged;
+}
+inline Span<const tree_site> Arranged::sites() const & {
+    const tree_site *sites = nullptr;
+    size_t n_sites = 0;
+    detail::done(tree_arranged_sites(get(), &sites, &n_sites));
+    return Span<const tree_site>(sites, n_sites);
+}
+inline Span<const float> Arranged::trace() const & {
+    const float *costs = nullptr;
+    size_t n_costs = 0;
+    detail::done(tree_arranged_trace(get(), &costs, &n_costs));
+    return Span<const float>(costs, n_costs);
+}
+inline Concentration sites_privileged(Span<const tree_site> sites, const tree_arrangement &arrangement, Ref<tree_control> control) {
+    Concentration concentration;
+    if (!(detail::done(tree_sites_privileged(sites.data(), sites.size(), &arrangement, control, &concentration), control))) { concentration.struct_size = 0; }
+    return concentration;
+}
+inline std::vector<float> BranchingAngles::at(Span<const float> places, Ref<tree_control> control) const {
+    std::vector<float> values(places.size());
+    if (!(detail::done(tree_branching_angles_at(this, places.data(), places.size(), control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool BranchingAngles::at(Span<const float> places, Ref<tree_control> control, Span<float> values) const {
+    return detail::done(tree_branching_angles_at(this, places.data(), places.size(), control, values.data(), values.size()), control);
+}
+inline std::tuple<std::vector<float>, size_t> BranchingAngles::set(float place, float angle) const {
+    std::vector<float> samples(2 * this->n_samples + 8);
+    size_t n_samples{};
+    if (!(detail::done(tree_branching_angles_set(this, place, angle, samples.data(), samples.size(), &n_samples)))) { samples.clear(); }
+    samples.resize(2 * n_samples);
+    return {std::move(samples), std::move(n_samples)};
+}
+inline size_t BranchingAngles::set(float place, float angle, Span<float> samples) const {
+    size_t n_samples{};
+    detail::done(tree_branching_angles_set(this, place, angle, samples.data(), samples.size(), &n_samples));
+    return n_samples;
+}
+inline bool BranchInferParams::check() const {
+    return detail::done(tree_branch_infer_params_check(this));
+}
+inline std::tuple<size_t, float> branch_infer(Span<const float> parent, Maybe<tree_outline> outline, Ref<tree_branching_angles> angles, const Floats<2> &end, const Floats<2> &tangent, float from, float to, Ref<tree_branch_infer_params> params, Ref<tree_control> control, Span<float> points) {
+    size_t n_points{};
+    float share{};
+    static_cast<void>(detail::expect(parent.size() % 2 == 0, TREE_ERROR_BUFFER, "parent: must have 2 numbers for each item")
+        && detail::expect(outline.fits(), TREE_ERROR_NULL, "outline: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_branch_infer(parent.data(), parent.size() / 2, outline, angles, end, tangent, from, to, params, control, points.data(), points.size(), &n_points, &share), control));
+    return {std::move(n_points), std::move(share)};
+}
+inline std::tuple<float, float, bool> branch_base(Span<const float> parent, Span<const float> branch, Ref<tree_control> control) {
+    float share{};
+    float angle{};
+    uint32_t is_left = 0;
+    static_cast<void>(detail::expect(parent.size() % 2 == 0, TREE_ERROR_BUFFER, "parent: must have 2 numbers for each item")
+        && detail::expect(branch.size() % 2 == 0, TREE_ERROR_BUFFER, "branch: must have 2 numbers for each item")
+        && detail::done(tree_branch_base(parent.data(), parent.size() / 2, branch.data(), branch.size() / 2, control, &share, &angle, &is_left), control));
+    return {std::move(share), std::move(angle), is_left != 0};
+}
+inline std::tuple<std::vector<float>, size_t, Outline> branch_carry(Span<const float> branch, bool left, const Outline &outline, const tree_branch_span &span, Ref<tree_control> control, tree_branch_shape_report *report) {
+    std::vector<float> points(branch.size());
+    size_t n_points{};
+    Outline carried;
+    if (!(detail::expect(branch.size() % 2 == 0, TREE_ERROR_BUFFER, "branch: must have 2 numbers for each item")
+        && detail::done(tree_branch_carry(branch.data(), branch.size() / 2, left ? 1u : 0u, outline.get(), &span, control, report, points.data(), points.size(), &n_points, carried.place()), control))) { points.clear(); }
+    points.resize(2 * n_points);
+    return {std::move(points), std::move(n_points), std::move(carried)};
+}
+inline std::tuple<size_t, Outline> branch_carry(Span<const float> branch, bool left, const Outline &outline, const tree_branch_span &span, Ref<tree_control> control, tree_branch_shape_report *report, Span<float> points) {
+    size_t n_points{};
+    Outline carried;
+    static_cast<void>(detail::expect(branch.size() % 2 == 0, TREE_ERROR_BUFFER, "branch: must have 2 numbers for each item")
+        && detail::done(tree_branch_carry(branch.data(), branch.size() / 2, left ? 1u : 0u, outline.get(), &span, control, report, points.data(), points.size(), &n_points, carried.place()), control));
+    return {std::move(n_points), std::move(carried)};
+}
+inline bool BumpParams::check() const {
+    return detail::done(tree_bump_params_check(this));
+}
+inline Bumps Outline::bumps(Ref<tree_bump_params> params, Ref<tree_control> control) const {
+    Bumps bumps;
+    detail::done(tree_outline_bumps(get(), params, control, bumps.place()), control);
+    return bumps;
+}
+inline Span<const tree_bump> Bumps::view() const & {
+    const tree_bump *rows = nullptr;
+    size_t n_rows = 0;
+    detail::done(tree_bumps_view(get(), &rows, &n_rows));
+    return Span<const tree_bump>(rows, n_rows);
+}
+inline std::tuple<SilhouetteGrown, Tree> OutlinePlan::grow(Ref<tree_silhouette_grow_params> params, uint64_t seed, Ref<tree_control> control) const {
+    SilhouetteGrown report;
+    Tree tree;
+    if (!(detail::done(tree_outline_plan_grow(get(), params, seed, control, &report, tree.place()), control))) { report.struct_size = 0; }
+    return {std::move(report), std::move(tree)};
+}
+inline LeafOutline LeafOutline::of(const Outline &outline, const Floats<2> &base, const Floats<2> &tip) {
+    LeafOutline leaf;
+    detail::done(tree_leaf_outline_of(outline.get(), base, tip, leaf.place()));
+    return leaf;
+}
+inline LeafOutline LeafOutline::guess(const Outline &outline) {
+    LeafOutline leaf;
+    detail::done(tree_leaf_outline_guess(outline.get(), leaf.place()));
+    return leaf;
+}
+inline std::tuple<std::array<float, 2>, std::array<float, 2>> Outline::leaf_outline_ends() const {
+    std::array<float, 2> base{};
+    std::array<float, 2> tip{};
+    detail::done(tree_leaf_outline_ends(get(), reinterpret_cast<float(*)[2]>(base.data()), reinterpret_cast<float(*)[2]>(tip.data())));
+    return {std::move(base), std::move(tip)};
+}
+inline LeafOutlineColumns LeafOutline::view() const & {
+    LeafOutlineColumns columns;
+    if (!(detail::done(tree_leaf_outline_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline LeafModel LeafOutline::model() const {
+    LeafModel model;
+    detail::done(tree_leaf_outline_model(get(), model.place()));
+    return model;
+}
+inline float line_length(Span<const float> line, Ref<tree_control> control) {
+    float length{};
+    static_cast<void>(detail::expect(line.size() % 2 == 0, TREE_ERROR_BUFFER, "line: must have 2 numbers for each item")
+        && detail::done(tree_line_length(line.data(), line.size() / 2, control, &length), control));
+    return length;
+}
+inline std::tuple<std::vector<float>, std::vector<float>> line_at(Span<const float> line, Span<const float> places, Ref<tree_control> control) {
+    std::vector<float> points(2 * places.size());
+    std::vector<float> tangents(2 * places.size());
+    if (!(detail::expect(line.size() % 2 == 0, TREE_ERROR_BUFFER, "line: must have 2 numbers for each item")
+        && detail::done(tree_line_at(line.data(), line.size() / 2, places.data(), places.size(), control, points.data(), tangents.data(), detail::shortest({{points.data(), points.size()}, {tangents.data(), tangents.size()}})), control))) { points.clear(); tangents.clear(); }
+    return {std::move(points), std::move(tangents)};
+}
+inline bool line_at(Span<const float> line, Span<const float> places, Ref<tree_control> control, Span<float> points, Span<float> tangents) {
+    return detail::expect(line.size() % 2 == 0, TREE_ERROR_BUFFER, "line: must have 2 numbers for each item")
+        && detail::done(tree_line_at(line.data(), line.size() / 2, places.data(), places.size(), control, points.data(), tangents.data(), detail::shortest({{points.data(), points.size()}, {tangents.data(), tangents.size()}})), control);
+}
+inline std::tuple<std::vector<float>, std::vector<float>> line_nearest(Span<const float> line, Span<const float> spots, Ref<tree_control> control) {
+    std::vector<float> shares(spots.size() / 2);
+    std::vector<float> distances(spots.size() / 2);
+    if (!(detail::expect(line.size() % 2 == 0, TREE_ERROR_BUFFER, "line: must have 2 numbers for each item")
+        && detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_line_nearest(line.data(), line.size() / 2, spots.data(), spots.size() / 2, control, shares.data(), distances.data(), detail::shortest({{shares.data(), shares.size()}, {distances.data(), distances.size()}})), control))) { shares.clear(); distances.clear(); }
+    return {std::move(shares), std::move(distances)};
+}
+inline bool line_nearest(Span<const float> line, Span<const float> spots, Ref<tree_control> control, Span<float> shares, Span<float> distances) {
+    return detail::expect(line.size() % 2 == 0, TREE_ERROR_BUFFER, "line: must have 2 numbers for each item")
+        && detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_line_nearest(line.data(), line.size() / 2, spots.data(), spots.size() / 2, control, shares.data(), distances.data(), detail::shortest({{shares.data(), shares.size()}, {distances.data(), distances.size()}})), control);
+}
+inline size_t line_part(Span<const float> line, float from, float to, uint32_t count, Ref<tree_control> control, Span<float> points) {
+    size_t n_points{};
+    static_cast<void>(detail::expect(line.size() % 2 == 0, TREE_ERROR_BUFFER, "line: must have 2 numbers for each item")
+        && detail::done(tree_line_part(line.data(), line.size() / 2, from, to, count, control, points.data(), points.size(), &n_points), control));
+    return n_points;
+}
+inline std::vector<uint8_t> Outline::contains(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<uint8_t> inside(spots.size() / 2);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_outline_contains(get(), spots.data(), spots.size() / 2, control, inside.data(), inside.size()), control))) { inside.clear(); }
+    return inside;
+}
+inline bool Outline::contains(Span<const float> spots, Ref<tree_control> control, Span<uint8_t> inside) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_outline_contains(get(), spots.data(), spots.size() / 2, control, inside.data(), inside.size()), control);
+}
+inline std::vector<float> Outline::exits(Span<const float> rays, Ref<tree_control> control) const {
+    std::vector<float> exits(rays.size() / 4);
+    if (!(detail::expect(rays.size() % 4 == 0, TREE_ERROR_BUFFER, "rays: must have 4 numbers for each item")
+        && detail::done(tree_outline_exits(get(), rays.data(), rays.size() / 4, control, exits.data(), exits.size()), control))) { exits.clear(); }
+    return exits;
+}
+inline bool Outline::exits(Span<const float> rays, Ref<tree_control> control, Span<float> exits) const {
+    return detail::expect(rays.size() % 4 == 0, TREE_ERROR_BUFFER, "rays: must have 4 numbers for each item")
+        && detail::done(tree_outline_exits(get(), rays.data(), rays.size() / 4, control, exits.data(), exits.size()), control);
+}
+inline std::tuple<std::vector<float>, std::vector<float>> Outline::nearest(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> lengths(spots.size() / 2);
+    std::vector<float> distances(spots.size() / 2);
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_outline_nearest(get(), spots.data(), spots.size() / 2, control, lengths.data(), distances.data(), detail::shortest({{lengths.data(), lengths.size()}, {distances.data(), distances.size()}})), control))) { lengths.clear(); distances.clear(); }
+    return {std::move(lengths), std::move(distances)};
+}
+inline bool Outline::nearest(Span<const float> spots, Ref<tree_control> control, Span<float> lengths, Span<float> distances) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_outline_nearest(get(), spots.data(), spots.size() / 2, control, lengths.data(), distances.data(), detail::shortest({{lengths.data(), lengths.size()}, {distances.data(), distances.size()}})), control);
+}
+inline std::tuple<std::vector<float>, std::vector<float>> Outline::along(Span<const float> lengths, Ref<tree_control> control) const {
+    std::vector<float> points(2 * lengths.size());
+    std::vector<float> tangents(2 * lengths.size());
+    if (!(detail::done(tree_outline_along(get(), lengths.data(), lengths.size(), control, points.data(), tangents.data(), detail::shortest({{points.data(), points.size()}, {tangents.data(), tangents.size()}})), control))) { points.clear(); tangents.clear(); }
+    return {std::move(points), std::move(tangents)};
+}
+inline bool Outline::along(Span<const float> lengths, Ref<tree_control> control, Span<float> points, Span<float> tangents) const {
+    return detail::done(tree_outline_along(get(), lengths.data(), lengths.size(), control, points.data(), tangents.data(), detail::shortest({{points.data(), points.size()}, {tangents.data(), tangents.size()}})), control);
+}
+inline std::tuple<std::vector<float>, size_t> Outline::part(float from, float to) const {
+    std::vector<float> points(2 * view().n_points + 4);
+    size_t n_points{};
+    if (!(detail::done(tree_outline_part(get(), from, to, points.data(), points.size(), &n_points)))) { points.clear(); }
+    points.resize(2 * n_points);
+    return {std::move(points), std::move(n_points)};
+}
+inline size_t Outline::part(float from, float to, Span<float> points) const {
+    size_t n_points{};
+    detail::done(tree_outline_part(get(), from, to, points.data(), points.size(), &n_points));
+    return n_points;
+}
+inline std::tuple<float, float> Outline::overlap(const Outline &other) const {
+    float area{};
+    float iou{};
+    detail::done(tree_outline_overlap(get(), other.get(), &area, &iou));
+    return {std::move(area), std::move(iou)};
+}
+inline std::vector<uint8_t> Outline::mask(const Floats<2> &low, const Floats<2> &high, uint32_t width, uint32_t height, Ref<tree_control> control) const {
+    std::vector<uint8_t> cells(static_cast<size_t>(width) * height);
+    if (!(detail::done(tree_outline_mask(get(), low, high, width, height, control, cells.data(), cells.size()), control))) { cells.clear(); }
+    return cells;
+}
+inline bool Outline::mask(const Floats<2> &low, const Floats<2> &high, uint32_t width, uint32_t height, Ref<tree_control> control, Span<uint8_t> cells) const {
+    return detail::done(tree_outline_mask(get(), low, high, width, height, control, cells.data(), cells.size()), control);
+}
+inline bool OutlineCloseParams::check() const {
+    return detail::done(tree_outline_close_params_check(this));
+}
+inline Outline Outline::close(Span<const float> stroke, std::string_view name, Ref<tree_outline_close_params> params, Ref<tree_control> control) {
+    Outline outline;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_outline_close(stroke.data(), stroke.size() / 2, name.data() ? name.data() : "", name.size(), params, control, outline.place()), control));
+    return outline;
+}
+inline Outline Outline::from_points(Span<const float> spots, Ref<tree_control> control) {
+    Outline outline;
+    static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_outline_from_points(spots.data(), spots.size() / 2, control, outline.place()), control));
+    return outline;
+}
+inline OutlineColumns Outline::view() const & {
+    OutlineColumns columns;
+    if (!(detail::done(tree_outline_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Span<const tree_outline_repair> Outline::repairs() const & {
+    const tree_outline_repair *repairs = nullptr;
+    size_t n_repairs = 0;
+    detail::done(tree_outline_repairs(get(), &repairs, &n_repairs));
+    return Span<const tree_outline_repair>(repairs, n_repairs);
+}
+inline Lines Outline::repairs_text() const {
+    Lines lines;
+    detail::done(tree_outline_repairs_text(get(), lines.place()));
+    return lines;
+}
+inline Outline Outline::resampled(uint32_t n_points, Ref<tree_control> control) const {
+    Outline resampled;
+    detail::done(tree_outline_resampled(get(), n_points, control, resampled.place()), control);
+    return resampled;
+}
+inline Outline Outline::transformed(const Floats<6> &affine) const {
+    Outline transformed;
+    detail::done(tree_outline_transformed(get(), affine, transformed.place()));
+    return transformed;
+}
+inline bool SilhouetteParams::check() const {
+    return detail::done(tree_silhouette_params_check(this));
+}
+inline tree_arrangement arrangement_from_text(std::string_view text) {
+    tree_arrangement arrangement{};
+    detail::done(tree_arrangement_from_text(text.data() ? text.data() : "", text.size(), &arrangement));
+    return arrangement;
+}
+inline Bytes arrangement_to_text(const tree_arrangement &arrangement) {
+    Bytes bytes;
+    detail::done(tree_arrangement_to_text(&arrangement, bytes.place()));
+    return bytes;
+}
+inline ArrangementNumbers arrangement_measure(const tree_arrangement &arrangement) {
+    ArrangementNumbers numbers;
+    if (!(detail::done(tree_arrangement_measure(&arrangement, &numbers)))) { numbers.struct_size = 0; }
+    return numbers;
+}
+inline tree_domain domain_drawn(float along, bool left) {
+    tree_domain domain{};
+    detail::done(tree_domain_drawn(along, left ? 1u : 0u, &domain));
+    return domain;
+}
+inline bool domain_contains(const tree_domain &domain, float along, float azimuth) {
+    uint32_t inside = 0;
+    detail::done(tree_domain_contains(&domain, along, azimuth, &inside));
+    return inside != 0;
+}
+inline float domain_outside(const tree_domain &domain, float azimuth) {
+    float angle{};
+    detail::done(tree_domain_outside(&domain, azimuth, &angle));
+    return angle;
+}
+inline OutlinePlanColumns OutlinePlan::view() const & {
+    OutlinePlanColumns columns;
+    if (!(detail::done(tree_outline_plan_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline size_t OutlinePlan::find(uint32_t id) const {
+    size_t row{};
+    detail::done(tree_outline_plan_find(get(), id, &row));
+    return row;
+}
+inline OutlineBranch OutlinePlan::branch(uint32_t id) const & {
+    OutlineBranch branch;
+    if (!(detail::done(tree_outline_plan_branch(get(), id, &branch)))) { branch.struct_size = 0; }
+    return branch;
+}
+inline OutlineSystem OutlinePlan::system(uint32_t id) const & {
+    OutlineSystem system;
+    if (!(detail::done(tree_outline_plan_system(get(), id, &system)))) { system.struct_size = 0; }
+    return system;
+}
+inline std::tuple<float, Outline> OutlinePlan::section(uint32_t id, size_t section) const {
+    float azimuth{};
+    Outline outline;
+    detail::done(tree_outline_plan_section(get(), id, section, &azimuth, outline.place()));
+    return {std::move(azimuth), std::move(outline)};
+}
+inline Outline OutlinePlan::outline(uint32_t id) const {
+    Outline outline;
+    detail::done(tree_outline_plan_outline(get(), id, outline.place()));
+    return outline;
+}
+inline uint32_t OutlinePlan::count_levels() const {
+    uint32_t n_levels{};
+    detail::done(tree_outline_plan_count_levels(get(), &n_levels));
+    return n_levels;
+}
+inline std::tuple<float, LeafOutline> OutlinePlan::leaf() const {
+    float length{};
+    LeafOutline leaf;
+    detail::done(tree_outline_plan_leaf(get(), &length, leaf.place()));
+    return {std::move(length), std::move(leaf)};
+}
+inline OutlineDrawing OutlineDrawing::make(Span<const tree_drawn_stroke> strokes, std::string_view name, float trunk_width, Ref<tree_control> control) {
+    OutlineDrawing drawing;
+    detail::done(tree_outline_drawing_new(strokes.data(), strokes.size(), name.data() ? name.data() : "", name.size(), trunk_width, control, drawing.place()), control);
+    return drawing;
+}
+inline OutlineDrawing OutlineDrawing::from_svg(std::string_view svg, Ref<tree_control> control) {
+    OutlineDrawing drawing;
+    detail::done(tree_outline_drawing_from_svg(svg.data() ? svg.data() : "", svg.size(), control, drawing.place()), control);
+    return drawing;
+}
+inline OutlineDrawing OutlineDrawing::of_matte(const Matte &matte, float threshold, Ref<tree_control> control) {
+    OutlineDrawing drawing;
+    detail::done(tree_outline_drawing_of_matte(matte.get(), threshold, control, drawing.place()), control);
+    return drawing;
+}
+inline OutlineDrawing OutlineDrawing::of_photo(const Photo &photo, Ref<tree_control> control) {
+    OutlineDrawing drawing;
+    detail::done(tree_outline_drawing_of_photo(photo.get(), control, drawing.place()), control);
+    return drawing;
+}
+inline Matte Photo::mask(Ref<tree_control> control) const {
+    Matte matte;
+    detail::done(tree_photo_mask(get(), control, matte.place()), control);
+    return matte;
+}
+inline size_t OutlineDrawing::count() const {
+    size_t n_trees{};
+    detail::done(tree_outline_drawing_count(get(), &n_trees));
+    return n_trees;
+}
+inline DrawnTree OutlineDrawing::tree(size_t index) const & {
+    DrawnTree tree;
+    if (!(detail::done(tree_outline_drawing_tree(get(), index, &tree)))) { tree.struct_size = 0; }
+    return tree;
+}
+inline DrawnStroke OutlineDrawing::stroke(size_t number, size_t index) const & {
+    DrawnStroke stroke;
+    if (!(detail::done(tree_outline_drawing_stroke(get(), number, index, &stroke)))) { stroke.struct_size = 0; }
+    return stroke;
+}
+inline Span<const tree_drawn_repair> OutlineDrawing::repairs() const & {
+    const tree_drawn_repair *repairs = nullptr;
+    size_t n_repairs = 0;
+    detail::done(tree_outline_drawing_repairs(get(), &repairs, &n_repairs));
+    return Span<const tree_drawn_repair>(repairs, n_repairs);
+}
+inline Lines OutlineDrawing::repairs_text() const {
+    Lines lines;
+    detail::done(tree_outline_drawing_repairs_text(get(), lines.place()));
+    return lines;
+}
+inline Revolved Revolved::of(Span<const float> axis, const Handles<tree_outline> &outlines, Span<const float> azimuths, Ref<tree_control> control) {
+    Revolved revolved;
+    static_cast<void>(detail::expect(axis.size() % 2 == 0, TREE_ERROR_BUFFER, "axis: must have 2 numbers for each item")
+        && detail::expect(outlines.size() == azimuths.size(), TREE_ERROR_BUFFER, "outlines and azimuths must be of one length")
+        && detail::done(tree_revolved_of(axis.data(), axis.size() / 2, outlines.data(), azimuths.data(), outlines.size(), control, revolved.place()), control));
+    return revolved;
+}
+inline RevolvedFrame Revolved::view() const {
+    RevolvedFrame frame;
+    if (!(detail::done(tree_revolved_view(get(), &frame)))) { frame.struct_size = 0; }
+    return frame;
+}
+inline std::vector<float> Revolved::to_frame(Span<const float> spots, Ref<tree_control> control) const {
+    std::vector<float> places(spots.size());
+    if (!(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_revolved_to_frame(get(), spots.data(), spots.size() / 2, control, places.data(), places.size()), control))) { places.clear(); }
+    return places;
+}
+inline bool Revolved::to_frame(Span<const float> spots, Ref<tree_control> control, Span<float> places) const {
+    return detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
+        && detail::done(tree_revolved_to_frame(get(), spots.data(), spots.size() / 2, control, places.data(), places.size()), control);
+}
+inline size_t Revolved::half(float azimuth, Span<float> points) const {
+    size_t n_points{};
+    detail::done(tree_revolved_half(get(), azimuth, points.data(), points.size(), &n_points));
+    return n_points;
+}
+inline Outline Revolved::profile(float azimuth) const {
+    Outline outline;
+    detail::done(tree_revolved_profile(get(), azimuth, outline.place()));
+    return outline;
+}
+inline std::vector<float> Revolved::exits(Span<const float> rays, Span<const float> azimuths, Ref<tree_control> control) const {
+    std::vector<float> exits(rays.size() / 4);
+    if (!(detail::expect(rays.size() % 4 == 0, TREE_ERROR_BUFFER, "rays: must have 4 numbers for each item")
+        && detail::expect(rays.size() / 4 == azimuths.size(), TREE_ERROR_BUFFER, "rays and azimuths must be of one length")
+        && detail::done(tree_revolved_exits(get(), rays.data(), azimuths.data(), rays.size() / 4, control, exits.data(), exits.size()), control))) { exits.clear(); }
+    return exits;
+}
+inline bool Revolved::exits(Span<const float> rays, Span<const float> azimuths, Ref<tree_control> control, Span<float> exits) const {
+    return detail::expect(rays.size() % 4 == 0, TREE_ERROR_BUFFER, "rays: must have 4 numbers for each item")
+        && detail::expect(rays.size() / 4 == azimuths.size(), TREE_ERROR_BUFFER, "rays and azimuths must be of one length")
+        && detail::done(tree_revolved_exits(get(), rays.data(), azimuths.data(), rays.size() / 4, control, exits.data(), exits.size()), control);
+}
+inline std::vector<uint8_t> Revolved::contains(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<uint8_t> inside(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_revolved_contains(get(), points.data(), points.size() / 3, control, inside.data(), inside.size()), control))) { inside.clear(); }
+    return inside;
+}
+inline bool Revolved::contains(Span<const float> points, Ref<tree_control> control, Span<uint8_t> inside) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_revolved_contains(get(), points.data(), points.size() / 3, control, inside.data(), inside.size()), control);
+}
+inline Silhouette Silhouette::make(Ref<tree_silhouette_params> params, uint64_t seed) {
+    Silhouette silhouette;
+    detail::done(tree_silhouette_new(params, seed, silhouette.place()));
+    return silhouette;
+}
+inline Silhouette Silhouette::of_drawing(const OutlineDrawing &drawing, size_t tree, Ref<tree_silhouette_params> params, uint64_t seed, Ref<tree_control> control, tree_silhouette_play_report *report) {
+    Silhouette silhouette;
+    detail::done(tree_silhouette_of_drawing(drawing.get(), tree, params, seed, control, report, silhouette.place()), control);
+    return silhouette;
+}
+inline Silhouette Silhouette::copy() const {
+    Silhouette copy;
+    detail::done(tree_silhouette_copy(get(), copy.place()));
+    return copy;
+}
+inline SilhouetteChangeColumns SilhouetteChange::view() const & {
+    SilhouetteChangeColumns columns;
+    if (!(detail::done(tree_silhouette_change_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline SilhouetteChange Silhouette::draw_trunk(Span<const float> stroke, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_draw_trunk(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::draw_crown(Span<const float> stroke, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_draw_crown(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::draw_section(float azimuth, Span<const float> stroke, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_draw_section(get(), azimuth, stroke.data(), stroke.size() / 2, control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::refine(uint32_t level, Span<const float> stroke, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_refine(get(), level, stroke.data(), stroke.size() / 2, control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::refine_branch(uint32_t id, Span<const float> stroke, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_refine_branch(get(), id, stroke.data(), stroke.size() / 2, control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::redraw(uint32_t level, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_redraw(get(), level, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::redraw_from(float yaw, float pitch, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_redraw_from(get(), yaw, pitch, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::remove(uint32_t id) const {
+    SilhouetteChange change;
+    detail::done(tree_silhouette_remove(get(), id, change.place()));
+    return change;
+}
+inline SilhouetteChange Silhouette::draw_leaf(Span<const float> stroke, Ref<tree_control> control) const {
+    SilhouetteChange change;
+    static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
+        && detail::done(tree_silhouette_draw_leaf(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
+    return change;
+}
+inline SilhouetteChange Silhouette::copy_style(uint32_t source, Span<const uint32_t> targets) const {
+    SilhouetteChange change;
+    detail::done(tree_silhouette_copy_style(get(), source, targets.data(), targets.size(), change.place()));
+    return change;
+}
+inline SilhouetteChange Silhouette::set_params(Ref<tree_silhouette_params> params) const {
+    SilhouetteChange change;
+    detail::done(tree_silhouette_set_params(get(), params, change.place()));
+    return change;
+}
+inline bool Silhouette::set_seed(uint64_t seed) const {
+    return detail::done(tree_silhouette_set_seed(get(), seed));
+}
+inline SilhouetteChange Silhouette::undo() const {
+    SilhouetteChange change;
+    detail::done(tree_silhouette_undo(get(), change.place()));
+    return change;
+}
+inline SilhouetteChange Silhouette::redo() const {
+    SilhouetteChange change;
+    detail::done(tree_silhouette_redo(get(), change.place()));
+    return change;
+}
+inline uint64_t Silhouette::seed() const {
+    uint64_t seed{};
+    detail::done(tree_silhouette_seed(get(), &seed));
+    return seed;
+}
+inline SilhouetteParams Silhouette::get_params() const & {
+    SilhouetteParams params;
+    if (!(detail::done(tree_silhouette_get_params(get(), &params)))) { params.struct_size = 0; }
+    return params;
+}
+inline std::tuple<size_t, size_t> Silhouette::depth() const {
+    size_t n_undo{};
+    size_t n_redo{};
+    detail::done(tree_silhouette_depth(get(), &n_undo, &n_redo));
+    return {std::move(n_undo), std::move(n_redo)};
+}
+inline std::tuple<float, float> Silhouette::coverage() const {
+    float by_bumps{};
+    float by_all{};
+    detail::done(tree_silhouette_coverage(get(), &by_bumps, &by_all));
+    return {std::move(by_bumps), std::move(by_all)};
+}
+inline Lines Silhouette::repairs() const {
+    Lines lines;
+    detail::done(tree_silhouette_repairs(get(), lines.place()));
+    return lines;
+}
+inline Lines Silhouette::refused() const {
+    Lines lines;
+    detail::done(tree_silhouette_refused(get(), lines.place()));
+    return lines;
+}
+inline OutlinePlan Silhouette::plan() const {
+    OutlinePlan plan;
+    detail::done(tree_silhouette_plan(get(), plan.place()));
+    return plan;
+}
+inline std::tuple<SilhouetteGrown, Tree> Silhouette::tree(Ref<tree_control> control) const {
+    SilhouetteGrown report;
+    Tree tree;
+    if (!(detail::done(tree_silhouette_tree(get(), control, &report, tree.place()), control))) { report.struct_size = 0; }
+    return {std::move(report), std::move(tree)};
+}
+inline bool StandParams::check() const {
+    return detail::done(tree_stand_params_check(this));
+}
+inline Stand Stand::of_drawing(const OutlineDrawing &drawing, Ref<tree_stand_params> params, uint64_t seed, Ref<tree_control> control) {
+    Stand stand;
+    detail::done(tree_stand_of_drawing(drawing.get(), params, seed, control, stand.place()), control);
+    return stand;
+}
+inline StandWhole Stand::view() const {
+    StandWhole whole;
+    if (!(detail::done(tree_stand_view(get(), &whole)))) { whole.struct_size = 0; }
+    return whole;
+}
+inline Lines Stand::notes() const {
+    Lines lines;
+    detail::done(tree_stand_notes(get(), lines.place()));
+    return lines;
+}
+inline StandTree Stand::at(size_t index) const & {
+    StandTree row;
+    if (!(detail::done(tree_stand_at(get(), index, &row)))) { row.struct_size = 0; }
+    return row;
+}
+inline std::tuple<SilhouetteGrown, Tree> Stand::grown(size_t index) const {
+    SilhouetteGrown report;
+    Tree tree;
+    if (!(detail::done(tree_stand_grown(get(), index, &report, tree.place())))) { report.struct_size = 0; }
+    return {std::move(report), std::move(tree)};
+}
+inline Silhouette Stand::silhouette(size_t index, tree_silhouette_play_report *report) const {
+    Silhouette silhouette;
+    detail::done(tree_stand_silhouette(get(), index, report, silhouette.place()));
+    return silhouette;
+}
+inline bool SubParams::check() const {
+    return detail::done(tree_sub_params_check(this));
+}
+inline float SubParams::opening(float radius, float span) const {
+    float angle{};
+    detail::done(tree_sub_params_opening(this, radius, span, &angle));
+    return angle;
+}
+inline Outline Outline::sub(Span<const float> branch, float radius, const Floats<2> &stretch, Ref<tree_sub_params> params, Ref<tree_control> control, tree_sub_report *report) const {
+    Outline sub;
+    static_cast<void>(detail::expect(branch.size() % 2 == 0, TREE_ERROR_BUFFER, "branch: must have 2 numbers for each item")
+        && detail::done(tree_outline_sub(get(), branch.data(), branch.size() / 2, radius, stretch, params, control, report, sub.place()), control));
+    return sub;
 }
 inline Skeleton Skeleton::from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control) {
     Skeleton skeleton;

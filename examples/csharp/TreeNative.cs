@@ -20,6 +20,11 @@ namespace TreeFamily.Native
     public struct tree_aligned { }
 
     /// <summary>
+    /// Places that branches found.
+    /// </summary>
+    public struct tree_arranged { }
+
+    /// <summary>
     /// Main branches in one picture, as a forest whose roots are at the tree's base.
     /// </summary>
     public struct tree_attractor { }
@@ -28,6 +33,11 @@ namespace TreeFamily.Native
     /// All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
     /// </summary>
     public struct tree_axes { }
+
+    /// <summary>
+    /// The bumps of an outline.
+    /// </summary>
+    public struct tree_bumps { }
 
     /// <summary>
     /// A file in memory.
@@ -131,6 +141,12 @@ namespace TreeFamily.Native
     public struct tree_leaf_model { }
 
     /// <summary>
+    /// A drawn leaf in its own plane: base at the origin, tip at (0, 1), in triangles. Multiplied by the leaf's length it is in
+    /// metres.
+    /// </summary>
+    public struct tree_leaf_outline { }
+
+    /// <summary>
     /// Lines of text, for people: warnings, mostly. There may be none.
     /// </summary>
     public struct tree_lines { }
@@ -159,6 +175,23 @@ namespace TreeFamily.Native
     /// The middle lines of a filled area.
     /// </summary>
     public struct tree_midlines { }
+
+    /// <summary>
+    /// A closed outline in metres, x to the right, y up: a polygon without crossings, against the clock.
+    /// </summary>
+    public struct tree_outline { }
+
+    /// <summary>
+    /// A drawing of outlines: the strokes of one tree or several, each of a level. Nothing is scaled: coordinates are those of
+    /// the drawing or pixels, y downwards.
+    /// </summary>
+    public struct tree_outline_drawing { }
+
+    /// <summary>
+    /// A tree in the plane, level in level: trunk and crown, branches with the outlines of their foliage, their own branches
+    /// where those were drawn, the leaf. In metres, x to the right, y up, the trunk's base near the origin.
+    /// </summary>
+    public struct tree_outline_plan { }
 
     /// <summary>
     /// A surface in the axes and the layout of an engine.
@@ -212,6 +245,12 @@ namespace TreeFamily.Native
     public struct tree_profile { }
 
     /// <summary>
+    /// A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
+    /// has y along the straight span of the axis from its start, and r across.
+    /// </summary>
+    public struct tree_revolved { }
+
+    /// <summary>
     /// Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
     /// or the tips of a graph.
     /// </summary>
@@ -222,6 +261,24 @@ namespace TreeFamily.Native
     /// body of leaves or nothing. It holds copies of the parts.
     /// </summary>
     public struct tree_separation { }
+
+    /// <summary>
+    /// A tree being drawn: trunk, crown, outlines of branches, leaf. Strokes are in metres, y up, the trunk's base near
+    /// the origin. The plan in the plane is ready after each edit; the tree in space is made when it is asked for.
+    ///
+    /// Branches are named by ids, which are above 0 and stay for as long as the branch is there. An edit is done whole or not
+    /// at all, and can be undone.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+    /// on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
+    /// and outlives it.
+    /// </summary>
+    public struct tree_silhouette { }
+
+    /// <summary>
+    /// What an edit of a `tree_silhouette` changed.
+    /// </summary>
+    public struct tree_silhouette_change { }
 
     /// <summary>
     /// Branches as a rooted tree of nodes with radii.
@@ -248,6 +305,11 @@ namespace TreeFamily.Native
     /// and outlives it.
     /// </summary>
     public struct tree_sketch_session { }
+
+    /// <summary>
+    /// Trees that grew of one drawing: at least one.
+    /// </summary>
+    public struct tree_stand { }
 
     /// <summary>
     /// Strokes read from a drawing, a session's branches as strokes, or outlines.
@@ -5738,6 +5800,1364 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How places are found. Begin with `tree_gibbs_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_gibbs_params
+    {
+        /// <summary>
+        /// `sizeof(tree_gibbs_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How quickly branches stop to keep others away, 0 to 1000 for a distance of the whole length. Default 20.
+        /// </summary>
+        public float reach;
+        /// <summary>
+        /// Weight of closeness, 0 to 1000. Default 2.
+        /// </summary>
+        public float closeness;
+        /// <summary>
+        /// Weight of the pattern, 0 to 1000. Default 1.
+        /// </summary>
+        public float pattern;
+        /// <summary>
+        /// Most moves, 0 to 1,000,000. Default 3000.
+        /// </summary>
+        public uint moves;
+        /// <summary>
+        /// The process ends when four moves of each branch lower the cost by less than this share, 0 to 1. Default 0.0001.
+        /// 0 makes all moves.
+        /// </summary>
+        public float quiet;
+        /// <summary>
+        /// How far branches of a node stand off from it along the parent, as a share of the average node length, 0 to 0.5.
+        /// Default 0.06.
+        /// </summary>
+        public float scatter;
+    }
+
+    /// <summary>
+    /// Where a branch may stand on its parent.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_domain
+    {
+        /// <summary>
+        /// Lowest and highest share of the parent's length, 0 to 1. Equal where the place is given.
+        /// </summary>
+        public fixed float along[2];
+        /// <summary>
+        /// First and last azimuth in radians, -1000 to 1000, in the sense that azimuth turns: 0 is the right side of the
+        /// drawing, π the left. The last may be less than the first (the domain then passes 2π); 2π or more apart is all round.
+        /// </summary>
+        public fixed float azimuth[2];
+    }
+
+    /// <summary>
+    /// How branches are arranged round their parent: in the paper's terms n:φ. A part of other structs; zeros are
+    /// `TREE_ARRANGEMENT_SPREAD`. `tree_arrangement_from_text` fills one in by name.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_arrangement
+    {
+        /// <summary>
+        /// Which pattern.
+        /// </summary>
+        public uint kind; // tree_arrangement_kind
+        /// <summary>
+        /// Branches at a node, 1 to 64; read for whorls and custom patterns.
+        /// </summary>
+        public uint per_node;
+        /// <summary>
+        /// In radians, -2π to 2π: the turn from a node to the next of spirals, whorls and custom patterns, the azimuth
+        /// of horizontal pairs.
+        /// </summary>
+        public float angle;
+    }
+
+    /// <summary>
+    /// How places came about.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_arranged_report
+    {
+        /// <summary>
+        /// `sizeof(tree_arranged_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The total cost of the places.
+        /// </summary>
+        public float cost;
+        /// <summary>
+        /// Moves tried.
+        /// </summary>
+        public uint moves;
+        /// <summary>
+        /// Moves kept.
+        /// </summary>
+        public uint accepted;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Where a branch stands on its parent.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_site
+    {
+        /// <summary>
+        /// Share of the parent's length, 0 to 1.
+        /// </summary>
+        public float along;
+        /// <summary>
+        /// Azimuth round the parent in radians, 0 to 2π. 0 is the right side of the drawing, π the left.
+        /// </summary>
+        public float azimuth;
+        /// <summary>
+        /// The node it stands at, counted from the parent's base; without a pattern its rank along the parent.
+        /// </summary>
+        public uint node;
+    }
+
+    /// <summary>
+    /// How closely branches gather at the privileged positions of a pattern.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_concentration
+    {
+        /// <summary>
+        /// `sizeof(tree_concentration)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Angles tested.
+        /// </summary>
+        public uint pairs;
+        /// <summary>
+        /// Mean resultant length, 0 (evenly about) to 1 (all alike).
+        /// </summary>
+        public float resultant;
+        /// <summary>
+        /// Where they gather, as an angle from the privileged position in radians.
+        /// </summary>
+        public float offset;
+        /// <summary>
+        /// The probability that chance alone gathers them so closely.
+        /// </summary>
+        public float p_value;
+        /// <summary>
+        /// Angles by twelfths of the angle between neighbours at a node, the first bin centred on the privileged position.
+        /// </summary>
+        public fixed uint histogram[12];
+        /// <summary>
+        /// 1 where there is a pattern to keep to, else 0.
+        /// </summary>
+        public uint has_pattern;
+        /// <summary>
+        /// 1 where the test is passed: angles gather significantly (p below 0.001) and the fullest bin is the first; without a
+        /// pattern, that they do not gather (p at least 0.05). Else 0.
+        /// </summary>
+        public uint passes;
+    }
+
+    /// <summary>
+    /// The branching angle function: the angle between a parent's direction and that of its branches where they leave,
+    /// along the parent. Between samples it is interpolated, beyond them it is constant. Begin with
+    /// `tree_branching_angles_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branching_angles
+    {
+        /// <summary>
+        /// `sizeof(tree_branching_angles)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of samples, at most 10,000; 0 for those of `tree_branching_angles_init`.
+        /// </summary>
+        public UIntPtr n_samples;
+        /// <summary>
+        /// Two floats for each: place along the parent, 0 at its base to 1 at its tip, in rising order; and angle in
+        /// radians, 0 (straight on) to π (backwards). Default 1.35 at the base to 0.6 at the tip: low branches are near
+        /// horizontal, high ones near upright.
+        /// </summary>
+        public float* samples;
+    }
+
+    /// <summary>
+    /// How branches are inferred. Begin with `tree_branch_infer_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branch_infer_params
+    {
+        /// <summary>
+        /// `sizeof(tree_branch_infer_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Places along the parent that are tried, 2 to 10,000. Default 48.
+        /// </summary>
+        public uint places;
+        /// <summary>
+        /// Points of a branch, 2 to 1000. Default 16.
+        /// </summary>
+        public uint points;
+        /// <summary>
+        /// Length of the tangents over the distance of base and end, 0 (straight) to 2. Default 0.5.
+        /// </summary>
+        public float tangents;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// From where to where a branch runs.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branch_span
+    {
+        /// <summary>
+        /// Where it begins.
+        /// </summary>
+        public fixed float @base[2];
+        /// <summary>
+        /// Where it ends.
+        /// </summary>
+        public fixed float end[2];
+        /// <summary>
+        /// Whether it is on its parent's left side: a shape is mirrored between the sides.
+        /// </summary>
+        public uint left;
+    }
+
+    /// <summary>
+    /// What the shape of a branch is like, whatever its size.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branch_shape_report
+    {
+        /// <summary>
+        /// `sizeof(tree_branch_shape_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The angle in radians from the span to the direction the branch leaves in, positive towards the outer side, away
+        /// from the parent's tip.
+        /// </summary>
+        public float leaving;
+        /// <summary>
+        /// How far its outline reaches along the span, in spans; at least 1.
+        /// </summary>
+        public float reach;
+    }
+
+    /// <summary>
+    /// How bumps are found. Begin with `tree_bump_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bump_params
+    {
+        /// <summary>
+        /// `sizeof(tree_bump_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How far a feature must stand out to be a bump, as a share of the width of what it stands on, 0.01 to 10.
+        /// Between clear valleys half of it is enough, without any it takes twice as much. Default 0.2.
+        /// </summary>
+        public float prominence;
+        /// <summary>
+        /// Features that stand out less than this share of the outline's size (the longer side of its box) are no
+        /// bumps, 0.001 to 0.5. Default 0.02.
+        /// </summary>
+        public float detail;
+    }
+
+    /// <summary>
+    /// One bump of an outline: the foliage of one major branch.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bump
+    {
+        /// <summary>
+        /// Its central point, where the branch ends: the middle of a round end, and about the tip of a sharp one.
+        /// </summary>
+        public fixed float centre[2];
+        /// <summary>
+        /// Its outermost point, on the outline.
+        /// </summary>
+        public fixed float tip[2];
+        /// <summary>
+        /// Direction of the chordal axis at the centre, outwards, of unit length.
+        /// </summary>
+        public fixed float tangent[2];
+        /// <summary>
+        /// Radius of the disc about the centre that fits into the outline, in metres; about 0 at a sharp feature.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// The part of the outline that is the bump's: from one length along it, in metres against the clock from its
+        /// first corner, to another, which is greater than the perimeter where it passes that corner.
+        /// </summary>
+        public fixed float stretch[2];
+    }
+
+    /// <summary>
+    /// How the branches on axes of one level stand, and what they are like where nobody drew any. Begin with
+    /// `tree_silhouette_level_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_silhouette_level
+    {
+        /// <summary>
+        /// `sizeof(tree_silhouette_level)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Angles where no system of the level was drawn: NULL, the default, for 1.1 at the base and 0.6 at the tip. For the
+        /// trunk it is `angles` of `tree_silhouette_params` that counts.
+        /// </summary>
+        public tree_branching_angles* angles;
+        /// <summary>
+        /// How they are arranged round the axis. Default `TREE_ARRANGEMENT_SPREAD`.
+        /// </summary>
+        public tree_arrangement arrangement;
+        /// <summary>
+        /// Branches added in space for each one in the plane, 0 to 100. Default 2.
+        /// </summary>
+        public float density;
+        /// <summary>
+        /// Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 18.
+        /// </summary>
+        public uint count;
+        /// <summary>
+        /// How far branches are turned about their span from base to end, in radians, -2π to 2π: a slight spiral.
+        /// Default 0, planar.
+        /// </summary>
+        public float spiral;
+        /// <summary>
+        /// Variation of lengths, as a share, 0 to 0.9; angles vary by half of that in radians. Default 0.12.
+        /// </summary>
+        public float jitter;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// The leaves. NaN stands for what is to be found in the drawing. Begin with `tree_silhouette_leaves_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_silhouette_leaves
+    {
+        /// <summary>
+        /// `sizeof(tree_silhouette_leaves)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How they are arranged along a branch. Default the spiral of the golden angle.
+        /// </summary>
+        public tree_arrangement arrangement;
+        /// <summary>
+        /// Length in metres, 1e-5 to 100. NaN, the default, for that of the drawn leaf, or else what suits the branches that
+        /// bear them.
+        /// </summary>
+        public float length;
+        /// <summary>
+        /// Distance of leaves along a branch in leaf lengths, all sides together, 0.001 to 100. NaN, the default, for what was
+        /// drawn, or 0.3.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Angle to the branch, 0 to π. NaN, the default, for what was drawn, or 1.
+        /// </summary>
+        public float angle;
+        /// <summary>
+        /// Share of the branch that is bare, from its base, 0 to 1. NaN, the default, for what was drawn, or 0.1.
+        /// </summary>
+        public float bare;
+        /// <summary>
+        /// Petiole in leaf lengths, 0 to 10. Default 0.05.
+        /// </summary>
+        public float petiole;
+        /// <summary>
+        /// How far upper faces are turned up, 0 (as they grow) to 1. Default 0.5.
+        /// </summary>
+        public float facing;
+        /// <summary>
+        /// Variation of lengths, as a share, 0 to 0.9. Default 0.2.
+        /// </summary>
+        public float jitter;
+    }
+
+    /// <summary>
+    /// How a plan becomes a tree. Begin with `tree_silhouette_grow_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_silhouette_grow_params
+    {
+        /// <summary>
+        /// `sizeof(tree_silhouette_grow_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of levels of axes that parameters are given for, at most 64. Default 0: all as by default.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// Levels of axes that bear branches: the trunk first. Levels beyond are as the last.
+        /// </summary>
+        public tree_silhouette_level* levels;
+        /// <summary>
+        /// The leaves. NULL, the default, for `tree_silhouette_leaves_init`.
+        /// </summary>
+        public tree_silhouette_leaves* leaves;
+        /// <summary>
+        /// Names of the tree, its bark and its leaf, which is kind 0. NULL, the default, for an oak with clusters of leaves.
+        /// </summary>
+        public tree_species* species;
+        /// <summary>
+        /// The search for azimuths. NULL is the default.
+        /// </summary>
+        public tree_gibbs_params* gibbs;
+        /// <summary>
+        /// 0 for a bare tree. Default 1.
+        /// </summary>
+        public uint has_leaves;
+        /// <summary>
+        /// Levels of branches on the trunk, 1 to 8. 0, the default, for those drawn, but two at least where no leaf tells.
+        /// </summary>
+        public uint depth;
+        /// <summary>
+        /// How far a sketched branch may stand off the drawing's plane, in radians, 0 to below π/2. Default π/4.
+        /// </summary>
+        public float domain;
+        /// <summary>
+        /// Radius of the trunk in metres, 1e-6 to 100. 0, the default, for `slenderness` times the height.
+        /// </summary>
+        public float trunk_radius;
+        /// <summary>
+        /// Radius of the trunk as a share of the height, 1e-4 to 0.2. Default 0.018.
+        /// </summary>
+        public float slenderness;
+        /// <summary>
+        /// How radii add up at forks: Δ of the pipe model, 1 to 10. Default Murray's.
+        /// </summary>
+        public float exponent;
+        /// <summary>
+        /// Whether twigs and leaves that would be seen outside the outlines are left out. Default 1.
+        /// </summary>
+        public uint fence;
+        /// <summary>
+        /// How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10.
+        /// Default 1.3.
+        /// </summary>
+        public float fill;
+    }
+
+    /// <summary>
+    /// How a plan became a tree. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_silhouette_grown
+    {
+        /// <summary>
+        /// `sizeof(tree_silhouette_grown)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of levels of branches, the trunk's included.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// Branches of every level, the trunk first; levels beyond the array count with the last.
+        /// </summary>
+        public fixed ulong branches[16];
+        /// <summary>
+        /// Of those on the trunk, how many were sketched. The others were added in space.
+        /// </summary>
+        public ulong n_sketched;
+        /// <summary>
+        /// Leaves.
+        /// </summary>
+        public ulong n_leaves;
+        /// <summary>
+        /// Branches without room in the outline of their parent, which were left out.
+        /// </summary>
+        public ulong n_without_room;
+        /// <summary>
+        /// Branches and leaves left out because they would be seen outside the outlines.
+        /// </summary>
+        public ulong n_fenced;
+        /// <summary>
+        /// Leaves added where the outlines were empty.
+        /// </summary>
+        public ulong n_filled;
+        /// <summary>
+        /// Different patterns that were made.
+        /// </summary>
+        public ulong n_patterns;
+        /// <summary>
+        /// Leaves and branches together: the paper's count of elements.
+        /// </summary>
+        public ulong n_elements;
+    }
+
+    /// <summary>
+    /// A view of a drawn leaf, in lengths of the leaf.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_outline_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_outline_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of corners, at most 64.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Number of indices, three for each triangle.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// Two floats for each corner: the border, against the clock.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Three for each triangle, against the clock: its corners.
+        /// </summary>
+        public uint* indices;
+        /// <summary>
+        /// Lowest coordinates.
+        /// </summary>
+        public fixed float low[2];
+        /// <summary>
+        /// Highest coordinates.
+        /// </summary>
+        public fixed float high[2];
+        /// <summary>
+        /// Area for a leaf of length 1.
+        /// </summary>
+        public float area;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a drawn stroke becomes an outline. Begin with `tree_outline_close_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_close_params
+    {
+        /// <summary>
+        /// `sizeof(tree_outline_close_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Ends closer than this share of the stroke's length count as closed by hand; wider gaps are noted as such, 0 to
+        /// 1. Default 0.15.
+        /// </summary>
+        public float gap;
+        /// <summary>
+        /// Most corners of an outline, 8 to 4096; those that change its shape least are left out. Default 2000.
+        /// </summary>
+        public uint corners;
+    }
+
+    /// <summary>
+    /// A view of an outline.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_outline_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of corners, three at least.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Two floats for each corner, against the clock. The last is joined to the first.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Lowest coordinates in metres.
+        /// </summary>
+        public fixed float low[2];
+        /// <summary>
+        /// Highest coordinates in metres.
+        /// </summary>
+        public fixed float high[2];
+        /// <summary>
+        /// Area in square metres.
+        /// </summary>
+        public float area;
+        /// <summary>
+        /// Length round in metres.
+        /// </summary>
+        public float perimeter;
+    }
+
+    /// <summary>
+    /// One thing that was repaired or noticed of a stroke. Fields that its kind does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_repair
+    {
+        /// <summary>
+        /// What it was.
+        /// </summary>
+        public uint kind; // tree_outline_repair_kind
+        /// <summary>
+        /// How many there were.
+        /// </summary>
+        public uint count;
+        /// <summary>
+        /// How many there are now.
+        /// </summary>
+        public uint after;
+        /// <summary>
+        /// A length in metres.
+        /// </summary>
+        public float gap;
+        /// <summary>
+        /// A share, 0 to 1.
+        /// </summary>
+        public float share;
+    }
+
+    /// <summary>
+    /// How gaps between branches are filled. Begin with `tree_cover_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_cover_params
+    {
+        /// <summary>
+        /// `sizeof(tree_cover_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Places on each side of the axis that are tried, 0 to 10,000. Default 24.
+        /// </summary>
+        public uint places;
+        /// <summary>
+        /// Share of a new branch's outline that may overlap its siblings, 0 to 1. Default 0.2, as in the paper.
+        /// </summary>
+        public float overlap;
+        /// <summary>
+        /// Longest stretch of the outline that may stay bare, as a share of its length round, 0.005 to 1. Default 0.04.
+        /// </summary>
+        public float bare;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How sub-silhouettes are cut out. Begin with `tree_sub_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sub_params
+    {
+        /// <summary>
+        /// `sizeof(tree_sub_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Opening of the cone at a sharp feature, in radians, 0.02 to 3. Default 20°.
+        /// </summary>
+        public float narrow;
+        /// <summary>
+        /// Opening where the radius at the end is the branch's span or more, in radians, 0.02 to 3. Default 110°.
+        /// </summary>
+        public float wide;
+    }
+
+    /// <summary>
+    /// How the branches of a system are found: an axis with the outline of its foliage. A part that is NULL, as all are
+    /// after `tree_branch_system_params_init`, is its default.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branch_system_params
+    {
+        /// <summary>
+        /// `sizeof(tree_branch_system_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How bumps are found.
+        /// </summary>
+        public tree_bump_params* bumps;
+        /// <summary>
+        /// How branches are inferred.
+        /// </summary>
+        public tree_branch_infer_params* infer;
+        /// <summary>
+        /// How sub-silhouettes are made.
+        /// </summary>
+        public tree_sub_params* sub;
+        /// <summary>
+        /// How gaps are filled.
+        /// </summary>
+        public tree_cover_params* cover;
+    }
+
+    /// <summary>
+    /// All parameters from strokes to a tree. A part that is NULL, as all are after `tree_silhouette_params_init`, is its
+    /// default.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_silhouette_params
+    {
+        /// <summary>
+        /// `sizeof(tree_silhouette_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How strokes become outlines.
+        /// </summary>
+        public tree_outline_close_params* outline;
+        /// <summary>
+        /// How branches are found in outlines.
+        /// </summary>
+        public tree_branch_system_params* system;
+        /// <summary>
+        /// Angles of the branches on the trunk, until branches are redrawn. Default 1.35 at the base, 0.6 at the tip.
+        /// </summary>
+        public tree_branching_angles* angles;
+        /// <summary>
+        /// How the plan becomes a tree.
+        /// </summary>
+        public tree_silhouette_grow_params* grow;
+        /// <summary>
+        /// A stroke redraws a branch when its ends are on average no farther off than this share of the branch's span, 0
+        /// to 10; else it adds one. Default 0.35. Messages call it `near`.
+        /// </summary>
+        public float nearness;
+        /// <summary>
+        /// Height in metres of the tallest tree of a drawing, 0.001 to 1000. Default 10.
+        /// </summary>
+        public float height;
+    }
+
+    /// <summary>
+    /// The numbers behind an arrangement.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_arrangement_numbers
+    {
+        /// <summary>
+        /// `sizeof(tree_arrangement_numbers)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Branches at a node, n. 1 for `TREE_ARRANGEMENT_SPREAD`.
+        /// </summary>
+        public uint per_node;
+        /// <summary>
+        /// Turn from a node to the next, φ, in radians.
+        /// </summary>
+        public float turn;
+        /// <summary>
+        /// Angle between two neighbours at a node, γ, in radians.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// The azimuth that one privileged position of every node has, in radians, where `has_fixed` says so.
+        /// </summary>
+        public float @fixed;
+        /// <summary>
+        /// 1 where the arrangement fixes an azimuth, else 0.
+        /// </summary>
+        public uint has_fixed;
+        /// <summary>
+        /// 1 where branches have privileged positions at all, else 0.
+        /// </summary>
+        public uint has_pattern;
+    }
+
+    /// <summary>
+    /// All branches of a `tree_outline_plan`, parents first: a view. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_plan_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_outline_plan_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of rows.
+        /// </summary>
+        public UIntPtr n_branches;
+        /// <summary>
+        /// Rows of the tree itself. Those after them are branches of other trees that it may copy the style of.
+        /// </summary>
+        public UIntPtr n_own;
+        /// <summary>
+        /// Id of each, above 0.
+        /// </summary>
+        public uint* ids;
+        /// <summary>
+        /// Id of the branch it stands on; `TREE_NO_BRANCH` for those on a trunk.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// 1 for those on the trunk, 2 for those on these, and so on.
+        /// </summary>
+        public uint* levels;
+        /// <summary>
+        /// Why it is there.
+        /// </summary>
+        public uint* origins;
+        /// <summary>
+        /// Id of the branch whose style it takes; `TREE_NO_BRANCH` for the nearest one whose outline was drawn.
+        /// </summary>
+        public uint* styles;
+        /// <summary>
+        /// Where it leaves its parent, as a share of the parent's length.
+        /// </summary>
+        public float* places;
+        /// <summary>
+        /// Radius of its bump in metres, or of what stands for one.
+        /// </summary>
+        public float* radii;
+        /// <summary>
+        /// Where round the axis it was drawn, in radians from the right side of the plane; NaN where that is to be found.
+        /// </summary>
+        public float* azimuths;
+        /// <summary>
+        /// Two floats each: the part of the parent's outline it may share, as lengths along; NaN for all.
+        /// </summary>
+        public float* stretches;
+        /// <summary>
+        /// 1 where it is on the left side of its parent, looking towards the parent's tip.
+        /// </summary>
+        public byte* lefts;
+        /// <summary>
+        /// 1 where the outline of its foliage was drawn, so that it bears a system.
+        /// </summary>
+        public byte* refined;
+        /// <summary>
+        /// Number of points of all lines.
+        /// </summary>
+        public UIntPtr n_line_points;
+        /// <summary>
+        /// Where each line begins in `line_points`, and at last their number: `n_branches + 1` values.
+        /// </summary>
+        public uint* line_starts;
+        /// <summary>
+        /// Two floats for each point, from base to end.
+        /// </summary>
+        public float* line_points;
+        /// <summary>
+        /// Number of points of all outlines.
+        /// </summary>
+        public UIntPtr n_outline_points;
+        /// <summary>
+        /// Where each outline begins in `outline_points`, and at last their number: `n_branches + 1` values.
+        /// </summary>
+        public uint* outline_starts;
+        /// <summary>
+        /// Two floats for each point, against the clock, the first not repeated.
+        /// </summary>
+        public float* outline_points;
+    }
+
+    /// <summary>
+    /// One branch of a plan: a view. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_branch
+    {
+        /// <summary>
+        /// `sizeof(tree_outline_branch)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of points of its line.
+        /// </summary>
+        public UIntPtr n_line_points;
+        /// <summary>
+        /// Two floats for each, from base to end.
+        /// </summary>
+        public float* line_points;
+        /// <summary>
+        /// Number of points of the outline of its foliage.
+        /// </summary>
+        public UIntPtr n_outline_points;
+        /// <summary>
+        /// Two floats for each, against the clock, the first not repeated.
+        /// </summary>
+        public float* outline_points;
+        /// <summary>
+        /// Its id.
+        /// </summary>
+        public uint id;
+        /// <summary>
+        /// Id of the branch it stands on; `TREE_NO_BRANCH` for the trunk.
+        /// </summary>
+        public uint parent;
+        /// <summary>
+        /// 1 for one on the trunk, 2 for one on these, and so on.
+        /// </summary>
+        public uint level;
+        /// <summary>
+        /// Why it is there.
+        /// </summary>
+        public uint origin; // tree_branch_origin
+        /// <summary>
+        /// Id of the branch whose style it takes; `TREE_NO_BRANCH` for the nearest one whose outline was drawn.
+        /// </summary>
+        public uint style;
+        /// <summary>
+        /// 1 where it is on the left side of its parent, looking towards the parent's tip.
+        /// </summary>
+        public uint is_left;
+        /// <summary>
+        /// 1 where the outline of its foliage was drawn, so that it bears a system.
+        /// </summary>
+        public uint is_refined;
+        /// <summary>
+        /// Where it leaves its parent, as a share of the parent's length.
+        /// </summary>
+        public float place;
+        /// <summary>
+        /// Radius of its bump in metres, or of what stands for one.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Where round the axis it was drawn, in radians from the right side of the plane; NaN where that is to be found.
+        /// </summary>
+        public float azimuth;
+    }
+
+    /// <summary>
+    /// An axis, the outline of its foliage and the angles at which branches leave it: a view. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_outline_system
+    {
+        /// <summary>
+        /// `sizeof(tree_outline_system)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of points of the axis: the trunk or branch.
+        /// </summary>
+        public UIntPtr n_axis_points;
+        /// <summary>
+        /// Two floats for each, from base to tip.
+        /// </summary>
+        public float* axis_points;
+        /// <summary>
+        /// Number of points of the outline of its foliage: the crown of the trunk.
+        /// </summary>
+        public UIntPtr n_outline_points;
+        /// <summary>
+        /// Two floats for each, against the clock, the first not repeated.
+        /// </summary>
+        public float* outline_points;
+        /// <summary>
+        /// Number of samples of the branching angles.
+        /// </summary>
+        public UIntPtr n_angles;
+        /// <summary>
+        /// Two floats for each: place along the axis, 0 at its base to 1 at its tip, in rising order; and angle, 0 (straight
+        /// on) to π (backwards).
+        /// </summary>
+        public float* angles;
+        /// <summary>
+        /// Number of branches on it.
+        /// </summary>
+        public UIntPtr n_branches;
+        /// <summary>
+        /// Number of outlines in further planes; see `tree_outline_plan_section`.
+        /// </summary>
+        public UIntPtr n_sections;
+    }
+
+    /// <summary>
+    /// A stroke of a drawing of outlines: as input, or as a view of a `tree_outline_drawing`. Zeros are its defaults: an axis of
+    /// level 0 in the plane of the drawing. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_drawn_stroke
+    {
+        /// <summary>
+        /// `sizeof(tree_drawn_stroke)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Two floats for each point, in units of the drawing, y downwards. All are finite.
+        /// </summary>
+        public float* points;
+        /// <summary>
+        /// Its name in the drawing; empty where it has none.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// What it belongs to. Default 0.
+        /// </summary>
+        public uint level; // tree_drawn_level
+        /// <summary>
+        /// What it shows. Default `TREE_DRAWN_KIND_AXIS`.
+        /// </summary>
+        public uint kind; // tree_drawn_kind
+        /// <summary>
+        /// By how much the plane it is drawn in is turned about the trunk, in radians. Default 0, the plane of the drawing.
+        /// </summary>
+        public float azimuth;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of one tree of a drawing.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_drawn_tree
+    {
+        /// <summary>
+        /// `sizeof(tree_drawn_tree)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Its name in the drawing; empty where it has none.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Number of strokes, one at least.
+        /// </summary>
+        public UIntPtr n_strokes;
+        /// <summary>
+        /// Width of the trunk in units of the drawing, where it was drawn as an area; else 0.
+        /// </summary>
+        public float trunk_width;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One thing that was repaired or noticed in a drawing. Fields that its kind does not name are 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_drawn_repair
+    {
+        /// <summary>
+        /// What it was.
+        /// </summary>
+        public uint kind; // tree_drawn_repair_kind
+        /// <summary>
+        /// How many there were.
+        /// </summary>
+        public uint count;
+        /// <summary>
+        /// A share, 0 to 1.
+        /// </summary>
+        public float share;
+        /// <summary>
+        /// A length in units of the drawing.
+        /// </summary>
+        public float width;
+    }
+
+    /// <summary>
+    /// The frame of a surface.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_revolved_frame
+    {
+        /// <summary>
+        /// `sizeof(tree_revolved_frame)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where it begins: the start of the axis, in the drawing.
+        /// </summary>
+        public fixed float origin[2];
+        /// <summary>
+        /// The unit vector along the span of the axis, in the drawing.
+        /// </summary>
+        public fixed float up[2];
+    }
+
+    /// <summary>
+    /// What became of a drawing's strokes. `tree_silhouette_repairs` and `tree_silhouette_refused` tell more. Set
+    /// `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_silhouette_play_report
+    {
+        /// <summary>
+        /// `sizeof(tree_silhouette_play_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Repairs of strokes.
+        /// </summary>
+        public ulong n_repairs;
+        /// <summary>
+        /// Strokes that could not be used.
+        /// </summary>
+        public ulong n_refused;
+        /// <summary>
+        /// Strokes that were used.
+        /// </summary>
+        public uint n_strokes;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of a `tree_silhouette_change`: ids of branches, in rising order. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_silhouette_change_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_silhouette_change_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of branches that are new.
+        /// </summary>
+        public UIntPtr n_added;
+        /// <summary>
+        /// Their ids.
+        /// </summary>
+        public uint* added;
+        /// <summary>
+        /// Number of branches that are gone.
+        /// </summary>
+        public UIntPtr n_removed;
+        /// <summary>
+        /// Their ids.
+        /// </summary>
+        public uint* removed;
+        /// <summary>
+        /// Number of branches whose line, outline or place is another.
+        /// </summary>
+        public UIntPtr n_reshaped;
+        /// <summary>
+        /// Their ids.
+        /// </summary>
+        public uint* reshaped;
+        /// <summary>
+        /// Number of branches that bear a drawn system which they did not, or another one, or take their style from
+        /// elsewhere.
+        /// </summary>
+        public UIntPtr n_restyled;
+        /// <summary>
+        /// Their ids.
+        /// </summary>
+        public uint* restyled;
+        /// <summary>
+        /// Number of repairs of the stroke.
+        /// </summary>
+        public UIntPtr n_repairs;
+        /// <summary>
+        /// What was repaired in the stroke, in sentences.
+        /// </summary>
+        public tree_str* repairs;
+        /// <summary>
+        /// 1 where the trunk or the crown is another.
+        /// </summary>
+        public uint trunk;
+        /// <summary>
+        /// 1 where the leaf is another.
+        /// </summary>
+        public uint leaf;
+    }
+
+    /// <summary>
+    /// How a drawing becomes a stand. Begin with `tree_stand_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stand_params
+    {
+        /// <summary>
+        /// `sizeof(tree_stand_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Of each tree; `height` is that of the tallest. NULL, the default, for `tree_silhouette_params_init`.
+        /// </summary>
+        public tree_silhouette_params* silhouette;
+        /// <summary>
+        /// Number of rows of `lendings`. Default 0.
+        /// </summary>
+        public UIntPtr n_lendings;
+        /// <summary>
+        /// Who borrows from whom, where that is not to be the detailed tree with the most similar crown: two numbers each,
+        /// places in the drawing from 0: the tree that borrows, and the one that lends, `TREE_NO_TREE` for nobody. The last row
+        /// for a tree counts.
+        /// </summary>
+        public uint* lendings;
+        /// <summary>
+        /// How distances are read. Default `TREE_PERSPECTIVE_ESTIMATED`.
+        /// </summary>
+        public uint perspective; // tree_perspective
+        /// <summary>
+        /// For `TREE_PERSPECTIVE_HORIZON` the height of the horizon in the drawing: y in its units, downwards, -1e6 to 1e6.
+        /// </summary>
+        public float horizon;
+        /// <summary>
+        /// Angle under which the width of all trees is seen in the drawing, in radians, 0.05 to 2.5: what turns sizes into
+        /// distances. Default 0.9, as in a photograph. Unused without perspective.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// Without perspective: how far trees stand off their line, as a share of their mean distance, 0 to 10. Default 0.4.
+        /// </summary>
+        public float jitter;
+        /// <summary>
+        /// Borrowed branches and leaves are scaled as the crowns are, but at most by this factor up or down, 1 to 100.
+        /// Default 3.
+        /// </summary>
+        public float scaling;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A stand as a whole: a view. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stand_whole
+    {
+        /// <summary>
+        /// `sizeof(tree_stand_whole)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of trees.
+        /// </summary>
+        public UIntPtr n_trees;
+        /// <summary>
+        /// Leaves and branches of all trees together.
+        /// </summary>
+        public ulong n_elements;
+        /// <summary>
+        /// 1 where the drawing is in perspective, and the fields below count.
+        /// </summary>
+        public uint has_view;
+        /// <summary>
+        /// Distance of the drawing from the eye, in units of the drawing.
+        /// </summary>
+        public float focal;
+        /// <summary>
+        /// The point of the drawing that the eye looks at: on the horizon, in units of the drawing.
+        /// </summary>
+        public fixed float centre[2];
+        /// <summary>
+        /// The eye in metres; it looks level along -Z.
+        /// </summary>
+        public fixed float eye[3];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One tree of a stand: a view. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stand_tree
+    {
+        /// <summary>
+        /// `sizeof(tree_stand_tree)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Its name in the drawing, or `tree 3` for the third where it has none.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Its place among the trees of the drawing, from 0.
+        /// </summary>
+        public uint number;
+        /// <summary>
+        /// The tree, by its place in the drawing, whose branches or leaf it borrows; `TREE_NO_TREE` where it borrows nothing.
+        /// </summary>
+        public uint lender;
+        /// <summary>
+        /// Where its base stands in the stand, in metres: x as in the drawing, +Z towards the viewer.
+        /// </summary>
+        public fixed float position[3];
+        /// <summary>
+        /// Metres for a unit of the drawing, at this tree.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// By how much what it borrows is scaled; 1 where it borrows nothing.
+        /// </summary>
+        public float borrowed_scale;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a sub-silhouette hangs together with its parent.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_sub_report
+    {
+        /// <summary>
+        /// `sizeof(tree_sub_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Begin and end of the shared part, in metres along the parent against the clock from its first corner; the second
+        /// may be greater than the perimeter. Both are one place where nothing could be shared.
+        /// </summary>
+        public fixed float shared[2];
+        /// <summary>
+        /// The points where the curves join the shared part: its begin, then its end.
+        /// </summary>
+        public fixed float join_points[4];
+        /// <summary>
+        /// Directions of the outline there, against the clock, of unit length.
+        /// </summary>
+        public fixed float join_tangents[4];
+        /// <summary>
+        /// The curves from the branch's base to the begin, and from the end to the base. Of each: where it begins, the
+        /// derivative there, where it ends, the derivative there, two floats each, of a cubic Hermite curve.
+        /// </summary>
+        public fixed float curves[16];
+    }
+
+    /// <summary>
     /// A skeleton's columns: as input, or as a view of a `tree_skeleton`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -7586,6 +9006,11 @@ namespace TreeFamily.Native
         /// make the tree. A `tree_sketch_session` does all that and lets strokes and depths be changed; `tree_from_sketch` does
         /// it in one call.
         ///
+        /// From outlines: `tree_outline_drawing_from_svg`, `tree_outline_drawing_of_matte` or `tree_outline_drawing_of_photo` reads what was
+        /// drawn, `tree_outline_close` closes a stroke. Step by step, `tree_outline_bumps`, `tree_branch_infer` and `tree_outline_sub`
+        /// find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
+        /// parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
+        ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
         /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -8424,6 +9849,231 @@ namespace TreeFamily.Native
         /// Parallel projection; what lies behind the eye is not drawn.
         /// </summary>
         public const int TREE_LENS_ORTHOGRAPHIC = 1;
+
+        /// <summary>
+        /// Number of bins in `tree_concentration`.
+        /// </summary>
+        public const int TREE_CONCENTRATION_BINS = 12;
+
+        /// <summary>
+        /// A leaf.
+        /// </summary>
+        public const uint TREE_LEVEL_OF_LEAF = 4294967295;
+
+        /// <summary>
+        /// An open line: a trunk or a branch, from either end.
+        /// </summary>
+        public const int TREE_DRAWN_KIND_AXIS = 0;
+
+        /// <summary>
+        /// The outline of a crown, of a branch's foliage or of a leaf. Its first point is not repeated.
+        /// </summary>
+        public const int TREE_DRAWN_KIND_OUTLINE = 1;
+
+        /// <summary>
+        /// Levels of branches that `tree_silhouette_grown` counts, the trunk's included.
+        /// </summary>
+        public const int TREE_SILHOUETTE_LEVELS = 16;
+
+        /// <summary>
+        /// `count` points were not finite or absurdly far away, and were left out.
+        /// </summary>
+        public const int TREE_OUTLINE_POINTS_DROPPED = 0;
+
+        /// <summary>
+        /// `count` points repeated at once were left out.
+        /// </summary>
+        public const int TREE_OUTLINE_DUPLICATES_DROPPED = 1;
+
+        /// <summary>
+        /// Of `count` points `after` were kept.
+        /// </summary>
+        public const int TREE_OUTLINE_THINNED = 2;
+
+        /// <summary>
+        /// It was open, with close ends, and was closed straight over `gap` metres.
+        /// </summary>
+        public const int TREE_OUTLINE_CLOSED = 3;
+
+        /// <summary>
+        /// It was wide open, by `gap` metres, a `share` of its length, and was closed straight.
+        /// </summary>
+        public const int TREE_OUTLINE_WIDE_GAP_CLOSED = 4;
+
+        /// <summary>
+        /// It ran out and straight back at `count` corners, which were left out.
+        /// </summary>
+        public const int TREE_OUTLINE_SPIKES_DROPPED = 5;
+
+        /// <summary>
+        /// It crossed or touched itself; what it winds round was kept.
+        /// </summary>
+        public const int TREE_OUTLINE_CROSSING_UNDONE = 6;
+
+        /// <summary>
+        /// Of what it winds round only the largest part was kept: `count` others, a `share` of the area, were left out.
+        /// </summary>
+        public const int TREE_OUTLINE_PARTS_DROPPED = 7;
+
+        /// <summary>
+        /// It ran with the clock and was turned.
+        /// </summary>
+        public const int TREE_OUTLINE_TURNED = 8;
+
+        /// <summary>
+        /// Something else: `tree_outline_repairs_text` says what.
+        /// </summary>
+        public const int TREE_OUTLINE_OTHER = 9;
+
+        /// <summary>
+        /// Evenly over length and azimuth, without a pattern. The default.
+        /// </summary>
+        public const int TREE_ARRANGEMENT_SPREAD = 0;
+
+        /// <summary>
+        /// One at a node, each turned against the last by `angle`.
+        /// </summary>
+        public const int TREE_ARRANGEMENT_SPIRAL = 1;
+
+        /// <summary>
+        /// Two at a node, all pairs in one plane.
+        /// </summary>
+        public const int TREE_ARRANGEMENT_OPPOSITE = 2;
+
+        /// <summary>
+        /// Two at a node, each pair across the last.
+        /// </summary>
+        public const int TREE_ARRANGEMENT_DECUSSATE = 3;
+
+        /// <summary>
+        /// `per_node` at a node, each whorl turned against the last by `angle`.
+        /// </summary>
+        public const int TREE_ARRANGEMENT_WHORLED = 4;
+
+        /// <summary>
+        /// Two at a node, all in the horizontal plane, which lies at the azimuth `angle`.
+        /// </summary>
+        public const int TREE_ARRANGEMENT_HORIZONTAL = 5;
+
+        /// <summary>
+        /// Any other: `per_node` at a node, each node turned against the last by `angle`.
+        /// </summary>
+        public const int TREE_ARRANGEMENT_CUSTOM = 6;
+
+        /// <summary>
+        /// In place of a branch's id: the trunk, as a parent; none, as the source of a style. No branch has this id.
+        /// </summary>
+        public const int TREE_NO_BRANCH = 0;
+
+        /// <summary>
+        /// A bump of the outline.
+        /// </summary>
+        public const int TREE_BRANCH_OF_BUMP = 0;
+
+        /// <summary>
+        /// The outline was not covered there.
+        /// </summary>
+        public const int TREE_BRANCH_OF_COVERAGE = 1;
+
+        /// <summary>
+        /// A person drew it.
+        /// </summary>
+        public const int TREE_BRANCH_DRAWN = 2;
+
+        /// <summary>
+        /// `count` shapes outside all layers, or outside the groups of trees, were left out.
+        /// </summary>
+        public const int TREE_DRAWN_STRAY_SHAPES = 0;
+
+        /// <summary>
+        /// `count` open lines beside filled shapes were left out.
+        /// </summary>
+        public const int TREE_DRAWN_LINES_DROPPED = 1;
+
+        /// <summary>
+        /// A trunk drawn as an area became its middle line.
+        /// </summary>
+        public const int TREE_DRAWN_TRUNK_THINNED = 2;
+
+        /// <summary>
+        /// A shape as large as the drawing was left out as its background.
+        /// </summary>
+        public const int TREE_DRAWN_BACKGROUND_DROPPED = 3;
+
+        /// <summary>
+        /// `count` parts near the tree were joined to it.
+        /// </summary>
+        public const int TREE_DRAWN_PARTS_BRIDGED = 4;
+
+        /// <summary>
+        /// `count` parts far from the tree, or too small, a `share` of the area, were left out.
+        /// </summary>
+        public const int TREE_DRAWN_PARTS_DROPPED = 5;
+
+        /// <summary>
+        /// Holes, a `share` of the area, were filled.
+        /// </summary>
+        public const int TREE_DRAWN_HOLES_FILLED = 6;
+
+        /// <summary>
+        /// Gaps in a frayed crown were closed, the widest of `width` in units of the drawing.
+        /// </summary>
+        public const int TREE_DRAWN_GAPS_CLOSED = 7;
+
+        /// <summary>
+        /// No trunk was seen: the silhouette is all crown.
+        /// </summary>
+        public const int TREE_DRAWN_NO_TRUNK = 8;
+
+        /// <summary>
+        /// A tree of which nothing could be used was left out.
+        /// </summary>
+        public const int TREE_DRAWN_TREE_DROPPED = 9;
+
+        /// <summary>
+        /// Something else: `tree_outline_drawing_repairs_text` says what.
+        /// </summary>
+        public const int TREE_DRAWN_OTHER = 10;
+
+        /// <summary>
+        /// All siblings that were not drawn themselves.
+        /// </summary>
+        public const int TREE_TRANSFER_SIBLINGS = 0;
+
+        /// <summary>
+        /// Those of them on the same side of the axis.
+        /// </summary>
+        public const int TREE_TRANSFER_SIDE = 1;
+
+        /// <summary>
+        /// The siblings that are listed, drawn or not.
+        /// </summary>
+        public const int TREE_TRANSFER_ONLY = 2;
+
+        /// <summary>
+        /// None.
+        /// </summary>
+        public const int TREE_TRANSFER_NOBODY = 3;
+
+        /// <summary>
+        /// The horizon follows from ground points and sizes; trees drawn on about one height stand on one line. The default.
+        /// </summary>
+        public const int TREE_PERSPECTIVE_ESTIMATED = 0;
+
+        /// <summary>
+        /// The horizon is given.
+        /// </summary>
+        public const int TREE_PERSPECTIVE_HORIZON = 1;
+
+        /// <summary>
+        /// There is none: all trees stand on one line, their sizes are as drawn.
+        /// </summary>
+        public const int TREE_PERSPECTIVE_FLAT = 2;
+
+        /// <summary>
+        /// In place of a tree's number: no tree.
+        /// </summary>
+        public const uint TREE_NO_TREE = 4294967295;
 
         /// <summary>
         /// Parent of the root: no node.
@@ -9603,6 +11253,13 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_look_new(tree_material* bark, tree_leaf_look* leaves, UIntPtr n_leaves, tree_control* control, tree_look** look);
+
+        /// <summary>
+        /// Makes a look that is as another but for the leaves of kind `kind`. Textures are shared; the other look stays as it is.
+        /// `control` may be NULL; only its limits matter. Free the new look with `tree_look_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_look_with_leaf(tree_look* look, UIntPtr kind, tree_leaf_look* leaf, tree_control* control, tree_look** changed);
 
         /// <summary>
         /// Number of leaf kinds that a look dresses; it has one material more.
@@ -11587,6 +13244,946 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_view_place(tree_view* view, tree_mesh* mesh, tree_view* placed);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gibbs_params_init(tree_gibbs_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_gibbs_params_check(tree_gibbs_params* @params);
+
+        /// <summary>
+        /// Finds a place in each of `n_domains` domains, at most 20,000, by a Gibbs process: branches keep apart, and keep to the
+        /// pattern of `arrangement`. The same seed gives the same places. `params`, `control` and `report` may be NULL. Free the
+        /// places with `tree_arranged_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arranged_new(tree_domain* domains, UIntPtr n_domains, tree_arrangement* arrangement, tree_gibbs_params* @params, ulong seed, tree_control* control, tree_arranged_report* report, tree_arranged** arranged);
+
+        /// <summary>
+        /// A ready pattern of `n` branches, at most 20,000, that may stand anywhere, sorted along the parent. Other variants are
+        /// other draws of the same seed. It has no trace. `control` may be NULL. Free the places with `tree_arranged_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arranged_ready(uint n, tree_arrangement* arrangement, ulong variant, ulong seed, tree_control* control, tree_arranged** arranged);
+
+        /// <summary>
+        /// Views the places, one for each domain in their order: where they begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arranged_sites(tree_arranged* arranged, tree_site** sites, UIntPtr* n_sites);
+
+        /// <summary>
+        /// Views the cost at the start and after each kept move, which never rises: where the numbers begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arranged_trace(tree_arranged* arranged, float** costs, UIntPtr* n_costs);
+
+        /// <summary>
+        /// Frees places.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arranged_free(tree_arranged* arranged);
+
+        /// <summary>
+        /// Tests whether `n_sites` branches of one parent keep to an arrangement, by Rayleigh's test of the angles between
+        /// one and the next. `control` may be NULL; `nodes` of its limits caps the places. Set `concentration-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sites_privileged(tree_site* sites, UIntPtr n_sites, tree_arrangement* arrangement, tree_control* control, tree_concentration* concentration);
+
+        /// <summary>
+        /// Makes `angles`, of `size` bytes, the default; its samples are valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branching_angles_init(tree_branching_angles* angles, UIntPtr size);
+
+        /// <summary>
+        /// The angles at `n_places` places along the parent, shares of its length from 0 to 1, into `values`, which has room for
+        /// `capacity`. `angles` and `control` may be NULL; `nodes` of the limits caps the places.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branching_angles_at(tree_branching_angles* angles, float* places, UIntPtr n_places, tree_control* control, float* values, UIntPtr capacity);
+
+        /// <summary>
+        /// Takes the angle of a redrawn branch as a sample; it replaces those close to it, but the function keeps its ends. The
+        /// samples go into `samples`, two floats each; `capacity` counts floats: two more samples than there are always have room.
+        /// `n_samples` gets their number. `angles` stays as it is, and may be NULL for the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branching_angles_set(tree_branching_angles* angles, float place, float angle, float* samples, UIntPtr capacity, UIntPtr* n_samples);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branch_infer_params_init(tree_branch_infer_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branch_infer_params_check(tree_branch_infer_params* @params);
+
+        /// <summary>
+        /// Infers the branch that ends at `end` along `tangent` (two floats each; a tangent of zeros: from where it comes): the
+        /// shortest curve from the parent, which is left at the branching angle. `parent` has `n_parent` points, two floats each, from
+        /// its base to its tip; the branch may leave it between the shares `from` and `to` of its length, 0 and 1 for anywhere.
+        /// `outline` is that of the foliage, which the branch keeps within where it can; NULL where there is none. The
+        /// branch's line goes into `points`, from base to end, two floats each; `capacity` counts floats, and two for each of `points`
+        /// of the parameters always do. `n_points` gets their number, `share` where it leaves the parent. `angles`, `params` and
+        /// `control` may be NULL; `nodes` of the limits caps the points. `TREE_ERROR_NO_RESULT` where the end lies on the parent.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branch_infer(float* parent, UIntPtr n_parent, tree_outline* outline, tree_branching_angles* angles, float* end, float* tangent, float from, float to, tree_branch_infer_params* @params, tree_control* control, float* points, UIntPtr capacity, UIntPtr* n_points, float* share);
+
+        /// <summary>
+        /// Where a drawn branch leaves its parent: `share` gets the place nearest to its start as a share of the parent's length,
+        /// `angle` the angle there in radians, 0 to π, and `is_left` whether the branch is on the parent's left side. Both are lines of
+        /// two floats a point, from base to tip. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branch_base(float* parent, UIntPtr n_parent, float* branch, UIntPtr n_branch, tree_control* control, float* share, float* angle, uint* is_left);
+
+        /// <summary>
+        /// Carries the shape of a branch to another span. `branch` is its line, `n_branch` points from base to end of two floats
+        /// each, `left` says whether it is on its parent's left side, and `outline` is that of its foliage. The same line on `span`
+        /// goes into `points`; `capacity` counts floats, and `2 * n_branch` always do. `n_points` gets their number, `carried` the
+        /// outline there. `control` and `report` may be NULL; `nodes` of the limits caps the points. Free the outline with
+        /// `tree_outline_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branch_carry(float* branch, UIntPtr n_branch, uint left, tree_outline* outline, tree_branch_span* span, tree_control* control, tree_branch_shape_report* report, float* points, UIntPtr capacity, UIntPtr* n_points, tree_outline** carried);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bump_params_init(tree_bump_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bump_params_check(tree_bump_params* @params);
+
+        /// <summary>
+        /// Finds the bumps of an outline by its chordal axis, in their order against the clock along it: one at least, which is the
+        /// whole of an outline where nothing stands out. The foot of a crown, where the trunk comes in, may be one like every other.
+        /// `params` and `control` may be NULL. Free the bumps with `tree_bumps_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_bumps(tree_outline* outline, tree_bump_params* @params, tree_control* control, tree_bumps** bumps);
+
+        /// <summary>
+        /// Views bumps: where they begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bumps_view(tree_bumps* bumps, tree_bump** rows, UIntPtr* n_rows);
+
+        /// <summary>
+        /// Frees bumps.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bumps_free(tree_bumps* bumps);
+
+        /// <summary>
+        /// Makes `level`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_level_init(tree_silhouette_level* level, UIntPtr size);
+
+        /// <summary>
+        /// Makes `leaves`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_leaves_init(tree_silhouette_leaves* leaves, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_grow_params_init(tree_silhouette_grow_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Grows a tree of a plan: the same plan, parameters and seed give the same bits for any number of threads. `params`,
+        /// `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_PARAMETER` names what is out of
+        /// range; `TREE_ERROR_LIMIT` comes before the memory is asked for.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_grow(tree_outline_plan* plan, tree_silhouette_grow_params* @params, ulong seed, tree_control* control, tree_silhouette_grown* report, tree_tree** tree);
+
+        /// <summary>
+        /// Makes a leaf of an outline that is attached at `base` and points to `tip`, two floats each. Its border is thinned to at most
+        /// 64 corners. Free the leaf with `tree_leaf_outline_free`. `TREE_ERROR_INVALID` where both are the same point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_outline_of(tree_outline* outline, float* @base, float* tip, tree_leaf_outline** leaf);
+
+        /// <summary>
+        /// As `tree_leaf_outline_of`, with base and tip as `tree_leaf_outline_ends` finds them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_outline_guess(tree_outline* outline, tree_leaf_outline** leaf);
+
+        /// <summary>
+        /// Where a drawn leaf is attached and what it points to, as it looks: `base` gets the end of its stalk where it has one,
+        /// else the lowest point near the middle of an upright leaf and the left end of a lying one; `tip` the point farthest from
+        /// there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_outline_ends(tree_outline* outline, float* @base, float* tip);
+
+        /// <summary>
+        /// Views a drawn leaf. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_outline_view(tree_leaf_outline* leaf, tree_leaf_outline_columns* columns);
+
+        /// <summary>
+        /// The flat mesh of a drawn leaf; its picture, if it gets one, spans the leaf's bounds. Free the model with
+        /// `tree_leaf_model_free`. `tree_leaf_model_view` views it as `mesh` of a `tree_leaf_look` takes it: with the form
+        /// `TREE_LEAF_MESH` that goes into `tree_look_new` or `tree_look_with_leaf`, and all leaves of the kind are as drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_outline_model(tree_leaf_outline* leaf, tree_leaf_model** model);
+
+        /// <summary>
+        /// Frees a drawn leaf.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_outline_free(tree_leaf_outline* leaf);
+
+        /// <summary>
+        /// Length in metres of a line of `n_line` points, two floats each: points that are not finite, and repeated ones, are left
+        /// out. `control` may be NULL; `nodes` of its limits caps the points. `TREE_ERROR_INVALID` where fewer than two are left.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_line_length(float* line, UIntPtr n_line, tree_control* control, float* length);
+
+        /// <summary>
+        /// The points at `n_places` places along a line, shares of its length from 0 to 1, and its directions there, of unit
+        /// length. `points` and `tangents` get two floats for each and have room for `capacity` floats; one may be NULL. The line
+        /// and `control` are as for `tree_line_length`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_line_at(float* line, UIntPtr n_line, float* places, UIntPtr n_places, tree_control* control, float* points, float* tangents, UIntPtr capacity);
+
+        /// <summary>
+        /// The place along a line that is nearest to each of `n_spots` points, two floats each. `shares` gets where that is as a
+        /// share of the length, and `distances` how far it is from the point; each has room for `capacity`, and one may be NULL.
+        /// The line and `control` are as for `tree_line_length`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_line_nearest(float* line, UIntPtr n_line, float* spots, UIntPtr n_spots, tree_control* control, float* shares, float* distances, UIntPtr capacity);
+
+        /// <summary>
+        /// A line by points at even distances, from `from` to a greater `to`, shares of its length from 0 to 1: `count` of them,
+        /// 2 at least, or 0 for its own points there. They go into `points`, two floats each; `capacity` counts floats. `n_points`
+        /// gets their number. The line and `control` are as for `tree_line_length`. `TREE_ERROR_NO_RESULT` where nothing is left.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_line_part(float* line, UIntPtr n_line, float from, float to, uint count, tree_control* control, float* points, UIntPtr capacity, UIntPtr* n_points);
+
+        /// <summary>
+        /// Says of `n_spots` points, two floats each, whether they lie inside: 1 or 0 into `inside`, which has room for
+        /// `capacity`. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_contains(tree_outline* outline, float* spots, UIntPtr n_spots, tree_control* control, byte* inside, UIntPtr capacity);
+
+        /// <summary>
+        /// How far it is along `n_rays` rays to the outline, the first crossing in front: each ray is four floats, its beginning
+        /// and its direction, of unit length. `exits`, which has room for `capacity`, gets metres, infinite where there is no
+        /// crossing; from outside it is the near side. `control` as for `tree_outline_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_exits(tree_outline* outline, float* rays, UIntPtr n_rays, tree_control* control, float* exits, UIntPtr capacity);
+
+        /// <summary>
+        /// The place along the outline that is nearest to each of `n_spots` points, two floats each. `lengths` gets how far that
+        /// is along it, in metres against the clock from the first corner, and `distances` how far it is from the point; each has room
+        /// for `capacity`, and one may be NULL. `control` as for `tree_outline_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_nearest(tree_outline* outline, float* spots, UIntPtr n_spots, tree_control* control, float* lengths, float* distances, UIntPtr capacity);
+
+        /// <summary>
+        /// The points at `n_lengths` lengths along an outline, in metres against the clock from the first corner, below 0 and beyond
+        /// the perimeter on round; and the outline's directions there, of unit length, with the inside to the left. `points` and
+        /// `tangents` get two floats for each and have room for `capacity` floats; one may be NULL. `control` as for
+        /// `tree_outline_contains`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_along(tree_outline* outline, float* lengths, UIntPtr n_lengths, tree_control* control, float* points, float* tangents, UIntPtr capacity);
+
+        /// <summary>
+        /// The corners of the stretch from one length along an outline to another, both ends among them, into `points`, two floats
+        /// each; `capacity` counts floats, and twice the corners plus four always do. `to` may exceed the perimeter where
+        /// the stretch passes the first corner; it ends after once round. `n_points` gets their number: one where `to` is not above
+        /// `from`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_part(tree_outline* outline, float from, float to, float* points, UIntPtr capacity, UIntPtr* n_points);
+
+        /// <summary>
+        /// Area that two outlines have in common, in square metres, within about 1 %; and the same over the area they cover
+        /// together, 0 to 1 (the intersection over union).
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_overlap(tree_outline* outline, tree_outline* other, float* area, float* iou);
+
+        /// <summary>
+        /// Which of the `width` by `height` cells between the corners `low` and `high`, two floats each, have their centres
+        /// inside: 1 or 0 into `cells`, row by row from the lowest, each from the left. `cells` has room for `capacity`. `control`
+        /// may be NULL; `pixels` of its limits caps the cells.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_mask(tree_outline* outline, float* low, float* high, uint width, uint height, tree_control* control, byte* cells, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_close_params_init(tree_outline_close_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_close_params_check(tree_outline_close_params* @params);
+
+        /// <summary>
+        /// Makes an outline of a drawn stroke of `n_points` points, two floats each, in metres, y up: it is closed, made simple and
+        /// turned against the clock. `tree_outline_repairs` tells what was done. `name`, of `name_len` bytes or
+        /// `TREE_NUL_TERMINATED`, is what messages call the stroke; NULL for none. `params` and `control` may be NULL; `nodes` of the
+        /// limits caps the points. Free the outline with `tree_outline_free`. `TREE_ERROR_INVALID` where fewer than three different
+        /// points are left, or it encloses next to nothing.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_close(float* stroke, UIntPtr n_points, byte* name, UIntPtr name_len, tree_outline_close_params* @params, tree_control* control, tree_outline** outline);
+
+        /// <summary>
+        /// Makes an outline of points that already are one, two floats each: closed (the first is not repeated at the end), against
+        /// the clock, without crossings, in metres, at most 4096. Nothing is repaired. `control` may be NULL; only its limits
+        /// matter. Free the outline with `tree_outline_free`. `TREE_ERROR_INVALID` says what is wrong and at which point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_from_points(float* spots, UIntPtr n_spots, tree_control* control, tree_outline** outline);
+
+        /// <summary>
+        /// Views an outline's corners and tells how large it is. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_view(tree_outline* outline, tree_outline_columns* columns);
+
+        /// <summary>
+        /// Views what was repaired or noticed by `tree_outline_close`, in that order: where the repairs begin and how many there are.
+        /// None for other outlines.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_repairs(tree_outline* outline, tree_outline_repair** repairs, UIntPtr* n_repairs);
+
+        /// <summary>
+        /// A sentence for each repair. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_repairs_text(tree_outline* outline, tree_lines** lines);
+
+        /// <summary>
+        /// The same outline by `n_points` corners at even lengths from the first on, at least 3 and at most 4096. Where so few
+        /// would make it cross itself, or so many are not allowed, it stays as it is. Free it with `tree_outline_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_resampled(tree_outline* outline, uint n_points, tree_control* control, tree_outline** resampled);
+
+        /// <summary>
+        /// The outline with every corner moved by an affine map, turned against the clock where that mirrors it. `affine` is six
+        /// floats, a, b, c, d, e, f, as in SVG's matrices: x becomes a·x + c·y + e, y becomes b·x + d·y + f. Free the outline with
+        /// `tree_outline_free`. `TREE_ERROR_NO_RESULT` where nothing is enclosed then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_transformed(tree_outline* outline, float* affine, tree_outline** transformed);
+
+        /// <summary>
+        /// Frees an outline. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_free(tree_outline* outline);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cover_params_init(tree_cover_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_branch_system_params_init(tree_branch_system_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_params_init(tree_silhouette_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_params_check(tree_silhouette_params* @params);
+
+        /// <summary>
+        /// Reads an arrangement by name: `spread`, `spiral` (144°), `golden` (137.5°), `opposite`, `decussate`, `whorl3` (any number),
+        /// `horizontal`, or `2:90` for two at a node and a turn of 90°. An angle in degrees may follow the names that have one:
+        /// `spiral:137.5`, `whorl3:45`, `horizontal:30`. `text` has `len` bytes or is `TREE_NUL_TERMINATED`.
+        /// `TREE_ERROR_UNKNOWN_NAME` for another name, `TREE_ERROR_PARAMETER` for a number out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arrangement_from_text(byte* text, UIntPtr len, tree_arrangement* arrangement);
+
+        /// <summary>
+        /// Writes an arrangement as `tree_arrangement_from_text` reads it, angles in degrees to two places. Free the bytes, which
+        /// are UTF-8, with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arrangement_to_text(tree_arrangement* arrangement, tree_bytes** bytes);
+
+        /// <summary>
+        /// Tells the numbers behind an arrangement, and checks its ranges on the way. Set `numbers-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_arrangement_measure(tree_arrangement* arrangement, tree_arrangement_numbers* numbers);
+
+        /// <summary>
+        /// The domain of a branch that was drawn: at the share `along` of the parent's length, within 45° of the side it was
+        /// drawn on, the left where `left` is not 0.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_domain_drawn(float along, uint left, tree_domain* domain);
+
+        /// <summary>
+        /// Says whether a place lies in a domain.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_domain_contains(tree_domain* domain, float along, float azimuth, uint* inside);
+
+        /// <summary>
+        /// How far an azimuth lies outside a domain, in radians, 0 to π.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_domain_outside(tree_domain* domain, float azimuth, float* angle);
+
+        /// <summary>
+        /// Views all branches. Valid until `tree_outline_plan_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_view(tree_outline_plan* plan, tree_outline_plan_columns* columns);
+
+        /// <summary>
+        /// The row of the branch of this id. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_find(tree_outline_plan* plan, uint id, UIntPtr* row);
+
+        /// <summary>
+        /// Views the branch of this id. Valid until `tree_outline_plan_free`. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_branch(tree_outline_plan* plan, uint id, tree_outline_branch* branch);
+
+        /// <summary>
+        /// Views the system on the branch of this id, or with `TREE_NO_BRANCH` that of the trunk, whose outline is the crown.
+        /// Valid until `tree_outline_plan_free`. `TREE_ERROR_INVALID` for an id that is not there, `TREE_ERROR_NO_RESULT` for a
+        /// branch whose outline was not drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_system(tree_outline_plan* plan, uint id, tree_outline_system* system);
+
+        /// <summary>
+        /// Of the system on a branch, or on the trunk, the outline in a further plane: how far the plane is turned about the
+        /// axis, in radians from +X towards +Z, goes into `azimuth`. Free the outline with `tree_outline_free`.
+        /// `TREE_ERROR_INVALID` for a section that is not there; else as `tree_outline_plan_system`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_section(tree_outline_plan* plan, uint id, UIntPtr section, float* azimuth, tree_outline** outline);
+
+        /// <summary>
+        /// The outline of a branch's foliage, or with `TREE_NO_BRANCH` the crown, as an object of its own. Free it with
+        /// `tree_outline_free`. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_outline(tree_outline_plan* plan, uint id, tree_outline** outline);
+
+        /// <summary>
+        /// Number of levels of outlines that were drawn: 1 for the crown only, 2 with that of a branch, and so on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_count_levels(tree_outline_plan* plan, uint* n_levels);
+
+        /// <summary>
+        /// The drawn leaf, one long, and its length in metres. Free it with `tree_leaf_outline_free`. `TREE_ERROR_NO_RESULT`
+        /// where none was drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_leaf(tree_outline_plan* plan, float* length, tree_leaf_outline** leaf);
+
+        /// <summary>
+        /// Frees a plan.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_plan_free(tree_outline_plan* plan);
+
+        /// <summary>
+        /// Makes a drawing of one tree of strokes, which are copied: one at least, in the order they were drawn. `name`, of
+        /// `name_len` bytes or `TREE_NUL_TERMINATED`, is the tree's, NULL for none; `trunk_width` is the trunk's in units of the drawing,
+        /// 0 where it is not known. `control` may be NULL; `nodes` of its limits caps the points of all strokes. Free the drawing
+        /// with `tree_outline_drawing_free`. `TREE_ERROR_INVALID` names a point that is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_new(tree_drawn_stroke* strokes, UIntPtr n_strokes, byte* name, UIntPtr name_len, float trunk_width, tree_control* control, tree_outline_drawing** drawing);
+
+        /// <summary>
+        /// Reads outlines from an SVG drawing: `svg` of `len` bytes or `TREE_NUL_TERMINATED`. What is not seen is left out.
+        ///
+        /// Layers are groups, or single shapes, by id, class, layer label or name: `L0`, `L1`, `L2` and so on, and `leaf`. `L0@90` is
+        /// drawn in a plane turned about the trunk by so many degrees. In `L0`, what is named *trunk* or *stem*, and an open line,
+        /// is the trunk; what is closed or filled is the crown. In other layers what is closed or filled is the outline of a
+        /// branch, and an open line a branch redrawn. Groups named `tree`, `tree1`, `tree-oak` hold one tree each.
+        ///
+        /// Without layers what is filled is one silhouette for each tree: its trunk is what is named so, or what is brown where
+        /// something else is green, or the narrow part above the foot; the rest is its crown.
+        ///
+        /// `control` may be NULL; only its limits matter. Free the drawing with `tree_outline_drawing_free`. `TREE_ERROR_FORMAT` when
+        /// the text is no SVG, draws nothing, or nothing of it is a tree.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_from_svg(byte* svg, UIntPtr len, tree_control* control, tree_outline_drawing** drawing);
+
+        /// <summary>
+        /// Trunk and crown of the tree that a matte shows, in pixels, y downwards. Pixels covered to `threshold` or more belong to
+        /// it, 0.01 to 1; 0.5 is usual. Fine details are smoothed away and the gaps of a frayed crown closed, so that the outline is
+        /// one that can be drawn: at most 400 points. `control` may be NULL. Free the drawing with `tree_outline_drawing_free`.
+        /// `TREE_ERROR_INVALID` where nothing is covered.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_of_matte(tree_matte* matte, float threshold, tree_control* control, tree_outline_drawing** drawing);
+
+        /// <summary>
+        /// As `tree_outline_drawing_of_matte`, of a photograph that has been cut out, or of a mask in black and white: a half of
+        /// `tree_photo_mask`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_of_photo(tree_photo* photo, tree_control* control, tree_outline_drawing** drawing);
+
+        /// <summary>
+        /// The matte of a picture of one tree: its alpha where it has one; else how dark it is, for a tree on a light border, or how
+        /// light, for one on a dark border. `control` may be NULL. Free the matte with `tree_matte_free`. `TREE_ERROR_NO_RESULT` where
+        /// the picture is transparent everywhere.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_photo_mask(tree_photo* photo, tree_control* control, tree_matte** matte);
+
+        /// <summary>
+        /// Number of trees, one at least.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_count(tree_outline_drawing* drawing, UIntPtr* n_trees);
+
+        /// <summary>
+        /// Views a tree of a drawing. `index` is below `tree_outline_drawing_count`. Set `tree-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_tree(tree_outline_drawing* drawing, UIntPtr index, tree_drawn_tree* tree);
+
+        /// <summary>
+        /// Views a stroke of tree `number` of a drawing. `index` is below the tree's `n_strokes`. Set `stroke-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_stroke(tree_outline_drawing* drawing, UIntPtr number, UIntPtr index, tree_drawn_stroke* stroke);
+
+        /// <summary>
+        /// Views what was repaired or noticed when the drawing was read: where the repairs begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_repairs(tree_outline_drawing* drawing, tree_drawn_repair** repairs, UIntPtr* n_repairs);
+
+        /// <summary>
+        /// A sentence for each repair. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_repairs_text(tree_outline_drawing* drawing, tree_lines** lines);
+
+        /// <summary>
+        /// Frees a drawing of outlines. What was made of it lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_drawing_free(tree_outline_drawing* drawing);
+
+        /// <summary>
+        /// Makes the surface through `n_sections` outlines, 1 to 1000, round an axis of `n_axis` points, two floats each, which is drawn in the
+        /// plane of azimuth 0. Outline `i` is what is seen in a plane turned about the vertical to `azimuths[i]` radians: 0 for the
+        /// drawing, π/2 for one seen from its right side; metres, x to that plane's right, y up, the tree's base at the origin.
+        /// Between their halves the surface is blended. `control` may be NULL; `nodes` of the limits caps the points of the axis.
+        /// Free the surface with `tree_revolved_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_of(float* axis, UIntPtr n_axis, tree_outline** outlines, float* azimuths, UIntPtr n_sections, tree_control* control, tree_revolved** revolved);
+
+        /// <summary>
+        /// Tells the frame of a surface. Set `frame-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_view(tree_revolved* revolved, tree_revolved_frame* frame);
+
+        /// <summary>
+        /// Brings `n_spots` points of the drawing, two floats each, into the frame of the axis: (r, y) each into `places`, which has
+        /// room for `capacity` floats. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_to_frame(tree_revolved* revolved, float* spots, UIntPtr n_spots, tree_control* control, float* places, UIntPtr capacity);
+
+        /// <summary>
+        /// The half of the surface at an azimuth: points (r, y) in metres, from top to bottom, two floats each into `points`;
+        /// `capacity` counts floats. `n_points` gets their number; where `capacity` is too small, `TREE_ERROR_BUFFER` says how many floats
+        /// are needed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_half(tree_revolved* revolved, float azimuth, float* points, UIntPtr capacity, UIntPtr* n_points);
+
+        /// <summary>
+        /// The outline of both halves at an azimuth and across from it, in (r, y). Free it with `tree_outline_free`.
+        /// `TREE_ERROR_NO_RESULT` where nothing is left of it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_profile(tree_revolved* revolved, float azimuth, tree_outline** outline);
+
+        /// <summary>
+        /// How far it is along `n_rays` rays to the surface: each ray is four floats, its beginning (r, y) and its direction, of
+        /// unit length, in the half-plane of the azimuth in `azimuths`. `exits`, which has room for `capacity`, gets metres,
+        /// infinite from outside. A ray may lead across the axis. `control` may be NULL; `nodes` of its limits caps the rays.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_exits(tree_revolved* revolved, float* rays, float* azimuths, UIntPtr n_rays, tree_control* control, float* exits, UIntPtr capacity);
+
+        /// <summary>
+        /// Says of `n_points` points in the frame of the axis, three floats each (x to the right of the drawing, y along the span, z
+        /// towards azimuth π/2), whether they lie inside: 1 or 0 into `inside`, which has room for `capacity`. `control` may be
+        /// NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_contains(tree_revolved* revolved, float* points, UIntPtr n_points, tree_control* control, byte* inside, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a surface.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_revolved_free(tree_revolved* revolved);
+
+        /// <summary>
+        /// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_free`.
+        /// `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_new(tree_silhouette_params* @params, ulong seed, tree_silhouette** silhouette);
+
+        /// <summary>
+        /// Draws all strokes of one tree of a drawing, the first being number 0; its height becomes that of the parameters.
+        /// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_repairs` and
+        /// `tree_silhouette_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
+        /// NULL. Free it with `tree_silhouette_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_of_drawing(tree_outline_drawing* drawing, UIntPtr tree, tree_silhouette_params* @params, ulong seed, tree_control* control, tree_silhouette_play_report* report, tree_silhouette** silhouette);
+
+        /// <summary>
+        /// A second one in the state of the first, with all that can be undone: to try something, and go back. Free it
+        /// too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_copy(tree_silhouette* silhouette, tree_silhouette** copy);
+
+        /// <summary>
+        /// Frees it. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a progress callback
+        /// for instance: it lives on then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_free(tree_silhouette* silhouette);
+
+        /// <summary>
+        /// Views a change. Valid until `tree_silhouette_change_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_change_view(tree_silhouette_change* change, tree_silhouette_change_columns* columns);
+
+        /// <summary>
+        /// Frees a change.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_change_free(tree_silhouette_change* change);
+
+        /// <summary>
+        /// Draws the trunk, from the ground up; one drawn downwards is turned. Branches are inferred anew when there is a
+        /// crown. `stroke` has two floats for each of `n_points` points, in metres, y up. `control` may be NULL; `nodes` of its
+        /// limits caps the points. `change` may be NULL where it is not wanted; else free what is put there with
+        /// `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_draw_trunk(tree_silhouette* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
+        /// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
+        /// the trunk stays away from it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_draw_crown(tree_silhouette* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
+        /// drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
+        /// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_draw_section(tree_silhouette* silhouette, float azimuth, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
+        /// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
+        /// and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
+        /// branch of that level.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_refine(tree_silhouette* silhouette, uint level, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
+        /// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_refine_branch(tree_silhouette* silhouette, uint id, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
+        /// Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
+        /// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. `stroke`,
+        /// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
+        /// there is no axis of that level.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_redraw(tree_silhouette* silhouette, uint level, float* stroke, UIntPtr n_points, uint transfer, uint* only, UIntPtr n_only, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Draws a branch on the trunk as it is seen by a viewer who has gone round the tree by `yaw` radians, -2π to 2π,
+        /// against the clock seen from above (0 is in front, +X to the right), and looks down by `pitch`, within ±1.4. It lies
+        /// in the upright plane through the trunk that faces the viewer. A branch drawn from near there before, with ends near
+        /// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_redraw`, which this is from in
+        /// front.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_redraw_from(tree_silhouette* silhouette, float yaw, float pitch, float* stroke, UIntPtr n_points, uint transfer, uint* only, UIntPtr n_only, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Takes a branch away, with all on it. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for an id
+        /// that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_remove(tree_silhouette* silhouette, uint id, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_draw_trunk`.
+        /// `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_draw_leaf(tree_silhouette* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Has `n_targets` branches take the style of the branch `source`, whose outline was drawn; 0: of the nearest such branch
+        /// again. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
+        /// whose outline was not drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_copy_style(tree_silhouette* silhouette, uint source, uint* targets, UIntPtr n_targets, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Other parameters, NULL for the defaults. Where those of branches or angles differ, branches are inferred anew.
+        /// `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_set_params(tree_silhouette* silhouette, tree_silhouette_params* @params, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Another seed: only what is drawn by chance differs. This is no edit, and is not undone.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_set_seed(tree_silhouette* silhouette, ulong seed);
+
+        /// <summary>
+        /// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_draw_trunk`.
+        /// `TREE_ERROR_NO_RESULT` where there is none.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_undo(tree_silhouette* silhouette, tree_silhouette_change** change);
+
+        /// <summary>
+        /// Does again what was taken back last. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
+        /// is nothing.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_redo(tree_silhouette* silhouette, tree_silhouette_change** change);
+
+        /// <summary>
+        /// The seed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_seed(tree_silhouette* silhouette, ulong* seed);
+
+        /// <summary>
+        /// The parameters, all parts given; a trunk drawn as an area tells its radius there. What they point at belongs to the
+        /// session and stays until `tree_silhouette_set_params`, `tree_silhouette_undo`, `tree_silhouette_redo` or
+        /// `tree_silhouette_free`. Set `params-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_get_params(tree_silhouette* silhouette, tree_silhouette_params* @params);
+
+        /// <summary>
+        /// Numbers of edits that can be undone, and done again.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_depth(tree_silhouette* silhouette, UIntPtr* n_undo, UIntPtr* n_redo);
+
+        /// <summary>
+        /// How well the outlines of branches cover the crown: shares of its area, 0 to 1, in those of branches from bumps, and in
+        /// those of all. 0 before a crown was drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_coverage(tree_silhouette* silhouette, float* by_bumps, float* by_all);
+
+        /// <summary>
+        /// What was repaired in the drawing it began with, a line each, for a person to read. Free the lines with
+        /// `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_repairs(tree_silhouette* silhouette, tree_lines** lines);
+
+        /// <summary>
+        /// Which strokes of the drawing it began with could not be used, and why, a line each. Free the lines with
+        /// `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_refused(tree_silhouette* silhouette, tree_lines** lines);
+
+        /// <summary>
+        /// The plan as it is now: a copy, which later edits do not change. Free it with `tree_outline_plan_free`.
+        /// `TREE_ERROR_NO_RESULT` before a crown was drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_plan(tree_silhouette* silhouette, tree_outline_plan** plan);
+
+        /// <summary>
+        /// The tree in space. The same strokes, parameters and seed give the same bits for any number of threads. `control` and
+        /// `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_INVALID` before a crown was drawn;
+        /// `TREE_ERROR_LIMIT` comes before the memory is asked for.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_silhouette_tree(tree_silhouette* silhouette, tree_control* control, tree_silhouette_grown* report, tree_tree** tree);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_params_init(tree_stand_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields and parts are in range: `TREE_OK`, or the error that their use would give. Whether the trees of
+        /// `lendings` are there is seen when they are used.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_params_check(tree_stand_params* @params);
+
+        /// <summary>
+        /// Grows all trees of a drawing, one outline for each, in parallel. Trees without details borrow branches and leaf of
+        /// the detailed tree with the most similar crown, or of the one that `params` says. Trees that cannot be used are left
+        /// out, and `tree_stand_notes` says so. `params` and `control` may be NULL. Free the stand with `tree_stand_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when no tree can be used, and for a horizon below all of them; `TREE_ERROR_PARAMETER` names what
+        /// is out of range; `TREE_ERROR_LIMIT` for more nodes or leaves, all trees together, than the limits allow.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_of_drawing(tree_outline_drawing* drawing, tree_stand_params* @params, ulong seed, tree_control* control, tree_stand** stand);
+
+        /// <summary>
+        /// Views a stand as a whole.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_view(tree_stand* stand, tree_stand_whole* whole);
+
+        /// <summary>
+        /// What was noticed, a line each, for a person to read. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_notes(tree_stand* stand, tree_lines** lines);
+
+        /// <summary>
+        /// Views a tree of a stand, the first being number 0, in the order of the drawing. Valid until `tree_stand_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_at(tree_stand* stand, UIntPtr index, tree_stand_tree* row);
+
+        /// <summary>
+        /// What grew as tree `index`, its base at the origin. `report` may be NULL. Free the tree with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_grown(tree_stand* stand, UIntPtr index, tree_silhouette_grown* report, tree_tree** tree);
+
+        /// <summary>
+        /// What was drawn and borrowed of tree `index`, to be looked at or drawn on: a copy, its base at the origin. `report`,
+        /// which may be NULL, tells what became of its strokes. Its
+        /// `tree_silhouette_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_silhouette(tree_stand* stand, UIntPtr index, tree_silhouette_play_report* report, tree_silhouette** silhouette);
+
+        /// <summary>
+        /// Frees a stand. What it handed out lives on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stand_free(tree_stand* stand);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sub_params_init(tree_sub_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sub_params_check(tree_sub_params* @params);
+
+        /// <summary>
+        /// Opening in radians of the cone of a branch of span `span` with radius `radius` at its end. `params` may be NULL.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_sub_params_opening(tree_sub_params* @params, float radius, float span, float* angle);
+
+        /// <summary>
+        /// Cuts out the part of a parent's outline that is a branch's. `branch` is its line, `n_branch` points of two floats each from
+        /// base to end, and `radius`, 0 or more, that of the disc at its end, as `tree_bump` has it. With `stretch`, two floats, only
+        /// that part of the parent is shared: from 0 to the perimeter, to as much more again; NULL for whatever the cone reaches.
+        /// `params`, `control` and `report` may be NULL; `nodes` of the limits caps the points. Free the outline, which is simple
+        /// whatever the branch, with `tree_outline_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_outline_sub(tree_outline* parent, float* branch, UIntPtr n_branch, float radius, float* stretch, tree_sub_params* @params, tree_control* control, tree_sub_report* report, tree_outline** sub);
 
         /// <summary>
         /// Makes a skeleton of columns, which are copied. Node 0 is the root, parents come before their children;

@@ -17,6 +17,7 @@ use std::fmt::Write;
 
 /// Functions that are told nothing wrong by NULL and zeros alone.
 const NULL_IS_FINE: &[&str] = &[
+    "tree_branching_angles_at",
     "tree_mesh_params_check",
     "tree_path_check",
     "tree_convert_positions",
@@ -125,6 +126,38 @@ const MAKERS: &[(&str, &str)] = &[
     (
         "tree_sketch_session",
         "tree_sketch_session_new(live_tree_drawing(), few_branches(), 1, &made)",
+    ),
+    ("tree_outline", "tree_outline_close(fork_spots, 4, NULL, 0, NULL, NULL, &made)"),
+    ("tree_leaf_outline", "tree_leaf_outline_guess(live_tree_outline(), &made)"),
+    (
+        "tree_outline_drawing",
+        "tree_outline_drawing_new(drawn_outlines, 2, NULL, 0, 0, NULL, &made)",
+    ),
+    ("tree_bumps", "tree_outline_bumps(live_tree_outline(), NULL, NULL, &made)"),
+    ("tree_arranged", "tree_arranged_new(two_domains, 2, &decussate, NULL, 1, NULL, NULL, &made)"),
+    (
+        "tree_revolved",
+        "tree_revolved_of(fork_spots, 2, (const tree_outline *const[]){live_tree_outline()}, origin, 1, \
+         NULL, &made)",
+    ),
+    (
+        "tree_silhouette",
+        "(tree_silhouette_new(few_boughs(), 1, &made), \
+         tree_silhouette_draw_crown(made, triangle_points, 3, NULL, NULL))",
+    ),
+    (
+        "tree_silhouette_change",
+        "tree_silhouette_draw_crown(live_tree_silhouette(), triangle_points, 3, NULL, &made)",
+    ),
+    (
+        "tree_outline_plan",
+        // Other calls may have taken the crown back.
+        "(tree_silhouette_draw_crown(live_tree_silhouette(), triangle_points, 3, NULL, NULL), \
+         tree_silhouette_plan(live_tree_silhouette(), &made))",
+    ),
+    (
+        "tree_stand",
+        "tree_stand_of_drawing(live_tree_outline_drawing(), few_trees(), 1, NULL, &made)",
     ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];

@@ -269,8 +269,31 @@ static const tree_sketch_stroke strokes_of_a_fork[] = {
 static const char json[] = "[[[5, 9], [5, 5], [5, 1]], [[5, 5], [8, 2]]]\n";
 static const float triangle_points[] = {-2, 1, 2, 1, 0, 4, -2, 1};
 static const uint64_t triangle_starts[] = {0, 4};
+static const tree_drawn_stroke drawn_outlines[] = {
+    {.struct_size = sizeof(tree_drawn_stroke), .n_points = 2, .points = fork_spots},
+    {.struct_size = sizeof(tree_drawn_stroke), .n_points = 4, .points = fork_spots,
+     .kind = TREE_DRAWN_KIND_OUTLINE}};
+static const tree_domain two_domains[] = {{{0, 1}, {0, 6}}, {{0.5f, 0.5f}, {-1, 1}}};
+static const tree_arrangement decussate = {.kind = TREE_ARRANGEMENT_DECUSSATE};
 static const tree_strokes_columns a_triangle = {sizeof a_triangle, 1, triangle_starts, 4,
                                                 triangle_points};
+
+static const tree_silhouette_params *few_boughs(void) {
+    static tree_silhouette_params params;
+    static tree_silhouette_grow_params grow;
+    must(tree_silhouette_params_init(&params, sizeof params));
+    must(tree_silhouette_grow_params_init(&grow, sizeof grow));
+    grow.depth = 1;
+    params.grow = &grow;
+    return &params;
+}
+
+static const tree_stand_params *few_trees(void) {
+    static tree_stand_params params;
+    must(tree_stand_params_init(&params, sizeof params));
+    params.silhouette = few_boughs();
+    return &params;
+}
 
 /* Foreign kinds. */
 static tree_cancel *a_switch;

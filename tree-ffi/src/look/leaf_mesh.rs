@@ -92,6 +92,12 @@ impl Handle for tree_leaf_model {
     const NAME: &'static str = "tree_leaf_model";
 }
 
+impl tree_leaf_model {
+    pub(crate) fn new(model: LeafModel) -> Self {
+        Self(model)
+    }
+}
+
 /// How a leaf's mesh came about.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]

@@ -137,6 +137,29 @@ pub unsafe extern "C" fn tree_look_new(
     })
 }
 
+/// Makes a look that is as another but for the leaves of kind `kind`. Textures are shared; the other look stays as it is.
+/// `control` may be NULL; only its limits matter. Free the new look with `tree_look_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_look_with_leaf(
+    look: *const tree_look,
+    kind: usize,
+    leaf: *const tree_leaf_look,
+    control: *const tree_control,
+    changed: *mut *mut tree_look,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(changed, "changed") }?;
+        let old = unsafe { get(look, "look") }?;
+        leaf_of(old, kind)?;
+        let leaf = unsafe { read(leaf, "leaf")?.rust(&limits(control)?, "leaf") }?;
+        let mut look = old.rust().clone();
+        look.leaves.splice(kind..=kind, [leaf]);
+        check_materials(materials(&look).cloned().collect())?;
+        place.put(tree_look(look));
+        Ok(())
+    })
+}
+
 /// The materials of the mesh that a look dresses: bark, then each leaf kind.
 fn materials(look: &Look) -> impl Iterator<Item = &Material> {
     std::iter::once(&look.bark).chain(look.leaves.iter().map(|leaf| &leaf.material))

@@ -287,7 +287,7 @@ pub unsafe extern "C" fn tree_drawing_stroke(
 }
 
 /// Row `index`.
-pub(super) fn at<'a, T>(rows: &'a [T], index: usize, what: &str) -> Result<&'a T> {
+pub(crate) fn at<'a, T>(rows: &'a [T], index: usize, what: &str) -> Result<&'a T> {
     rows.get(index).ok_or_else(|| {
         let text = format!("index is {index}, but there are {} {what}", rows.len());
         Failure::new(TREE_ERROR_PARAMETER, text)

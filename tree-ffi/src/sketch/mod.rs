@@ -3,7 +3,7 @@
 mod branches;
 mod clean;
 mod crown;
-mod drawing;
+pub(crate) mod drawing;
 mod exemplar;
 mod finish;
 mod footprint;
@@ -47,7 +47,7 @@ use tree_model::tree_core::{Control, Limits, Resource};
 ///
 /// # Safety
 /// As [`bytes`].
-unsafe fn document<'a>(
+pub(crate) unsafe fn document<'a>(
     data: *const c_char,
     len: usize,
     limits: &Limits,
@@ -64,16 +64,17 @@ unsafe fn document<'a>(
 const PARSED: u64 = 30;
 
 /// Asks the memory budget for parsing `text`, which cannot be stopped on the way.
-fn ask_to_parse(text: &str) -> Result<()> {
+pub(crate) fn ask_to_parse(text: &str) -> Result<()> {
     memory::ask((text.len() as u64).saturating_mul(PARSED))
 }
 
 /// What is wrong with a document is wrong with its format.
-fn in_document(error: ModelError) -> Failure {
+pub(crate) fn in_document(error: ModelError) -> Failure {
     match error {
-        ModelError::Sketch { .. } | ModelError::Stroke { .. } | ModelError::Template { .. } => {
-            Failure::new(TREE_ERROR_FORMAT, error.to_string())
-        }
+        ModelError::Sketch { .. }
+        | ModelError::Stroke { .. }
+        | ModelError::Template { .. }
+        | ModelError::Silhouette { .. } => Failure::new(TREE_ERROR_FORMAT, error.to_string()),
         other => other.into(),
     }
 }
@@ -82,7 +83,7 @@ fn in_document(error: ModelError) -> Failure {
 ///
 /// # Safety
 /// As [`fill`].
-unsafe fn fill_some<T: Copy>(
+pub(crate) unsafe fn fill_some<T: Copy>(
     first: *mut T,
     capacity: usize,
     values: &[T],
@@ -95,7 +96,7 @@ unsafe fn fill_some<T: Copy>(
 ///
 /// # Safety
 /// As [`vec2s`].
-unsafe fn spots<'a>(
+pub(crate) unsafe fn spots<'a>(
     first: *const f32,
     n: usize,
     control: *const tree_control,
@@ -110,7 +111,7 @@ const CHUNK: usize = 1 << 14;
 ///
 /// # Safety
 /// As [`run`].
-unsafe fn answers<P: Sync, T: Send>(
+pub(crate) unsafe fn answers<P: Sync, T: Send>(
     rows: &[P],
     control: *const tree_control,
     ask: impl Fn(&P) -> T + Sync + Send,

@@ -64,6 +64,8 @@ void test_sketch(void);
 void test_preview(void);
 void test_photo(void);
 void test_sketch_in(void);
+void test_silhouette(void);
+void test_silhouette_in(void);
 void test_threads(void);
 
 #endif

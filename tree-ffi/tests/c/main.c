@@ -46,6 +46,8 @@ int main(void) {
     test_preview();
     test_photo();
     test_sketch_in();
+    test_silhouette();
+    test_silhouette_in();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

@@ -4,11 +4,20 @@ use crate::common::header::Header;
 
 /// Places for one number or one struct without a size.
 pub(crate) const SINGLES: &[&str] = &[
+    "angle",
+    "area",
+    "arrangement",
+    "azimuth",
+    "by_all",
+    "by_bumps",
     "difference",
+    "domain",
     "gap",
+    "iou",
     "length",
     "measure",
     "metres",
+    "n_levels",
     "n_runs",
     "phase",
     "posterior",
@@ -17,13 +26,14 @@ pub(crate) const SINGLES: &[&str] = &[
     "row",
     "seconds",
     "seed",
+    "share",
     "sway",
     "n_threads",
     "volume",
 ];
 
 /// Yes or no, as an argument.
-pub(crate) const FLAGS: &[&str] = &["plain", "with_crown", "with_stalks"];
+pub(crate) const FLAGS: &[&str] = &["left", "plain", "with_crown", "with_stalks"];
 
 /// Objects and arrays that may be left out.
 pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
@@ -38,6 +48,7 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
                 | ("tree_sketch_session_set_templates", "templates")
                 | ("tree_sketch_session_set_obstacles", "obstacles")
                 | ("tree_from_sketch", "templates" | "obstacles")
+                | ("tree_branch_infer", "outline")
                 | ("tree_crown_close", "spots")
                 | ("tree_templates_select", "crown")
                 | ("tree_attractor_livewire" | "tree_matte_turned", "photo")
@@ -46,12 +57,12 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
 
 /// Structs that have no default.
 pub(crate) fn is_required(argument: &str) -> bool {
-    matches!(argument, "camera" | "columns" | "pixels" | "samples")
+    matches!(argument, "camera" | "columns" | "leaf" | "pixels" | "samples")
 }
 
 /// Arrays that have one count with those after them.
 pub(crate) fn shares_count(argument: &str) -> bool {
-    matches!(argument, "depths" | "edges")
+    matches!(argument, "depths" | "edges" | "rays")
 }
 
 /// Numbers in one item of an array that is taken.
@@ -60,6 +71,8 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
         ("tree_convert_tangents", "from") => 4,
         ("tree_convert_uvs", "from") | (_, "edges" | "profile") => 2,
         (_, "eraser" | "seeds" | "spots" | "stroke") => 2,
+        (_, "branch" | "line" | "parent") | ("tree_revolved_of", "axis") => 2,
+        (_, "rays") => 4,
         ("tree_traces_flow", "starts") => 3,
         (_, "ways") => 6,
         (_, "from" | "points" | "positions" | "indices") => 3,
@@ -68,10 +81,14 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
 }
 
 /// Numbers in an array of one length that is taken without a count.
-pub(crate) fn fixed(argument: &str) -> usize {
+pub(crate) fn fixed(function: &str, argument: &str) -> usize {
     match argument {
         "columns" => 12,
-        "at" | "at_pixel" | "base_pixel" | "by_pixels" => 2,
+        "affine" => 6,
+        "at" | "at_pixel" | "base_pixel" | "by_pixels" | "stretch" => 2,
+        "low" | "high" if function == "tree_outline_mask" => 2,
+        "base" | "tip" if function == "tree_leaf_outline_of" => 2,
+        "end" | "tangent" if function == "tree_branch_infer" => 2,
         _ => 3,
     }
 }
@@ -107,6 +124,17 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("crown_contains", _) => "spots.size() / 2",
         ("crown_levels", _) => "points.size() / 3",
         ("crown_exits", _) => "ways.size() / 6",
+        ("outline_contains" | "outline_nearest" | "line_nearest", _) => "spots.size() / 2",
+        ("outline_exits" | "revolved_exits", _) => "rays.size() / 4",
+        ("outline_along", _) => "2 * lengths.size()",
+        ("outline_part", _) => "2 * view().n_points + 4",
+        ("outline_mask", _) => "static_cast<size_t>(width) * height",
+        ("line_at", _) => "2 * places.size()",
+        ("branching_angles_at", _) => "places.size()",
+        ("branching_angles_set", _) => "2 * this->n_samples + 8",
+        ("branch_carry", _) => "branch.size()",
+        ("revolved_to_frame", _) => "spots.size()",
+        ("revolved_contains", _) => "points.size() / 3",
         ("footprint_of", _) => "TREE_FOOTPRINT_DIRECTIONS",
         ("templates_select", _) => "count()",
         (name, _) if name.starts_with("convert_") => "from.size()",
@@ -120,6 +148,8 @@ pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
     match (function, argument) {
         ("tree_silhouette_seeds", "seeds") => Some("2 * n_seeds"),
         ("tree_sketch_branches_relations", "relations") => Some("n_relations"),
+        ("tree_outline_part" | "tree_branch_carry", "points") => Some("2 * n_points"),
+        ("tree_branching_angles_set", "samples") => Some("2 * n_samples"),
         ("tree_convex_hull", "corners") => Some("2 * n_corners"),
         ("tree_mesh_points", "first") => Some("n_points"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),

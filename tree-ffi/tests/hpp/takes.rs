@@ -121,7 +121,11 @@ impl Method<'_> {
             self.pass(&format!("&{name}"));
         } else {
             assert!(inner == "float", "hpp: how long is {name} of {}?", self.function.name);
-            self.take(&format!("const Floats<{}> &", facts::fixed(name)), name, None);
+            self.take(
+                &format!("const Floats<{}> &", facts::fixed(&self.function.name, name)),
+                name,
+                None,
+            );
             self.pass(name);
         }
         1
