@@ -125,6 +125,8 @@ impl Session {
     /// Lets the plan copy branches of other trees, and gives it a leaf where it has none.
     pub(crate) fn lend(&mut self, lenders: Vec<Lateral>, leaf: Option<DrawnLeaf>) {
         if let Some(plan) = &mut self.now.plan {
+            // New branches get other names than those that are lent.
+            self.now.last_id = self.now.last_id.max(last_name(&lenders));
             plan.lenders = lenders;
             plan.leaf = plan.leaf.take().or(leaf);
         }
@@ -174,4 +176,11 @@ fn name_of(stroke: &LevelStroke) -> String {
         "" => stroke.level.to_string(),
         name => format!("{} '{name}'", stroke.level),
     }
+}
+
+/// The last name among branches and those on them.
+fn last_name(laterals: &[Lateral]) -> u32 {
+    let inner =
+        |lateral: &Lateral| lateral.system.as_ref().map_or(0, |system| last_name(&system.laterals));
+    laterals.iter().map(|lateral| lateral.id.max(inner(lateral))).max().unwrap_or(0)
 }
