@@ -93,15 +93,24 @@ impl Explicit<'_> {
         Ok(arrange(&domains, &rules.arrangement, &self.params.gibbs, seed, self.control)?.sites)
     }
 
-    /// Where round the axis a sketched branch may stand. On the trunk the profile must have room for its end: of the domain the
-    /// widest part where it has; `None` where it has none.
+    /// Where round the axis a sketched branch may stand. On the trunk the profile must have room for its end: of the domain, or
+    /// of a wider one, the widest part where it has; `None` where it has none.
     fn domain(&self, lateral: &Lateral, level: u32) -> Option<[f32; 2]> {
+        /// How much wider, and how wide at most in radians.
+        const WIDER: f32 = 1.3;
+        const WIDEST: f32 = 1.2;
+        let half = self.params.domain;
+        if level > 0 {
+            return Some([side(lateral) - half, side(lateral) + half]);
+        }
+        self.domain_within(lateral, half)
+            .or_else(|| self.domain_within(lateral, (WIDER * half).min(WIDEST)))
+    }
+
+    fn domain_within(&self, lateral: &Lateral, half: f32) -> Option<[f32; 2]> {
         /// Azimuths that are tried, on either side of the plane and in it.
         const TRIED: i32 = 8;
-        let (side, half) = (side(lateral), self.params.domain);
-        if level > 0 {
-            return Some([side - half, side + half]);
-        }
+        let side = side(lateral);
         let end = lateral.line.end();
         let across = end.x - lateral.line.start().x;
         let off = |i: i32| half * i as f32 / TRIED as f32;

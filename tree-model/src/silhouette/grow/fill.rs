@@ -67,12 +67,9 @@ impl Gaps<'_> {
                 if lack <= 0.0 {
                     continue;
                 }
-                let here = grow(view, cell, positions[node as usize], &mut rng);
-                let here = if self.params.fence { self.fence.drawn_in(here) } else { Some(here) };
                 let base = positions[node as usize];
-                let Some(here) = here.filter(|here| here.distance(base) < FAR * view.cell) else {
-                    continue;
-                };
+                let there = grow(view, cell, base, &mut rng);
+                let Some(here) = self.placed(view, there, base) else { continue };
                 control.limits.check(Resource::Nodes, positions.len() as u64 + 1)?;
                 positions.push(here);
                 parents.push(node);
@@ -90,6 +87,15 @@ impl Gaps<'_> {
             }
         }
         Ok((leaves.len() - before) as u64)
+    }
+
+    /// A place inside from all sides and near where the twig begins; else, from the front, the place itself: what was drawn
+    /// comes first.
+    fn placed(&self, view: &View, there: Vec3, base: Vec3) -> Option<Vec3> {
+        let far = FAR * view.cell;
+        let fenced = if self.params.fence { self.fence.drawn_in(there) } else { Some(there) };
+        let near = fenced.filter(|here| here.distance(base) < far);
+        near.or_else(|| (!view.is_side && there.distance(base) < far).then_some(there))
     }
 
     fn blade(&self) -> f32 {
