@@ -31,8 +31,8 @@
 // * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-//   its kind). Handles keep alive what they are made of. Two kinds change, `tree_photo_session` and
-//   `tree_sketch_session`: one thread at a time.
+//   its kind). Handles keep alive what they are made of. Three kinds change, `tree_photo_session`,
+//   `tree_sketch_session` and `tree_silhouette`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -4386,7 +4386,7 @@ typedef struct tree_silhouette_grow_params {
     // Whether twigs and leaves that would be seen outside the outlines are left out. Default 1.
     uint32_t fence;
     // How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10.
-    // Default 1.3.
+    // Default 1.6.
     float fill;
 } tree_silhouette_grow_params;
 

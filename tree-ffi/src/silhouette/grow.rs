@@ -197,7 +197,7 @@ pub struct tree_silhouette_grow_params {
     /// Whether twigs and leaves that would be seen outside the outlines are left out. Default 1.
     pub fence: u32,
     /// How full the outlines are made: leaf area in front of every cell of them over the cell's, 0 (what grows) to 10.
-    /// Default 1.3.
+    /// Default 1.6.
     pub fill: f32,
 }
 

@@ -33,13 +33,10 @@ struct Sum {
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(OUT)?;
-    let only = std::env::var("TREE_CASE").ok();
     let mut all = Sum::default();
     let kinds = KINDS.iter().map(cases::Kind::case).collect::<Result<Vec<_>, _>>()?;
     for case in kinds.iter().chain(&cases::shared()?) {
-        if only.as_ref().is_none_or(|only| case.name == *only) {
-            all.take(case, table, only.is_some())?;
-        }
+        all.take(case, table)?;
     }
     for (values, metric) in all.values.iter().zip(METRICS) {
         let least = values.iter().copied().fold(1.0, f64::min);
@@ -60,23 +57,13 @@ fn info(table: &mut Table, case: &str, metric: &str, ours: f64, aim: Aim) {
 }
 
 impl Sum {
-    fn take(&mut self, case: &Case, table: &mut Table, talk: bool) -> Result<(), Box<dyn Error>> {
+    fn take(&mut self, case: &Case, table: &mut Table) -> Result<(), Box<dyn Error>> {
         let (mut found, mut worst) = ([const { Vec::new() }; 2], f64::INFINITY);
         for (session, ..) in &case.sessions()? {
-            let (grown, mesh) = cases::mesh(session)?;
+            let (_, mesh) = cases::mesh(session)?;
             let parts = sides(session, &mesh, CELLS + 2 * MARGIN)?;
             for (values, part) in found.iter_mut().zip(&parts) {
                 values.push(part.as_ref().map_or(0.0, Seen::iou));
-            }
-            if talk {
-                for (part, metric) in parts.iter().zip(METRICS) {
-                    eprintln!(
-                        "{metric}: both, bare, beyond {:?}; {:?} {:?}",
-                        part.as_ref().map(Seen::counts),
-                        grown.report,
-                        session.coverage()
-                    );
-                }
             }
             let front = found[0].last().copied().unwrap_or(0.0);
             if front < worst {

@@ -15,9 +15,6 @@ use crate::table::Table;
 use std::error::Error;
 
 pub(crate) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
-    if std::env::var_os("TREE_CASE").is_some() {
-        return fit::rows(table);
-    }
     // First, before the machine is warm.
     speed::rows(table)?;
     gibbs::rows(table)?;
