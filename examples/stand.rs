@@ -212,7 +212,7 @@ fn as_drawn(
     let margin = 0.03 * (high - low).max_element();
     let half = (high - view.centre).max(view.centre - low) + margin;
     let pixels = WIDTH as f32 / (2.0 * half.x);
-    let lens = Lens::Perspective { fov: 2.0 * (half.y / view.focal).atan() };
+    let lens = Lens::Perspective { fov: 2.0 * libm::atanf(half.y / view.focal) };
     let pose = Pose { eye: view.eye, target: view.eye - Vec3::Z, up: Vec3::Y, lens };
     let height = (2.0 * half.y * pixels).ceil() as u32;
     let view_of = View { width: WIDTH, height, samples: 2, camera: Camera::Placed(pose) };

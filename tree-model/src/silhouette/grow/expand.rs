@@ -231,14 +231,17 @@ impl Growth<'_> {
         let of = |i: usize| &self.patterns[patterns[i] as usize];
         let mut first = self.positions.len() as u64;
         let mut n_leaves = self.leaves.len() as u64;
+        let mut n_next = 0;
         let mut firsts = Vec::with_capacity(level.len());
         for i in 0..level.len() {
             firsts.push(first as u32);
             first += of(i).line.len() as u64 - 1;
             n_leaves += of(i).leaves.len() as u64;
+            n_next += of(i).children.len() as u64;
             self.report.without_room += u64::from(of(i).without_room);
         }
-        control.limits.check(Resource::Nodes, first)?;
+        // What stands on these branches will have nodes, too.
+        control.limits.check(Resource::Nodes, first + n_next)?;
         control.limits.check(Resource::Leaves, n_leaves)?;
         let rows: Vec<Rows> = (0..level.len().div_ceil(CHUNK))
             .into_par_iter()

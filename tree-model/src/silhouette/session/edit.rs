@@ -13,6 +13,8 @@ use std::f32::consts::TAU;
 
 /// A trunk whose end is farther from the crown than this share of the crown's size does not bear it.
 const FAR: f32 = 0.5;
+/// The finest level of branches.
+const DEEPEST: u32 = 8;
 /// An outline is of a branch whose own it shares at least this share of its area with, where it misses all lines.
 const COVERED: f32 = 0.2;
 /// A branch is taken for the same when its end has moved by less than this share of its span.
@@ -73,7 +75,7 @@ impl Session {
     /// # Errors
     /// [`ModelError::Silhouette`] for what encloses no area or no part of a branch of that level; [`ModelError::Parameter`].
     pub fn refine(&mut self, level: u32, stroke: &[Vec2]) -> Result<Change> {
-        check("level", level, 1, 8)?;
+        check("level", level, 1, DEEPEST)?;
         self.edit(|drawn, repairs| {
             let what = format!("outline of a branch of level {level}");
             let outline = drawn.outline(stroke, &what, repairs)?;
@@ -241,6 +243,7 @@ impl Drawn {
         let plan = self.plan_mut(what)?;
         let (bearer, index, level) =
             bearer(&mut plan.system, id, 0).ok_or_else(|| no_branch(id))?;
+        check("level", level + 1, 1, DEEPEST)?;
         let lateral = &mut bearer.laterals[index];
         if length_inside(lateral, &outline) <= 0.0 && lateral.outline.overlap(&outline) <= 0.0 {
             let problem = format!("branch {id} does not run through it");

@@ -9,7 +9,7 @@
 //! * [`Session::draw_leaf`]: the last level.
 //! * [`Session::copy_style`]: whose style goes where.
 //!
-//! [`Session::of_drawing`] plays a whole drawing.
+//! [`Session::of_drawing`] plays a whole drawing; [`OutlineModel`] is that as a [`Modeler`](crate::Modeler).
 
 mod change;
 mod edit;
@@ -22,8 +22,8 @@ mod view;
 
 pub use change::Change;
 pub use params::SilhouetteParams;
-pub use play::PlayReport;
 pub(super) use play::{Ground, stand};
+pub use play::{OutlineModel, PlayReport};
 pub use redraw::Transfer;
 pub use state::Session;
 pub use view::Viewpoint;

@@ -1,11 +1,12 @@
 //! A whole drawing at once.
 
 use super::{Change, Session, SilhouetteParams, Transfer};
+use crate::Modeler;
 use crate::error::{ModelError, Result};
 use crate::silhouette::plan::{DrawnLeaf, Lateral};
 use crate::silhouette::read::{Kind, Level, LevelStroke, TreeStrokes};
 use glam::Vec2;
-use tree_core::Seed;
+use tree_core::{Control, Seed, Tree};
 
 /// What became of a drawing's strokes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -32,6 +33,22 @@ impl PlayReport {
             Err(other) => return Err(other),
         }
         Ok(())
+    }
+}
+
+/// A tree of a drawing, as a modeler.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct OutlineModel {
+    /// The strokes of the tree.
+    pub strokes: TreeStrokes,
+    /// All parameters.
+    pub params: SilhouetteParams,
+}
+
+impl Modeler for OutlineModel {
+    fn model(&self, seed: Seed, control: &Control) -> Result<Tree, ModelError> {
+        let (session, _) = Session::of_drawing(&self.strokes, self.params.clone(), seed)?;
+        Ok(session.tree(control)?.tree)
     }
 }
 

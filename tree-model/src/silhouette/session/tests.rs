@@ -191,3 +191,43 @@ fn parameters_out_of_range_are_named() {
     let error = drawn().set_params(params).unwrap_err().to_string();
     assert!(error.contains("grow.fill"), "{error}");
 }
+
+#[test]
+fn a_drawing_is_played_to_scale_and_what_cannot_be_used_is_told() {
+    use crate::Modeler;
+    use crate::silhouette::read::{Kind, Level, LevelStroke, TreeStrokes};
+    let stroke = |level, kind, points: Vec<Vec2>| LevelStroke {
+        level,
+        kind,
+        azimuth: 0.0,
+        points,
+        name: String::new(),
+    };
+    // Drawn in pixels, y down, away from the origin.
+    let pixels = |points: &[Vec2]| {
+        points.iter().map(|p| Vec2::new(300.0 + 50.0 * p.x, 700.0 - 50.0 * p.y)).collect()
+    };
+    let strokes = vec![
+        stroke(Level::Number(0), Kind::Outline, pixels(&crown(7.0))),
+        stroke(Level::Number(0), Kind::Axis, pixels(&TRUNK)),
+        stroke(
+            Level::Number(1),
+            Kind::Outline,
+            pixels(&[Vec2::new(90.0, 0.0), Vec2::new(91.0, 0.0), Vec2::new(90.0, 1.0)]),
+        ),
+    ];
+    let model = OutlineModel {
+        strokes: TreeStrokes { strokes, ..TreeStrokes::default() },
+        params: SilhouetteParams { height: 20.0, ..SilhouetteParams::default() },
+    };
+    let (session, report) =
+        Session::of_drawing(&model.strokes, model.params.clone(), Seed(1)).unwrap();
+    assert_eq!((report.strokes, report.refused.len()), (2, 1), "{report:?}");
+    let axis = &plan(&session).system.axis;
+    assert!(axis.start().length() < 1e-3);
+    let tree = model.model(Seed(1), &Control::default()).unwrap();
+    let top = tree.skeleton().bounds().max.y;
+    assert!((15.0..21.0).contains(&top), "{top}");
+    let nothing = OutlineModel::default().model(Seed(1), &Control::default());
+    assert!(matches!(nothing, Err(ModelError::Silhouette { .. })));
+}
