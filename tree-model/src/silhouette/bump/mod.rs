@@ -1,12 +1,12 @@
 //! Bumps of an outline, by the chordal axis (Wither et al. 2009, section 3.1): each is the foliage of one major branch.
 //!
-//! 1. [`border`](self::border): the outline by points at even distances, each the mean of a short stretch: jitter goes.
-//! 2. [`mesh`](self::mesh): its triangulation. The middles of the edges inside, joined through the triangles, are the
+//! 1. `border`: the outline by points at even distances, each the mean of a short stretch: jitter goes.
+//! 2. `mesh`: its triangulation. The middles of the edges inside, joined through the triangles, are the
 //!    chordal axis (Prasad 1997); a triangle with one such edge is a terminal, with three a fork. Corners of triangles are
 //!    points of the outline: that is the correspondence of axis and outline the paper asks for.
-//! 3. [`stand`](self::stand): how far each terminal stands out, and the least is taken off until all that are left are
+//! 3. `stand`: how far each terminal stands out, and the least is taken off until all that are left are
 //!    bumps.
-//! 4. [`centre`](self::centre): central point, direction and radius of each.
+//! 4. `centre`: central point, direction and radius of each.
 //!
 //! The paper does not say how the axis is pruned, and bare terminals are as many as the outline has corners. We ask how
 //! far a terminal sticks out of the disc that fits into its fork, as a share of the width it stands on (the erosion
@@ -16,7 +16,7 @@
 //! An outline without anything that stands out, a circle, is one bump. An oval has one at either end once it is
 //! about 1.7 times as long as it is wide, a drop one at its point.
 //!
-//! O(n + m log m + terminals · m) for n points of the outline and m = [`border::POINTS`], whatever the outline.
+//! O(n + m log m + terminals · m) for n points of the outline and m = `border::POINTS`, whatever the outline.
 
 mod border;
 mod centre;

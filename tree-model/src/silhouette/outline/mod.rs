@@ -7,7 +7,7 @@
 //!   level).
 //!
 //! The paper says nothing about bad strokes. Ours are closed, turned and made simple as crowns of sketches are
-//! ([`Crown`](crate::sketch::Crown)).
+//! ([`Crown`](crate::sketch::crown::Crown)).
 //!
 //! Closing is O(n log n + crossings) for n points. Each measure tells its own cost.
 

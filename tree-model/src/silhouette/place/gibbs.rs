@@ -10,7 +10,7 @@
 //!
 //! We depart from the paper in three things. It starts at random positions: 3000 moves of 50 branches then leave gaps
 //! and half of a pattern; we start on the pattern, for [`Arrangement::Spread`] evenly. It counts nodes by distance: see
-//! [`nodes`](super::nodes). And branches of a pattern try positions at nodes, not anywhere along the parent, for the
+//! `nodes`. And branches of a pattern try positions at nodes, not anywhere along the parent, for the
 //! cost alone would draw the branches of a whorl apart along it. The cost itself is the paper's.
 //!
 //! A move costs O(N). 50 branches and 3000 moves take half a millisecond, 300 branches one

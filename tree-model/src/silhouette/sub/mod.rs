@@ -1,8 +1,8 @@
 //! Sub-silhouettes: the part of a crown that is one branch's (Wither et al. 2009, section 4.1 and Fig. 6).
 //!
-//! 1. [`shared`](self::shared): a cone about the line from the branch's base to its end cuts a part out of the parent's outline,
+//! 1. `shared`: a cone about the line from the branch's base to its end cuts a part out of the parent's outline,
 //!    the wider the rounder the branch's bump is.
-//! 2. [`close`](self::close): two Hermite curves lead from there to the base, in the outline's directions at the joins
+//! 2. `close`: two Hermite curves lead from there to the base, in the outline's directions at the joins
 //!    (G¹), and close the sub-silhouette.
 //!
 //! The paper does not say how long the curves' tangents are, nor what becomes of curves that cross. Ours are half

@@ -3,15 +3,15 @@
 //! Many drawings show the trunk and its branches as one outline. The strokes meant are the area's middle lines: here
 //! the chordal axis (Prasad 1997; Igarashi, Matsuoka & Tanaka 1999 use it for freehand outlines).
 //!
-//! 1. [`fill`](crate::plane::fill): the outline is made simple: sides are cut where they cross ([`arrange`](crate::plane::arrange)), and
+//! 1. `fill`: the outline is made simple: sides are cut where they cross (`arrange`), and
 //!    of a constrained Delaunay triangulation the triangles are in or out by winding; their border is the outline that
 //!    counts.
-//! 2. [`axis`](crate::plane::axis): the border is drawn anew with even spacing and triangulated. An edge between two inner
+//! 2. `axis`: the border is drawn anew with even spacing and triangulated. An edge between two inner
 //!    triangles is a chord across the area; the chords' middles are joined through every triangle. A triangle with one
 //!    chord is a tip, with two a sleeve, with three a fork.
-//! 3. [`prune`](self::prune): at holes the line is cut where it is narrowest; spurs shorter than a share of the local
+//! 3. `prune`: at holes the line is cut where it is narrowest; spurs shorter than a share of the local
 //!    width go. Where both corners of a blunt end go, the line is lengthened to the outline.
-//! 4. [`lines`](self::lines): at each fork the straightest pair goes on ([`forks`](self::forks)), the others begin
+//! 4. `lines`: at each fork the straightest pair goes on (`forks`), the others begin
 //!    there. Points are smoothed.
 //!
 //! We depart from both papers in the pruning (Igarashi grows half discs; a share of the width is as good for branches
