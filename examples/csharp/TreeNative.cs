@@ -6134,7 +6134,7 @@ namespace TreeFamily.Native
         /// </summary>
         public float density;
         /// <summary>
-        /// Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 18.
+        /// Branches in the plane on an axis where no system of the level was drawn, 0 to 4000. Default 18.
         /// </summary>
         public uint count;
         /// <summary>

@@ -30,7 +30,7 @@ pub struct tree_silhouette_level {
     pub arrangement: tree_arrangement,
     /// Branches added in space for each one in the plane, 0 to 100. Default 2.
     pub density: f32,
-    /// Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 18.
+    /// Branches in the plane on an axis where no system of the level was drawn, 0 to 4000. Default 18.
     pub count: u32,
     /// How far branches are turned about their span from base to end, in radians, -2π to 2π: a slight spiral.
     /// Default 0, planar.

@@ -24,9 +24,10 @@ impl Line {
         let mut along = Vec::with_capacity(points.len());
         let mut length = 0.0;
         for point in points {
-            let step = kept.last().map_or(1.0, |last| last.distance(point));
-            if point.is_finite() && step > 0.0 && step.is_finite() {
-                length += if kept.is_empty() { 0.0 } else { step };
+            let next = length + kept.last().map_or(0.0, |last: &Vec2| last.distance(point));
+            // A step too small for the length so far would be none.
+            if point.is_finite() && next.is_finite() && (kept.is_empty() || next > length) {
+                length = next;
                 kept.push(point);
                 along.push(length);
             }

@@ -58,7 +58,7 @@ impl BranchingAngles {
         }
     }
 
-    /// Takes the angle of a redrawn branch as a sample; it replaces those close to it, but the function keeps its ends.
+    /// Takes the angle of a redrawn branch as a sample; it replaces those close to it.
     pub fn set(&mut self, t: f32, angle: f32) {
         let (t, angle) = (t.clamp(0.0, 1.0), angle.clamp(0.0, PI));
         self.samples.retain(|sample| (sample[0] - t).abs() > SAME_PLACE);

@@ -152,7 +152,7 @@ pub fn base_of(parent: &Line, branch: &Line) -> (f32, f32, bool) {
     let along = parent.tangent(t);
     let foot = branch.foot();
     let angle = libm::atan2f(along.perp_dot(foot), along.dot(foot));
-    let left = along.perp_dot(branch.at(0.5) - branch.start()) > 0.0;
+    let left = along.perp_dot(branch.span()) > 0.0;
     (t, angle.abs(), left)
 }
 

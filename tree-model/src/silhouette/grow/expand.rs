@@ -10,6 +10,7 @@ use super::report::{GrowReport, Grown};
 use super::style::{Bears, Styles};
 use crate::error::Result;
 use crate::silhouette::branch::Span;
+use crate::silhouette::place::revolve::section_to_frame;
 use crate::silhouette::place::{Site, ready};
 use crate::silhouette::plan::Plan;
 use glam::{Quat, Vec2, Vec3};
@@ -30,6 +31,8 @@ const POINTS: [usize; 2] = [16, 4];
 const THICKEST: f32 = 0.08;
 /// What ends outside the outlines is this share as long, or left out.
 const SHORTENED: f32 = 0.65;
+/// Levels of branches, at most.
+const DEEPEST: u32 = 9;
 /// Branches that one task sets down.
 const CHUNK: usize = 256;
 
@@ -54,6 +57,12 @@ pub fn grow(plan: &Plan, params: &GrowParams, seed: Seed, control: &Control) -> 
     };
     let mut system = plan.system.clone();
     system.carry(&|point: Vec2| span.to_frame(point));
+    // Other planes show the axis in another frame.
+    for (section, drawn) in system.sections.iter_mut().zip(&plan.system.sections) {
+        if let Some(outline) = drawn.outline.transformed(section_to_frame(axis, drawn.azimuth)) {
+            section.outline = outline;
+        }
+    }
     let fence = Fence::of(plan);
     let frame = frame_of(axis.start(), axis.span(), span.length());
     let mut explicit = Explicit {
@@ -91,7 +100,7 @@ fn depth(plan: &Plan, params: &GrowParams) -> u32 {
         Some(_) => 2,
         None => drawn.max(2),
     };
-    params.depth.unwrap_or(by_drawing).max(1)
+    params.depth.unwrap_or(by_drawing).clamp(1, DEEPEST)
 }
 
 /// The frame of the trunk's span.
@@ -149,21 +158,27 @@ impl Growth<'_> {
             }
             control.report("levels", 0.2 + 0.6 * depth_now as f32 / (depth + 1) as f32)?;
             self.report.branches.push(level.len() as u64);
-            let patterns = self.patterns_for(&level, depth_now)?;
+            let patterns = self.patterns_for(&level, depth_now, control)?;
             level = self.set_down(&level, &patterns, control)?;
         }
         Ok(())
     }
 
     /// The number of each branch's pattern; makes those that are missing.
-    fn patterns_for(&mut self, level: &[Instance], depth: u32) -> Result<Vec<u32>> {
+    fn patterns_for(
+        &mut self,
+        level: &[Instance],
+        depth: u32,
+        control: &Control,
+    ) -> Result<Vec<u32>> {
         let keys: Vec<Option<Key>> = level.par_iter().map(|branch| self.key(branch)).collect();
         let mut missing: Vec<Key> = keys.iter().flatten().copied().collect();
         missing.par_sort_unstable();
         missing.dedup();
         missing.retain(|key| !self.made.contains_key(key));
+        self.check_patterns(&missing, control)?;
         self.arrange(&missing)?;
-        let points = (POINTS[0] >> depth.saturating_sub(1)).max(POINTS[1]);
+        let points = POINTS[0].checked_shr(depth.saturating_sub(1)).unwrap_or(0).max(POINTS[1]);
         let first = self.patterns.len() as u32;
         let new: Vec<Pattern> = missing.par_iter().map(|&key| self.make(key, points)).collect();
         self.made.extend(missing.iter().enumerate().map(|(i, &key)| (key, first + i as u32)));
@@ -174,6 +189,20 @@ impl Growth<'_> {
             _ => 0,
         };
         Ok(level.iter().zip(&keys).map(number).collect())
+    }
+
+    /// Holds patterns that are to be made against the limits.
+    fn check_patterns(&self, missing: &[Key], control: &Control) -> Result<()> {
+        let (mut branches, mut leaves) = (0, 0);
+        for &(_, style, n, _) in missing {
+            match self.styles.styles[style as usize].bears {
+                Bears::Branches(_) => branches += u64::from(n) + 1,
+                Bears::Leaves { .. } => leaves += u64::from(n) + 1,
+            }
+        }
+        control.limits.check(Resource::Nodes, branches)?;
+        control.limits.check(Resource::Leaves, leaves)?;
+        Ok(control.check()?)
     }
 
     fn key(&self, branch: &Instance) -> Option<Key> {

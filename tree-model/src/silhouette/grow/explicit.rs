@@ -9,13 +9,14 @@ use super::style::Styles;
 use crate::error::Result;
 use crate::silhouette::Line;
 use crate::silhouette::branch::{Shape, Span};
+use crate::silhouette::place::gibbs::MOST_SITES;
 use crate::silhouette::place::{Domain, Site, arrange};
 use crate::silhouette::plan::{Lateral, Origin, System};
 use crate::silhouette::sub::{SubParams, sub_outline};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::{PI, TAU};
-use tree_core::{Control, Seed};
+use tree_core::{Control, Resource, Seed};
 
 /// An added branch ends where this share of its way to the surface is done; its foliage goes on.
 const END: f32 = 0.78;
@@ -76,7 +77,10 @@ impl Explicit<'_> {
         let places = || system.laterals.iter().map(|lateral| lateral.t);
         let low = places().fold(1.0, f32::min) - BEYOND;
         let high = places().fold(0.0, f32::max) + BEYOND;
-        let n_added = (rules.density * system.laterals.len() as f32 + 0.5) as usize;
+        let n = system.laterals.len();
+        let n_added = (rules.density * n as f32 + 0.5) as usize;
+        let n_added = n_added.min((MOST_SITES as usize).saturating_sub(n));
+        self.control.limits.check(Resource::Nodes, (n + n_added) as u64)?;
         let mut domains: Vec<Domain> = system
             .laterals
             .iter()
@@ -193,7 +197,8 @@ impl Explicit<'_> {
             let vary = seed.stream("lengths").unit(i as u64) - 0.5;
             let nearest = system.laterals.iter().min_by(|a, b| {
                 let distance = |l: &Lateral| {
-                    (l.t - site.along).abs() + 0.05 * (1.0 - libm::cosf(site.azimuth - side(l)))
+                    let turned = site.azimuth - l.azimuth.unwrap_or(side(l));
+                    (l.t - site.along).abs() + 0.05 * (1.0 - libm::cosf(turned))
                 };
                 distance(a).total_cmp(&distance(b))
             })?;

@@ -138,7 +138,8 @@ impl Fence {
 /// The front and the side of a plan. From the front also what of branches' outlines was drawn beyond the crown.
 pub(super) fn views(plan: &Plan, cells: usize) -> Vec<View> {
     let system = &plan.system;
-    let drawn = system.laterals.iter().filter_map(|lateral| lateral.system.as_deref());
+    let in_plane = system.laterals.iter().filter(|lateral| lateral.azimuth.is_none());
+    let drawn = in_plane.filter_map(|lateral| lateral.system.as_deref());
     let mut front = vec![&system.outline];
     front.extend(drawn.map(|inner| &inner.outline));
     let side = side_of(system);

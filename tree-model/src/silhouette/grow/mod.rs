@@ -1,6 +1,6 @@
 //! From the plane to space: a plan becomes a tree (Wither et al. 2009, sections 4.2 and 5).
 //!
-//! 1. `styles`: of every system that was drawn, what others may copy: where it branches, how far apart, at what
+//! 1. `style`: of every system that was drawn, what others may copy: where it branches, how far apart, at what
 //!    angles, and the shapes of its branches.
 //! 2. `pattern`: the branches of a system round its axis. Sketched ones keep what the drawing shows of them and find
 //!    their azimuth in their domain; added ones fill the rest, as long as the pseudo-surface of revolution lets them be. Systems that

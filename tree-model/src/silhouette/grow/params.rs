@@ -15,9 +15,9 @@ pub struct LevelParams {
     pub arrangement: Arrangement,
     /// Branches added in space for each one in the plane, 0 to 100. Default 2.
     pub density: f32,
-    /// Branches in the plane on an axis where no system of the level was drawn, 0 to 10,000. Default 18.
+    /// Branches in the plane on an axis where no system of the level was drawn, 0 to 4000, which is also the most in space. Default 18.
     pub count: u32,
-    /// Angles where no system of the level was drawn. For the trunk it is the session that uses them.
+    /// Angles of branches on axes of this level until they are redrawn. For the trunk's the session has its own.
     pub angles: BranchingAngles,
     /// How far branches are turned about their span from base to end, in radians, -2π to 2π: a slight spiral. Default 0, planar.
     pub spiral: f32,
@@ -131,7 +131,7 @@ impl GrowParams {
             let field = |name: &str| format!("grow.levels[{i}].{name}");
             level.arrangement.validate()?;
             check(field("density"), level.density, 0.0_f32, 100.0_f32)?;
-            check(field("count"), level.count, 0, 10_000)?;
+            check(field("count"), level.count, 0, 4000)?;
             level.angles.validate(&field("angles"))?;
             check(field("spiral"), level.spiral, -TAU, TAU)?;
             check(field("jitter"), level.jitter, 0.0_f32, 0.9_f32)?;

@@ -14,7 +14,7 @@ const LEAF_BARE: f32 = 0.1;
 const LEAF_ANGLE: f32 = 1.0;
 /// Length of a leaf over that of the branch that bears it, where nothing tells.
 const LEAF_LENGTH: f32 = 0.3;
-/// Fewer sketched branches than this tell nothing about spacing.
+/// So many sketched branches or fewer tell nothing about spacing.
 const FEW: usize = 2;
 
 /// The distances of branching points.

@@ -35,7 +35,7 @@ const LEAST_SEEN: f32 = 0.5;
 /// An outline and the plane it is drawn in.
 #[derive(Clone, Copy, Debug)]
 pub struct Section<'a> {
-    /// Azimuth of the plane's right side in radians: 0 for the drawing seen along −Z, π/2 for one seen from its right side.
+    /// Azimuth of the plane's right side in radians: 0 for the drawing seen along −Z, π/2 for one seen from its left side.
     pub azimuth: f32,
     /// The outline as seen there, metres, x to the plane's right, y up, the tree's base at the origin: another view of
     /// the same tree, turned about the vertical.
@@ -81,6 +81,13 @@ impl View {
         let way = point - self.origin;
         Vec2::new(-self.up.perp_dot(way), self.up.dot(way) * self.stretch)
     }
+}
+
+/// Brings points of a drawing in another plane into the frame of the axis' span, whose length is 1 there.
+pub(crate) fn section_to_frame(axis: &Line, azimuth: f32) -> impl Fn(Vec2) -> Vec2 {
+    let view = View::of(axis.start(), axis.span(), libm::cosf(azimuth));
+    let length = axis.span().length();
+    move |point| view.to_frame(point) / length
 }
 
 /// Two halves and the share of the second.

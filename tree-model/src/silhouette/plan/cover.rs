@@ -73,7 +73,8 @@ pub(super) fn cover(
     raster: &mut Raster,
     name: &mut impl FnMut() -> u32,
 ) -> Coverage {
-    for lateral in &system.laterals {
+    // Those drawn from elsewhere cover nothing in the plane.
+    for lateral in system.laterals.iter().filter(|lateral| lateral.azimuth.is_none()) {
         raster.add(&lateral.outline);
     }
     let by_bumps = raster.covered();

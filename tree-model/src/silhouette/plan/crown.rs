@@ -46,7 +46,8 @@ pub(crate) fn axis_of(trunk: Option<&Line>, outline: &Outline, bumps: &[Bump]) -
     let [from, to] = foliage_part(trunk, outline);
     let within = outline.contains(trunk.end());
     let long_enough = within && (to - from) * trunk.length() >= SHORT * (high - low).y;
-    let is_through = !within && trunk.end().y > 0.5 * (low.y + high.y);
+    let touches = (0..=SAMPLES).any(|i| outline.contains(trunk.at(i as f32 / SAMPLES as f32)));
+    let is_through = touches && !within && trunk.end().y > 0.5 * (low.y + high.y);
     if long_enough || is_through || (within && radiate(trunk.end(), bumps)) {
         return Some(trunk.clone());
     }

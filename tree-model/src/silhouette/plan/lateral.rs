@@ -62,12 +62,23 @@ impl Lateral {
         Shape::of(&self.line, &self.outline, self.left)
     }
 
-    /// Gives it another line, and carries its system along by the spans. The outline stays.
-    pub(crate) fn reshape(&mut self, line: Line) {
-        let spans = self.span().zip(Span::new(line.start(), line.end(), self.left));
-        self.line = line;
+    /// Gives it another line, perhaps on the other side, and carries its system along: the axis is the new line, what stands on
+    /// it moves with its place there. The outline stays.
+    pub(crate) fn reshape(&mut self, line: Line, left: bool) {
+        let spans = self.span().zip(Span::new(line.start(), line.end(), left));
         if let (Some((old, new)), Some(system)) = (spans, &mut self.system) {
             system.carry(&|point: Vec2| new.from_frame(old.to_frame(point)));
+            system.axis = line.clone();
+            for inner in &mut system.laterals {
+                let off = line.at(inner.t) - inner.line.start();
+                let points = inner.line.points().iter().map(|&point| point + off).collect();
+                let outline = inner.outline.transformed(|point| point + off);
+                if let (Some(moved), Some(outline)) = (Line::new(points), outline) {
+                    inner.reshape(moved, inner.left);
+                    inner.outline = outline;
+                }
+            }
         }
+        (self.line, self.left) = (line, left);
     }
 }

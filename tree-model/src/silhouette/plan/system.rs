@@ -156,7 +156,8 @@ impl System {
     /// Whether a drawn branch ends in a bump.
     fn has_one_at(&self, bump: &Bump) -> bool {
         let near = bump.radius.max(0.5 * bump.centre.distance(bump.tip));
-        self.laterals.iter().any(|lateral| lateral.line.end().distance(bump.centre) <= near)
+        let in_plane = self.laterals.iter().filter(|lateral| lateral.azimuth.is_none());
+        in_plane.into_iter().any(|lateral| lateral.line.end().distance(bump.centre) <= near)
     }
 
     /// The line to a branch's end as it is inferred from the angles.

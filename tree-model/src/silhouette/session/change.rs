@@ -48,7 +48,8 @@ impl Change {
                 change.added.push(id);
                 continue;
             };
-            if then.line != now.line || then.outline != now.outline || then.azimuth != now.azimuth {
+            let place = |lateral: &Lateral| (lateral.t, lateral.left, lateral.azimuth);
+            if then.line != now.line || then.outline != now.outline || place(then) != place(now) {
                 change.reshaped.push(id);
             }
             let system = |lateral: &Lateral| {

@@ -14,7 +14,7 @@ use std::f32::consts::TAU;
 /// A trunk whose end is farther from the crown than this share of the crown's size does not bear it.
 const FAR: f32 = 0.5;
 /// The finest level of branches.
-const DEEPEST: u32 = 8;
+pub(super) const DEEPEST: u32 = 8;
 /// An outline is of a branch whose own it shares at least this share of its area with, where it misses all lines.
 const COVERED: f32 = 0.2;
 /// A branch is taken for the same when its end has moved by less than this share of its span.
@@ -52,8 +52,8 @@ impl Session {
         })
     }
 
-    /// Draws the crown as it is seen when the tree is turned by `azimuth` radians (-2π to 2π, from +X towards +Z): another
-    /// drawing plane. An outline in that plane is replaced.
+    /// Draws the crown in another upright plane through the trunk: the one whose right side is at `azimuth` radians (-2π to 2π, from +X
+    /// towards +Z), as a viewer of yaw -`azimuth` sees it. An outline in that plane is replaced.
     ///
     /// # Errors
     /// [`ModelError::Silhouette`] for what encloses no area, or before there is a crown; [`ModelError::Parameter`].
@@ -89,7 +89,8 @@ impl Session {
                     "no branch of level {above} has an outline: draw that first"
                 )));
             }
-            for lateral in bearers.iter().flat_map(|system| &system.laterals) {
+            let in_plane = |lateral: &&Lateral| lateral.azimuth.is_none();
+            for lateral in bearers.iter().flat_map(|system| &system.laterals).filter(in_plane) {
                 let length = length_inside(lateral, &outline);
                 if length > 0.0 && best.is_none_or(|(longest, _)| length > longest) {
                     best = Some((length, lateral.id));
@@ -210,7 +211,9 @@ impl Drawn {
         };
         for lateral in old.iter().filter(|lateral| is_drawn(lateral)) {
             let (t, _) = system.axis.nearest(lateral.line.start());
-            system.laterals.push(Lateral { t, ..lateral.clone() });
+            let left = system.axis.tangent(t).perp_dot(lateral.line.span()) > 0.0;
+            let lateral = Lateral { t, left, stretch: None, ..lateral.clone() };
+            system.laterals.push(lateral);
         }
         self.coverage = system.grow_from(&found, &self.params.system, &mut self.last_id);
         adopt(&old, &mut system.laterals);
@@ -251,7 +254,19 @@ impl Drawn {
         }
         let angles = params.grow.level(level + 1).angles;
         let old = lateral.system.take();
+        // What was drawn on it stays.
+        let kept: Vec<Lateral> = old
+            .iter()
+            .flat_map(|system| &system.laterals)
+            .filter(|lateral| is_drawn(lateral))
+            .map(|inner| Lateral { stretch: None, ..inner.clone() })
+            .collect();
+        let angles = match &old {
+            Some(old) if !kept.is_empty() => old.angles.clone(),
+            _ => angles,
+        };
         let mut system = System::new(lateral.line.clone(), outline.clone(), angles);
+        system.laterals = kept;
         system.grow(&params.system, &mut last_id);
         if let Some(old) = old {
             adopt(&old.laterals, &mut system.laterals);
@@ -282,7 +297,7 @@ fn adopt(old: &[Lateral], new: &mut [Lateral]) {
         if other.system.is_some() {
             let line = std::mem::replace(&mut lateral.line, other.line.clone());
             lateral.system.clone_from(&other.system);
-            lateral.reshape(line);
+            lateral.reshape(line, lateral.left);
             if let Some(system) = &lateral.system {
                 lateral.outline = system.outline.clone();
             }

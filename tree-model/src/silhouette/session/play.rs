@@ -1,5 +1,6 @@
 //! A whole drawing at once.
 
+use super::edit::DEEPEST;
 use super::{Change, Session, SilhouetteParams, Transfer};
 use crate::Modeler;
 use crate::error::{ModelError, Result};
@@ -73,11 +74,14 @@ impl Ground {
 /// The base of a tree in its drawing, and its height there; `None` where level 0 has no extent.
 pub(crate) fn stand(tree: &TreeStrokes) -> Option<(Vec2, f32)> {
     let coarse = |stroke: &&LevelStroke| stroke.level == Level::Number(0);
-    let points = || tree.strokes.iter().filter(coarse).flat_map(|stroke| &stroke.points);
+    let good = |point: &&Vec2| point.is_finite();
+    let points =
+        || tree.strokes.iter().filter(coarse).flat_map(|stroke| &stroke.points).filter(good);
     let (top, bottom) = points()
         .fold((f32::INFINITY, f32::NEG_INFINITY), |(top, low), p| (top.min(p.y), low.max(p.y)));
     let trunk = tree.strokes.iter().filter(coarse).find(|stroke| stroke.kind == Kind::Axis);
-    let lowest = |points: &[Vec2]| points.iter().copied().max_by(|a, b| a.y.total_cmp(&b.y));
+    let lowest =
+        |points: &[Vec2]| points.iter().filter(good).copied().max_by(|a, b| a.y.total_cmp(&b.y));
     let height = bottom - top;
     // What has no trunk stands on the middle of its lowest part.
     let low = points().filter(|p| p.y >= bottom - 0.04 * height);
@@ -124,6 +128,10 @@ impl Session {
             tree.strokes.iter().filter(|stroke| stroke.level != Level::Number(0)).collect();
         finer.sort_by_key(|stroke| stroke.level);
         for stroke in finer {
+            if matches!(stroke.level, Level::Number(level) if level > DEEPEST) {
+                report.refused.push(format!("{}: levels go to {DEEPEST}", name_of(stroke)));
+                continue;
+            }
             let points = ground.to_plan(&stroke.points);
             let change = match (stroke.level, stroke.kind) {
                 (Level::Leaf, _) => session.draw_leaf(&points),
@@ -174,7 +182,11 @@ impl Session {
         }
         let change = self.draw_crown(&ground.to_plan(&crown.points))?;
         report.take(&name_of(crown), Ok(change))?;
-        for stroke in coarse().filter(|stroke| stroke.kind == Kind::Axis) {
+        for (i, stroke) in coarse().filter(|stroke| stroke.kind == Kind::Axis).enumerate() {
+            if i > 0 {
+                report.refused.push(format!("{}: there is a trunk already", name_of(stroke)));
+                continue;
+            }
             let change = self.draw_trunk(&ground.to_plan(&stroke.points));
             report.take(&name_of(stroke), change)?;
         }

@@ -1,5 +1,6 @@
 //! Branches drawn over, and what their siblings take of it (section 3.3).
 
+use super::edit::DEEPEST;
 use super::state::{Drawn, line_of};
 use super::target::{distance, systems};
 use super::{Change, Session, Viewpoint};
@@ -55,7 +56,7 @@ impl Session {
     /// # Complexity
     /// Some 50 µs for each sibling.
     pub fn redraw(&mut self, level: u32, stroke: &[Vec2], transfer: &Transfer) -> Result<Change> {
-        check("level", level, 1, 8)?;
+        check("level", level, 1, DEEPEST)?;
         self.edit(|drawn, repairs| {
             let line = line_of(stroke, "branch", repairs)?;
             let (plane, target) = drawn.branch_at(level, &line)?;
@@ -91,6 +92,7 @@ impl Session {
                 Vec2::new(trunk + point.x - trunk * libm::cosf(view.yaw), point.y)
             });
             let line = Line::new(plane.collect()).unwrap_or(seen);
+            let line = from_axis(&plan.system.axis, line);
             let (t, _, left) = base_of(&plan.system.axis, &line);
             let azimuth = view.azimuth(left);
             let near = |lateral: &&Lateral| {
@@ -152,13 +154,13 @@ impl Drawn {
         let Some(system) = systems(&mut plan.system, level - 1).into_iter().nth(plane) else {
             return Ok(());
         };
-        let backwards = system.axis.nearest(line.end()).1 < system.axis.nearest(line.start()).1;
-        let line = if backwards { reversed(&line) } else { line };
-        let (t, angle, left) = base_of(&system.axis, &line);
+        let line = from_axis(&system.axis, line);
         // Its foot is on the axis; a stroke that begins a little off is drawn on to it.
-        let foot = system.axis.at(t);
-        let points = std::iter::once(foot).chain(line.points().iter().skip(1).copied()).collect();
-        let line = Line::new(points).unwrap_or(line);
+        let foot = system.axis.at(base_of(&system.axis, &line).0);
+        let n = line.points().len();
+        let points = std::iter::once(foot).chain(line.points().iter().copied()).collect();
+        let line = Line::new(points).map_or(line, |line| line.resampled(n));
+        let (t, angle, left) = base_of(&system.axis, &line);
         system.angles.set(t, angle);
         let index = target.and_then(|id| system.laterals.iter().position(|l| l.id == id));
         let radius = (ROUND * line.span().length(), None);
@@ -169,9 +171,9 @@ impl Drawn {
                 let made =
                     system.lateral(0, Origin::Drawn, t, line.clone(), (radius, stretch), &params);
                 let lateral = &mut system.laterals[index];
-                (lateral.origin, lateral.t, lateral.left) = (Origin::Drawn, t, left);
+                (lateral.origin, lateral.t) = (Origin::Drawn, t);
                 lateral.azimuth = azimuth.or(lateral.azimuth);
-                lateral.reshape(line);
+                lateral.reshape(line, left);
                 lateral.outline =
                     lateral.system.as_ref().map_or(made.outline, |system| system.outline.clone());
             }
@@ -185,6 +187,12 @@ impl Drawn {
         self.last_id = new_id;
         Ok(())
     }
+}
+
+/// A line from the end that is nearer to an axis, whichever way it was drawn.
+fn from_axis(axis: &Line, line: Line) -> Line {
+    let backwards = axis.nearest(line.end()).1 < axis.nearest(line.start()).1;
+    if backwards { reversed(&line) } else { line }
 }
 
 fn reversed(line: &Line) -> Line {
@@ -207,8 +215,8 @@ fn transfer_shape(system: &mut System, source: usize, transfer: &Transfer, param
         let bump = (lateral.radius, lateral.stretch);
         let made = system.lateral(0, lateral.origin, t, line.clone(), bump, params);
         let lateral = &mut system.laterals[i];
-        (lateral.t, lateral.left) = (t, made.left);
-        lateral.reshape(line);
+        lateral.t = t;
+        lateral.reshape(line, made.left);
         lateral.outline =
             lateral.system.as_ref().map_or(made.outline, |system| system.outline.clone());
     }

@@ -57,7 +57,7 @@ impl Session {
         self.now.plan.as_ref()
     }
 
-    /// How well branches cover the crown.
+    /// How well branches covered the crown when they were inferred last.
     #[must_use]
     pub fn coverage(&self) -> Coverage {
         self.now.coverage
@@ -167,6 +167,8 @@ pub(super) fn line_of(stroke: &[Vec2], what: &str, repairs: &mut Vec<String>) ->
     const LARGEST: f32 = 1e6;
     /// Points that a drawn line is kept by, evenly spaced: what is finer is the hand's.
     const POINTS: usize = 24;
+    /// A line whose ends are nearer to each other than this share of its length has no direction.
+    const LEAST_SPAN: f32 = 0.02;
     check_count(stroke)?;
     let good: Vec<Vec2> =
         stroke.iter().copied().filter(|p| p.x.abs() <= LARGEST && p.y.abs() <= LARGEST).collect();
@@ -180,6 +182,10 @@ pub(super) fn line_of(stroke: &[Vec2], what: &str, repairs: &mut Vec<String>) ->
         let problem = "it has no length; a line needs two different points".into();
         ModelError::Silhouette { what: what.into(), problem }
     })?;
+    if line.span().length() < LEAST_SPAN * line.length() {
+        let problem = "it ends where it begins; draw it from base to tip".into();
+        return Err(ModelError::Silhouette { what: what.into(), problem });
+    }
     Ok(line.resampled(POINTS))
 }
 

@@ -62,7 +62,7 @@ pub(super) fn loan(
     for branch in &mut branches {
         let scaled = branch.line.points().iter().map(|&point| scale * point).collect();
         if let Some(line) = Line::new(scaled) {
-            branch.reshape(line);
+            branch.reshape(line, branch.left);
         }
         branch.outline = branch
             .outline
