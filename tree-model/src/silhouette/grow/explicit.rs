@@ -11,17 +11,13 @@ use crate::silhouette::Line;
 use crate::silhouette::branch::{Shape, Span};
 use crate::silhouette::place::gibbs::MOST_SITES;
 use crate::silhouette::place::{Domain, Site, arrange};
-use crate::silhouette::plan::{Lateral, Origin, System};
+use crate::silhouette::plan::{END, Lateral, Origin, ROUND, System};
 use crate::silhouette::sub::{SubParams, sub_outline};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::{PI, TAU};
 use tree_core::{Control, Resource, Seed};
 
-/// An added branch ends where this share of its way to the surface is done; its foliage goes on.
-const END: f32 = 0.78;
-/// Radius that stands for a bump's, as a share of the branch's length.
-const ROUND: f32 = 0.3;
 /// Azimuths that are tried for an added branch.
 const TURNS: u32 = 16;
 /// Added branches begin no lower than this below the first sketched one, and no higher above the last.

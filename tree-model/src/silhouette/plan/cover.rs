@@ -17,9 +17,9 @@ use crate::silhouette::branch::{Span, infer};
 use glam::Vec2;
 
 /// A branch ends where this share of its way to the outline is done; its foliage goes on.
-const END: f32 = 0.78;
+pub(in crate::silhouette) const END: f32 = 0.78;
 /// Radius that stands for a bump's, as a share of the branch's length.
-const ROUND: f32 = 0.3;
+pub(in crate::silhouette) const ROUND: f32 = 0.3;
 /// What is nearer to the axis than this share of its length needs no branch: the axis itself is there.
 const NEAR: f32 = 0.05;
 /// Branches added for bare stretches of the edge, at most.

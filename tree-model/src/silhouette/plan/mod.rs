@@ -12,6 +12,7 @@ mod raster;
 mod system;
 
 pub use cover::{CoverParams, Coverage};
+pub(super) use cover::{END, ROUND};
 pub(super) use crown::axis_of;
 pub use document::{DrawnLeaf, Plan};
 pub use lateral::{Lateral, Origin};

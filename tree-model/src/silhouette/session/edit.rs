@@ -141,7 +141,7 @@ impl Session {
     /// Has branches take the style of another branch, whose outline was drawn; `None`: of the nearest such branch again.
     ///
     /// # Errors
-    /// [`ModelError::Silhouette`] for ids that are not there, and a source whose outline was not drawn.
+    /// [`ModelError::Silhouette`] for ids that are not there, a source whose outline was not drawn, and one of a coarser level.
     pub fn copy_style(&mut self, source: Option<u32>, targets: &[u32]) -> Result<Change> {
         self.edit(|drawn, _| {
             let plan = drawn.plan_mut("style")?;
@@ -153,6 +153,11 @@ impl Session {
                 }
             }
             targets.iter().try_for_each(|&id| {
+                if source.is_some_and(|source| level_of(plan, source) < level_of(plan, id)) {
+                    let problem =
+                        "the source is of a coarser level, whose branches do not fit on it".into();
+                    return Err(ModelError::Silhouette { what: format!("branch {id}"), problem });
+                }
                 lateral(plan, id)?.style = source;
                 Ok(())
             })
@@ -168,7 +173,10 @@ impl Session {
             let plan = drawn.plan_mut("branch")?;
             let (system, index, _) =
                 bearer(&mut plan.system, id, 0).ok_or_else(|| no_branch(id))?;
-            system.laterals.remove(index);
+            let mut gone = Vec::new();
+            names(&[system.laterals.remove(index)], &mut gone);
+            // Whoever had its style takes the nearest again.
+            forget_styles(&mut plan.system, &gone);
             Ok(())
         })
     }
@@ -307,6 +315,28 @@ fn adopt(old: &[Lateral], new: &mut [Lateral]) {
 
 fn is_drawn(lateral: &Lateral) -> bool {
     lateral.origin == crate::silhouette::plan::Origin::Drawn
+}
+
+/// The level of a branch; `None` where it is not there.
+fn level_of(plan: &mut Plan, id: u32) -> Option<u32> {
+    bearer(&mut plan.system, id, 0).map(|(_, _, level)| level)
+}
+
+/// The names of branches and of all on them.
+fn names(laterals: &[Lateral], out: &mut Vec<u32>) {
+    for lateral in laterals {
+        out.push(lateral.id);
+        names(lateral.system.as_deref().map_or(&[], |inner| &inner.laterals), out);
+    }
+}
+
+fn forget_styles(system: &mut System, gone: &[u32]) {
+    for lateral in &mut system.laterals {
+        lateral.style = lateral.style.filter(|id| !gone.contains(id));
+        if let Some(inner) = &mut lateral.system {
+            forget_styles(inner, gone);
+        }
+    }
 }
 
 fn lateral(plan: &mut Plan, id: u32) -> Result<&mut Lateral> {

@@ -71,7 +71,7 @@ impl Ground {
     }
 }
 
-/// The base of a tree in its drawing, and its height there; `None` where level 0 has no extent.
+/// The base of a tree in its drawing, and its height there; `None` where level 0 has next to no height.
 pub(crate) fn stand(tree: &TreeStrokes) -> Option<(Vec2, f32)> {
     let coarse = |stroke: &&LevelStroke| stroke.level == Level::Number(0);
     let good = |point: &&Vec2| point.is_finite();
@@ -89,7 +89,12 @@ pub(crate) fn stand(tree: &TreeStrokes) -> Option<(Vec2, f32)> {
         low.fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), p| (a.min(p.x), b.max(p.x)));
     let foot = Vec2::new(0.5 * (least + most), bottom);
     let base = trunk.and_then(|stroke| lowest(&stroke.points)).unwrap_or(foot);
-    (height > 0.0 && height.is_finite()).then_some((base, height))
+    // What is flatter than this has no height to scale by.
+    const FLAT: f32 = 1e-3;
+    let (left, right) =
+        points().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), p| (a.min(p.x), b.max(p.x)));
+    let is_tall = height.is_finite() && height > FLAT * (right - left);
+    is_tall.then_some((base, height))
 }
 
 impl Session {
@@ -105,7 +110,7 @@ impl Session {
     ) -> Result<(Self, PlayReport)> {
         let what = || if tree.name.is_empty() { "drawing".into() } else { tree.name.clone() };
         let (base, height) = stand(tree).ok_or_else(|| {
-            let problem = "level 0 has no extent: draw the crown's outline there".into();
+            let problem = "level 0 has no height: draw the crown's outline there".into();
             ModelError::Silhouette { what: what(), problem }
         })?;
         let scale = params.height / height;

@@ -231,3 +231,24 @@ fn a_drawing_is_played_to_scale_and_what_cannot_be_used_is_told() {
     let nothing = OutlineModel::default().model(Seed(1), &Control::default());
     assert!(matches!(nothing, Err(ModelError::Silhouette { .. })));
 }
+
+#[test]
+fn a_branch_whose_source_of_style_goes_takes_the_nearest_again() {
+    let mut session = drawn();
+    let ids: Vec<u32> = plan(&session).system.laterals.iter().map(|l| l.id).collect();
+    let outline = about(&session, ids[2]);
+    session.refine(1, &outline).unwrap();
+    session.copy_style(Some(ids[2]), &[ids[0]]).unwrap();
+    let change = session.remove(ids[2]).unwrap();
+    assert!(change.restyled.contains(&ids[0]) && change.removed.contains(&ids[2]), "{change:?}");
+}
+
+#[test]
+fn a_finer_branch_cannot_have_the_style_of_a_coarser_one() {
+    let mut session = drawn();
+    let id = plan(&session).system.laterals[2].id;
+    let outline = about(&session, id);
+    let fine = session.refine(1, &outline).unwrap().added[0];
+    let error = session.copy_style(Some(id), &[fine]).unwrap_err().to_string();
+    assert!(error.contains("coarser"), "{error}");
+}
