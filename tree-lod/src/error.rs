@@ -42,6 +42,35 @@ pub enum LodError {
         /// Bytes it needs.
         expected: usize,
     },
+    /// A table of levels that is not one.
+    #[error("table, row {row}: {problem}")]
+    Table {
+        /// The row at fault.
+        row: usize,
+        /// What is wrong with it and what would be right.
+        problem: &'static str,
+    },
+    /// There is nothing that could be pruned.
+    #[error("foliage: {0}")]
+    Foliage(&'static str),
+    /// An order of elements that leaves some out or has one twice.
+    #[error("order, row {row}: {problem}")]
+    Order {
+        /// The row at fault.
+        row: usize,
+        /// What is wrong with it and what would be right.
+        problem: &'static str,
+    },
+    /// A scene that cannot be drawn: instances, models, cameras, depth buffers.
+    #[error("scene: {what} {row}: {problem}")]
+    Scene {
+        /// What is at fault: "instance", "model", "camera", "depth buffer", "state", "output".
+        what: &'static str,
+        /// Its number.
+        row: usize,
+        /// What is wrong with it and what would be right.
+        problem: &'static str,
+    },
     /// An image could not be encoded.
     #[cfg(feature = "image")]
     #[error("image: {0}")]

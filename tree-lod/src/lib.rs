@@ -1,9 +1,12 @@
 #![forbid(unsafe_code)]
 #![doc = "Level of detail, and previews, of botanical trees."]
 
+pub mod element;
 mod error;
 pub mod preview;
+pub mod quality;
 
+pub use element::{Elements, Foliage, Grain};
 pub use error::LodError;
 pub use tree_core;
 pub use tree_core::glam;

@@ -1,0 +1,71 @@
+//! What is dropped and scaled as one: a leaf, a card, the blade of a compound leaf, a twig.
+//!
+//! 1. [`Foliage`] says which surfaces are pruned; the rest of the mesh (wood) is always drawn.
+//! 2. `split`: their triangles are divided into elements, by leaves or by connected pieces.
+//! 3. `measure`: centre, area, normal and size of each.
+
+mod measure;
+mod split;
+
+pub use split::{Foliage, Grain};
+
+use glam::Vec3;
+use std::ops::Range;
+
+/// The elements of a mesh, in columns: a row each, in the order of surfaces and triangles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Elements {
+    /// Surfaces that are pruned, rising; all others are always drawn.
+    pub surfaces: Vec<u32>,
+    /// Surface of each element, a value of `surfaces`.
+    pub surface: Vec<u32>,
+    /// Where the triangles of each element begin in `triangles`, and their number at the end.
+    pub starts: Vec<u32>,
+    /// Triangles of each element: their numbers in its surface.
+    pub triangles: Vec<u32>,
+    /// Mean of each element's surface in metres: what it is scaled about.
+    pub centers: Vec<Vec3>,
+    /// Mean normal, weighted by area; zero where it has none (a closed blade, no area).
+    pub normals: Vec<Vec3>,
+    /// Area of the triangles in m².
+    pub areas: Vec<f32>,
+    /// Largest distance of a vertex from the centre, in metres.
+    pub radii: Vec<f32>,
+}
+
+impl Elements {
+    /// Number of elements.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.centers.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.centers.is_empty()
+    }
+
+    /// Rows of an element's triangles in [`triangles`](Self::triangles).
+    pub(crate) fn rows(&self, element: usize) -> Range<usize> {
+        self.starts[element] as usize..self.starts[element + 1] as usize
+    }
+
+    /// Triangles of an element.
+    ///
+    /// # Panics
+    /// When there is no such element.
+    #[must_use]
+    pub fn triangles_of(&self, element: usize) -> &[u32] {
+        &self.triangles[self.rows(element)]
+    }
+
+    /// Triangles of all elements.
+    #[must_use]
+    pub fn n_triangles(&self) -> usize {
+        self.triangles.len()
+    }
+}
+
+#[cfg(test)]
+mod tests;
