@@ -1,6 +1,7 @@
 #![forbid(unsafe_code)]
 #![doc = "Level of detail, and previews, of botanical trees."]
 
+pub mod cover;
 pub mod element;
 mod error;
 pub mod preview;

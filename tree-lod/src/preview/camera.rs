@@ -202,24 +202,24 @@ impl Pose {
 /// World space to samples of a picture or texels of a depth map. Depth grows towards the viewer:
 /// 1 / distance in perspective, -distance in parallel projection, so that it is linear on screen.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Projector {
-    pub(super) eye: Vec3,
-    pub(super) right: Vec3,
-    pub(super) up: Vec3,
-    pub(super) forward: Vec3,
+pub(crate) struct Projector {
+    pub(crate) eye: Vec3,
+    pub(crate) right: Vec3,
+    pub(crate) up: Vec3,
+    pub(crate) forward: Vec3,
     /// Samples per metre at distance 1 (perspective) or at any distance.
-    pub(super) scale: f32,
+    pub(crate) scale: f32,
     /// The sample coordinates of the optical axis.
-    pub(super) center: Vec2,
-    pub(super) near: f32,
-    pub(super) perspective: bool,
-    pub(super) width: u32,
-    pub(super) height: u32,
+    pub(crate) center: Vec2,
+    pub(crate) near: f32,
+    pub(crate) perspective: bool,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
 }
 
 impl Projector {
     /// For a valid pose and a picture of so many samples; `size` is the extent of the mesh.
-    pub(super) fn new(pose: &Pose, width: u32, height: u32, size: f32) -> Self {
+    pub(crate) fn new(pose: &Pose, width: u32, height: u32, size: f32) -> Self {
         let toward = pose.target - pose.eye;
         let forward = toward.normalize_or(Vec3::NEG_Z);
         let right = forward.cross(pose.up).normalize_or(Vec3::X);
@@ -287,7 +287,7 @@ impl Projector {
 
     /// View coordinates: right, up, distance along the line of sight.
     #[inline]
-    pub(super) fn view(&self, p: Vec3) -> Vec3 {
+    pub(crate) fn view(&self, p: Vec3) -> Vec3 {
         let d = p - self.eye;
         Vec3::new(self.right.dot(d), self.up.dot(d), self.forward.dot(d))
     }

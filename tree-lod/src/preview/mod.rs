@@ -35,6 +35,9 @@ mod robust_tests;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use camera::Projector;
+pub(crate) use project::clip_loose;
+pub(crate) use scene::{Pattern, Scene};
 pub use camera::{Camera, Framing, Lens, Pose};
 pub use picture::{Mask, Picture};
 pub use render::{mask, render, silhouette};

@@ -75,6 +75,20 @@ impl Projector {
 }
 
 impl Projector {
+    /// Whether a point in view coordinates is in front of the near plane and within the guard band.
+    #[inline]
+    pub(crate) fn shows(&self, v: Vec3) -> bool {
+        let at = self.on_picture(v);
+        v.z >= self.near && at.x.abs() <= GUARD && at.y.abs() <= GUARD
+    }
+
+    /// A point in view coordinates in samples from the top left.
+    #[inline]
+    pub(crate) fn on_picture(&self, v: Vec3) -> Vec2 {
+        let (x, y, _) = self.place(v);
+        Vec2::new(x, y)
+    }
+
     #[inline]
     fn place(&self, v: Vec3) -> (f32, f32, f32) {
         let (scale, depth) =
@@ -137,6 +151,21 @@ pub(super) fn clip(
         *corner = Corner { spot: projector.spot_within(loose.view), uv: loose.uv };
     }
     (corners, count)
+}
+
+/// As [`clip`], in samples and with the distance along the line of sight.
+pub(crate) fn clip_loose(
+    positions: [Vec3; 3],
+    uvs: [Vec2; 3],
+    projector: &Projector,
+) -> ([(Vec2, f32, Vec2); MOST_CORNERS], usize) {
+    let (corners, n) = clip(positions, uvs, projector);
+    let loose = corners.map(|Corner { spot, uv }| {
+        let at = Vec2::new(spot.x as f32, spot.y as f32) / SUBSAMPLES as f32;
+        let z = if projector.perspective { 1.0 / spot.depth } else { -spot.depth };
+        (at, z, uv)
+    });
+    (loose, n)
 }
 
 /// Keeps the part where `distance` is not negative.

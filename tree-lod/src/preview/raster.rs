@@ -31,7 +31,7 @@ pub(super) struct Band<'a> {
 
 /// What decides about a sample besides depth.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mask<'a> {
+pub(crate) struct Mask<'a> {
     pub(super) level: &'a Level,
     pub(super) filter: Filter,
 }
@@ -49,7 +49,7 @@ pub(super) enum Filter {
 
 impl Mask<'_> {
     #[inline]
-    fn covers(&self, u: f32, v: f32) -> bool {
+    pub(crate) fn covers(&self, u: f32, v: f32) -> bool {
         match self.filter {
             Filter::Within => self.level.covers_within(u, v),
             Filter::Repeat => self.level.covers(u, v),

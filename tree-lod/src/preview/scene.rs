@@ -2,7 +2,7 @@
 
 use super::texture::{Pyramid, Srgb};
 use crate::error::Result;
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
 use std::sync::Arc;
 use tree_core::{Control, LimitError, Resource};
@@ -12,8 +12,8 @@ use tree_mesh::{Alpha, Material, Mesh, Surface};
 pub(super) const LAST_IDS: u32 = u32::MAX - 8;
 
 #[derive(Debug)]
-pub(super) struct Scene<'a> {
-    pub(super) mesh: &'a Mesh,
+pub(crate) struct Scene<'a> {
+    pub(crate) mesh: &'a Mesh,
     /// Number of the first vertex of each surface, and of all vertices at the end.
     pub(super) first_vertex: Vec<usize>,
     /// Number of the first triangle of each surface, and of all triangles at the end.
@@ -23,7 +23,7 @@ pub(super) struct Scene<'a> {
     pyramids: Vec<Pyramid>,
     pub(super) srgb: Srgb,
     /// Largest side of the box around all vertices, in metres.
-    pub(super) size: f32,
+    pub(crate) size: f32,
 }
 
 /// A prepared material.
@@ -37,6 +37,13 @@ pub(super) struct Skin {
     pub(super) double_sided: bool,
 }
 
+/// What of a surface's triangles is drawn, for whoever needs no colours.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pattern<'a> {
+    /// The texture whose alpha decides, unless all is drawn.
+    pub(crate) pyramid: Option<&'a Pyramid>,
+}
+
 /// Which parts of a surface are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cover {
@@ -48,7 +55,7 @@ pub(super) enum Cover {
 impl<'a> Scene<'a> {
     /// Checks the mesh and prepares its materials. Textures are prepared in parallel, each once
     /// however many materials share it.
-    pub(super) fn new(mesh: &'a Mesh, colors: bool, control: &Control) -> Result<Self> {
+    pub(crate) fn new(mesh: &'a Mesh, colors: bool, control: &Control) -> Result<Self> {
         mesh.check()?;
         let n_triangles = mesh.n_triangles() as u64;
         control.limits.check(Resource::Triangles, n_triangles)?;
@@ -116,7 +123,7 @@ impl<'a> Scene<'a> {
     }
 
     #[inline]
-    pub(super) fn surface(&self, number: usize) -> &'a Surface {
+    pub(crate) fn surface(&self, number: usize) -> &'a Surface {
         &self.mesh.surfaces[number]
     }
 
@@ -130,17 +137,20 @@ impl<'a> Scene<'a> {
         skin.pyramid.map(|number| &self.pyramids[number])
     }
 
+    /// What of a surface is drawn; none when nothing is.
+    #[inline]
+    pub(crate) fn pattern(&self, surface: usize) -> Option<Pattern<'_>> {
+        let skin = self.skin(surface);
+        match skin.cover {
+            Cover::None => None,
+            Cover::All => Some(Pattern { pyramid: None }),
+            Cover::Masked => Some(Pattern { pyramid: self.pyramid(skin) }),
+        }
+    }
+
     pub(super) fn vertices(&self) -> impl Iterator<Item = Vec3> + '_ {
         self.mesh.surfaces.iter().flat_map(|surface| surface.positions.iter().copied())
     }
-}
-
-/// Twice the area a triangle has in texture space, in texels of the largest level.
-#[inline]
-pub(super) fn texel_area(uvs: [Vec2; 3], pyramid: &Pyramid) -> f32 {
-    let (a, b) = (uvs[1] - uvs[0], uvs[2] - uvs[0]);
-    let level = &pyramid.levels[0];
-    a.perp_dot(b).abs() * level.width as f32 * level.height as f32
 }
 
 /// Brought into 0 to 1; NaN becomes 0.

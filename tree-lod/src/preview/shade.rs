@@ -10,7 +10,7 @@
 //!    transcendental function).
 
 use super::camera::Projector;
-use super::scene::{Cover, Scene, texel_area};
+use super::scene::{Cover, Scene};
 use super::shadow::DepthMap;
 use super::style::{Backdrop, Style};
 use glam::Vec3;
@@ -111,7 +111,7 @@ impl Shader<'_> {
                 * (projector.scale / distance)
                 * (projector.scale / distance)
                 * per_pixel;
-            let level = pyramid.level(texel_area(uvs, pyramid) / pixels);
+            let level = pyramid.level(pyramid.texel_area(uvs) / pixels);
             albedo *= level.color(uv.x, uv.y, skin.cover == Cover::Masked, &self.scene.srgb);
         }
         self.surface(

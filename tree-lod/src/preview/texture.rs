@@ -10,8 +10,12 @@
 //!    keeps the share exactly (Yuksel 2018, "Alpha distribution for alpha testing").
 //! 3. Levels end at [`SMALLEST`], where a shape is still a shape.
 
-use glam::Vec3;
+use super::raster::{Filter, Mask};
+use glam::{Vec2, Vec3};
 use tree_mesh::Texture;
+
+/// Below this many texels per sample (an area) alpha is interpolated.
+const MAGNIFIED: f32 = 0.4;
 
 /// Levels are not made smaller than this many pixels. Larger keeps shapes but lets far leaves
 /// flicker, smaller turns them into full squares.
@@ -19,7 +23,7 @@ const SMALLEST: u32 = 8;
 
 /// The levels of one texture under one cutoff, largest first.
 #[derive(Debug)]
-pub(super) struct Pyramid {
+pub(crate) struct Pyramid {
     pub(super) levels: Vec<Level>,
 }
 
@@ -61,6 +65,28 @@ impl Pyramid {
             levels.iter_mut().for_each(|level| level.texels = Vec::new());
         }
         Self { levels }
+    }
+
+    /// How a triangle of twice the area `area`, in samples, reads this texture.
+    #[inline]
+    pub(crate) fn mask(&self, area: f32, uvs: [Vec2; 3]) -> Mask<'_> {
+        let texels = self.texel_area(uvs) / area;
+        let filter = if texels < MAGNIFIED {
+            Filter::Smooth
+        } else if uvs.iter().all(|uv| uv.min_element() >= 0.0 && uv.max_element() <= 1.0) {
+            Filter::Within
+        } else {
+            Filter::Repeat
+        };
+        Mask { level: self.level(texels), filter }
+    }
+
+    /// Twice the area a triangle has in texture space, in texels of the largest level.
+    #[inline]
+    pub(super) fn texel_area(&self, uvs: [Vec2; 3]) -> f32 {
+        let (a, b) = (uvs[1] - uvs[0], uvs[2] - uvs[0]);
+        let level = &self.levels[0];
+        a.perp_dot(b).abs() * level.width as f32 * level.height as f32
     }
 
     /// The level for so many texels of the largest level per sample of the picture (an area).

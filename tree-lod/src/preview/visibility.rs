@@ -9,8 +9,8 @@
 
 use super::camera::Projector;
 use super::project::{Corner, MOST_CORNERS, Spot, clip};
-use super::raster::{Band, Filter, Mask, cross, draw, sample_range};
-use super::scene::{Cover, Scene, texel_area};
+use super::raster::{Band, cross, draw, sample_range};
+use super::scene::{Cover, Scene};
 use glam::Vec2;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -22,8 +22,6 @@ const MOST_CHUNKS: usize = 256;
 /// Most list entries of a chunk, per triangle of a full chunk. Trees have 1 to 2; more happens where
 /// the camera stands between the leaves. Memory is bounded by it whatever the camera sees.
 const ENTRIES_PER_TRIANGLE: usize = 8;
-/// Below this many texels per sample (an area) alpha is interpolated.
-const MAGNIFIED: f32 = 0.4;
 
 /// A scene on a picture, ready to be drawn.
 pub(super) struct Stage<'a> {
@@ -212,19 +210,9 @@ impl Stage<'_> {
             }
             None => [Vec2::ZERO; 3],
         };
+        // `area` is in steps².
         let mask_for = |area: f32, uvs: [Vec2; 3]| {
-            pyramid.map(|pyramid| {
-                // `area` is in steps².
-                let texels = texel_area(uvs, pyramid) * 65536.0 / area.max(1.0);
-                let filter = if texels < MAGNIFIED {
-                    Filter::Smooth
-                } else if uvs.iter().all(|uv| uv.min_element() >= 0.0 && uv.max_element() <= 1.0) {
-                    Filter::Within
-                } else {
-                    Filter::Repeat
-                };
-                Mask { level: pyramid.level(texels), filter }
-            })
+            pyramid.map(|pyramid| pyramid.mask(area.max(1.0) / 65536.0, uvs))
         };
         let mut draw = |corners: [Corner; 3]| {
             let area = cross(&corners[0], &corners[1], &corners[2]).unsigned_abs() as f32;

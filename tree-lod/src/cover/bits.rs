@@ -1,0 +1,132 @@
+//! Masks of one bit per pixel.
+
+use crate::quality::Score;
+
+/// A mask: one bit per pixel, rows from top to bottom, each begun in a word of its own.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Bits {
+    width: u32,
+    height: u32,
+    words_per_row: usize,
+    words: Vec<u64>,
+}
+
+impl std::fmt::Debug for Bits {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Bits({} × {}, {} set)", self.width, self.height, self.count())
+    }
+}
+
+impl Bits {
+    /// An empty mask.
+    #[must_use]
+    pub fn new(width: u32, height: u32) -> Self {
+        let words_per_row = width.div_ceil(64) as usize;
+        Self { width, height, words_per_row, words: vec![0; words_per_row * height as usize] }
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Number of set bits.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.words.iter().map(|word| u64::from(word.count_ones())).sum()
+    }
+
+    /// Whether a pixel is set; outside the mask, none is.
+    #[must_use]
+    pub fn get(&self, x: u32, y: u32) -> bool {
+        x < self.width && y < self.height && {
+            let word = self.words[y as usize * self.words_per_row + x as usize / 64];
+            word >> (x % 64) & 1 == 1
+        }
+    }
+
+    /// Pixels of `self`, a simplified model, against those of the `full` one. Masks of different
+    /// sizes are compared where they overlap from the top left.
+    #[must_use]
+    pub fn score(&self, full: &Self) -> Score {
+        let mut score = Score::default();
+        for (ours, theirs) in self.rows().zip(full.rows()) {
+            for (&a, &b) in ours.iter().zip(theirs) {
+                score.both += u64::from((a & b).count_ones());
+                score.wrong += u64::from((a & !b).count_ones());
+                score.missed += u64::from((!a & b).count_ones());
+            }
+        }
+        score
+    }
+
+    /// Sets what is set in `other`, a mask of the same size.
+    pub fn unite(&mut self, other: &Self) {
+        for (word, &more) in self.words.iter_mut().zip(&other.words) {
+            *word |= more;
+        }
+    }
+
+    /// Becomes a copy of `other` without new memory where the sizes are the same.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.clone_from(other);
+    }
+
+    /// Words of a row, the pixel at x in bit x mod 64 of word x / 64.
+    pub fn rows(&self) -> impl Iterator<Item = &[u64]> + '_ {
+        self.words.chunks(self.words_per_row.max(1))
+    }
+
+    /// A byte per pixel, 255 where it is set: for pictures.
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let row = |y| (0..self.width).map(move |x| if self.get(x, y) { 255 } else { 0 });
+        (0..self.height).flat_map(row).collect()
+    }
+
+    /// Sets the pixels `first..end` of a row, which lie within the mask.
+    #[inline]
+    pub(crate) fn set_span(&mut self, y: u32, first: u32, end: u32) {
+        let row = y as usize * self.words_per_row;
+        for_words(first, end, |word, bits| self.words[row + word] |= bits);
+    }
+
+    /// Pixels of a span that are not set: those that are set in `full`, and the others.
+    #[inline]
+    pub(crate) fn new_in_span(&self, full: &Self, y: u32, first: u32, end: u32) -> (u32, u32) {
+        let row = y as usize * self.words_per_row;
+        let (mut right, mut wrong) = (0, 0);
+        for_words(first, end, |word, bits| {
+            let new = bits & !self.words[row + word];
+            let inside = full.words[row + word];
+            right += (new & inside).count_ones();
+            wrong += (new & !inside).count_ones();
+        });
+        (right, wrong)
+    }
+}
+
+/// The words that a span touches, and the bits in each.
+#[inline]
+fn for_words(first: u32, end: u32, mut each: impl FnMut(usize, u64)) {
+    if first >= end {
+        return;
+    }
+    let (start, last) = (first as usize / 64, (end - 1) as usize / 64);
+    let (low, high) = (!0_u64 << (first % 64), !0_u64 >> (63 - (end - 1) % 64));
+    if start == last {
+        return each(start, low & high);
+    }
+    each(start, low);
+    for word in start + 1..last {
+        each(word, !0);
+    }
+    each(last, high);
+}

@@ -1,0 +1,252 @@
+//! A mesh prepared for several views.
+
+use super::bits::Bits;
+use super::triangle::runs;
+use crate::error::{Result, check_range};
+use crate::preview::{Camera, Pattern, Projector, Scene, clip_loose};
+use crate::quality::Score;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+use tree_core::{Control, Resource};
+use tree_mesh::Mesh;
+
+/// A mesh, its prepared textures, and the views it is looked at from.
+#[derive(Debug)]
+pub struct Stage<'a> {
+    scene: Scene<'a>,
+    shots: Vec<Shot>,
+}
+
+/// One view: where it is taken from, and what is seen of the full mesh.
+#[derive(Debug)]
+pub(crate) struct Shot {
+    projector: Projector,
+    /// All surfaces.
+    pub(crate) full: Bits,
+    /// Surfaces that are never pruned.
+    pub(crate) kept: Bits,
+}
+
+/// Triangles of one surface that are scaled as one, for drawing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece<'a> {
+    pub(crate) surface: u32,
+    /// Rows of vertices.
+    pub(crate) triangles: &'a [[u32; 3]],
+    pub(crate) center: Vec3,
+    /// Factor on length.
+    pub(crate) growth: f32,
+}
+
+impl<'a> Stage<'a> {
+    /// Prepares `mesh` for square views of `size` pixels. `pruned` are the surfaces that may be
+    /// pruned.
+    ///
+    /// # Errors
+    /// What [`Mesh::check`] finds, [`LodError::Parameter`](crate::LodError::Parameter) or
+    /// [`LodError::Camera`](crate::LodError::Camera) for a size or camera outside its range,
+    /// [`LodError::Limit`](crate::LodError::Limit) over the limits of pixels (of all views) or
+    /// triangles, [`LodError::Cancelled`](crate::LodError::Cancelled).
+    ///
+    /// # Complexity
+    /// O(views × triangles), in parallel over views.
+    pub fn new(
+        mesh: &'a Mesh,
+        cameras: &[Camera],
+        size: u32,
+        pruned: &[u32],
+        control: &Control,
+    ) -> Result<Self> {
+        check_range("around.size", size.into(), 8.0, 4096.0)?;
+        check_range("cameras", cameras.len() as f64, 1.0, 4096.0)?;
+        let pixels = u64::from(size) * u64::from(size);
+        control.limits.check(Resource::Pixels, pixels.saturating_mul(cameras.len() as u64))?;
+        let scene = Scene::new(mesh, false, control)?;
+        let shots = cameras
+            .par_iter()
+            .map(|camera| {
+                control.check()?;
+                let pose = camera.pose(mesh, 1.0)?;
+                let projector = Projector::new(&pose, size, size, scene.size);
+                let mut shot =
+                    Shot { projector, full: Bits::new(size, size), kept: Bits::new(size, size) };
+                shot.fill(&scene, pruned);
+                Ok(shot)
+            })
+            .collect::<Result<Vec<_>>>()?;
+        Ok(Self { scene, shots })
+    }
+
+    /// Number of views.
+    #[must_use]
+    pub fn n_views(&self) -> usize {
+        self.shots.len()
+    }
+
+    /// What is seen of the whole mesh; none when there is no such view.
+    #[must_use]
+    pub fn full(&self, view: usize) -> Option<&Bits> {
+        self.shots.get(view).map(|shot| &shot.full)
+    }
+
+    /// What is seen of the surfaces that are never pruned; none when there is no such view.
+    #[must_use]
+    pub fn kept(&self, view: usize) -> Option<&Bits> {
+        self.shots.get(view).map(|shot| &shot.kept)
+    }
+
+    pub(crate) fn shots(&self) -> &[Shot] {
+        &self.shots
+    }
+
+    pub(crate) fn mesh(&self) -> &'a Mesh {
+        self.scene.mesh
+    }
+
+    /// Runs of pixels that a piece covers in a view.
+    #[inline]
+    pub(crate) fn runs(&self, shot: &Shot, piece: Piece<'_>, mut run: impl FnMut(u32, u32, u32)) {
+        shot.piece(&self.scene, piece, &mut run);
+    }
+
+    /// Adds what a piece covers in a view to a mask.
+    #[inline]
+    pub(crate) fn draw(&self, shot: &Shot, piece: Piece<'_>, bits: &mut Bits) {
+        self.runs(shot, piece, |row, first, end| bits.set_span(row, first, end));
+    }
+}
+
+impl Shot {
+    fn fill(&mut self, scene: &Scene<'_>, pruned: &[u32]) {
+        for number in 0..scene.mesh.surfaces.len() as u32 {
+            let (triangles, _) = scene.surface(number as usize).indices.as_chunks::<3>();
+            let piece = Piece { surface: number, triangles, center: Vec3::ZERO, growth: 1.0 };
+            let keep = !pruned.contains(&number);
+            let (full, kept) = (&mut self.full, &mut self.kept);
+            let mut run = |row, first, end| {
+                full.set_span(row, first, end);
+                if keep {
+                    kept.set_span(row, first, end);
+                }
+            };
+            self.projector.piece(scene, piece, &mut run);
+        }
+    }
+
+    #[inline]
+    fn piece(&self, scene: &Scene<'_>, piece: Piece<'_>, run: &mut impl FnMut(u32, u32, u32)) {
+        self.projector.piece(scene, piece, run);
+    }
+}
+
+impl Projector {
+    #[inline]
+    fn piece(&self, scene: &Scene<'_>, piece: Piece<'_>, run: &mut impl FnMut(u32, u32, u32)) {
+        let Some(pattern) = scene.pattern(piece.surface as usize) else {
+            return;
+        };
+        let surface = scene.surface(piece.surface as usize);
+        for rows in piece.triangles {
+            let corners = rows.map(|row| {
+                let p = surface.positions[row as usize];
+                piece.center + (p - piece.center) * piece.growth
+            });
+            let masked = pattern.pyramid.is_some();
+            let uvs =
+                if masked { rows.map(|row| surface.uvs[row as usize]) } else { [Vec2::ZERO; 3] };
+            let views = corners.map(|corner| self.view(corner));
+            if views.iter().all(|&v| self.shows(v)) {
+                let spots = views.map(|v| self.on_picture(v));
+                self.triangle(spots, views.map(|v| v.z), uvs, pattern, run);
+            } else {
+                // Rare: the camera stands within the tree.
+                let (polygon, n) = clip_loose(corners, uvs, self);
+                for i in 2..n {
+                    let [a, b, c] = [polygon[0], polygon[i - 1], polygon[i]];
+                    self.triangle([a.0, b.0, c.0], [a.1, b.1, c.1], [a.2, b.2, c.2], pattern, run);
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn triangle(
+        &self,
+        spots: [Vec2; 3],
+        depths: [f32; 3],
+        uvs: [Vec2; 3],
+        pattern: Pattern<'_>,
+        run: &mut impl FnMut(u32, u32, u32),
+    ) {
+        let Some(pyramid) = pattern.pyramid else {
+            return runs(spots, self.width, self.height, run);
+        };
+        let [a, b, c] = spots;
+        let area = (b - a).perp_dot(c - a);
+        if area == 0.0 {
+            return;
+        }
+        let mask = pyramid.mask(area.abs(), uvs);
+        // Texture coordinates, divided by depth in perspective, are affine on the picture.
+        let q = if self.perspective { depths.map(|z| 1.0 / z) } else { [1.0; 3] };
+        let gradient = |f: [f32; 3]| {
+            let (d1, d2) = (f[1] - f[0], f[2] - f[0]);
+            let per_x = (d1 * (c.y - a.y) - d2 * (b.y - a.y)) / area;
+            let per_y = (d2 * (b.x - a.x) - d1 * (c.x - a.x)) / area;
+            (f[0], per_x, per_y)
+        };
+        let u = gradient([0, 1, 2].map(|i| uvs[i].x * q[i]));
+        let v = gradient([0, 1, 2].map(|i| uvs[i].y * q[i]));
+        let w = gradient(q);
+        let at = |(base, per_x, per_y): (f32, f32, f32), x: f32, y: f32| base + per_x * x + per_y * y;
+        runs(spots, self.width, self.height, |row, first, end| {
+            let y = row as f32 + 0.5 - a.y;
+            let mut from = None;
+            for column in first..end {
+                let x = column as f32 + 0.5 - a.x;
+                let far = if self.perspective { 1.0 / at(w, x, y) } else { 1.0 };
+                if mask.covers(at(u, x, y) * far, at(v, x, y) * far) {
+                    from = from.or(Some(column));
+                } else if let Some(start) = from.take() {
+                    run(row, start, column);
+                }
+            }
+            if let Some(start) = from {
+                run(row, start, end);
+            }
+        });
+    }
+}
+
+/// The pixels that a mesh covers from a camera.
+///
+/// # Errors
+/// As [`Stage::new`].
+///
+/// # Complexity
+/// O(triangles + covered pixels).
+pub fn mask(mesh: &Mesh, camera: &Camera, size: u32, control: &Control) -> Result<Bits> {
+    let mut stage = Stage::new(mesh, std::slice::from_ref(camera), size, &[], control)?;
+    Ok(stage.shots.swap_remove(0).full)
+}
+
+/// Scores of a simplified mesh against the full one, one for each camera; both are framed as the full
+/// one is.
+///
+/// # Errors
+/// As [`Stage::new`], for either mesh.
+///
+/// # Complexity
+/// O(cameras × triangles of both), in parallel over cameras.
+pub fn score(
+    simplified: &Mesh,
+    full: &Mesh,
+    cameras: &[Camera],
+    size: u32,
+    control: &Control,
+) -> Result<Vec<Score>> {
+    let stage = Stage::new(full, cameras, size, &[], control)?;
+    let placed = cameras.iter().map(|camera| Ok(Camera::Placed(camera.pose(full, 1.0)?)));
+    let other = Stage::new(simplified, &placed.collect::<Result<Vec<_>>>()?, size, &[], control)?;
+    Ok(stage.shots.iter().zip(&other.shots).map(|(full, other)| other.full.score(&full.full)).collect())
+}
