@@ -4,6 +4,7 @@
 pub mod cover;
 pub mod element;
 mod error;
+pub mod outline;
 pub mod preview;
 pub mod quality;
 

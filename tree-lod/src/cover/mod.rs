@@ -17,8 +17,8 @@ mod triangle;
 
 pub use around::Around;
 pub use bits::Bits;
-pub use stage::{Stage, mask, score};
 pub(crate) use stage::{Piece, Shot};
+pub use stage::{Stage, mask, score};
 
 #[cfg(test)]
 mod tests;

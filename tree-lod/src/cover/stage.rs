@@ -198,7 +198,8 @@ impl Projector {
         let u = gradient([0, 1, 2].map(|i| uvs[i].x * q[i]));
         let v = gradient([0, 1, 2].map(|i| uvs[i].y * q[i]));
         let w = gradient(q);
-        let at = |(base, per_x, per_y): (f32, f32, f32), x: f32, y: f32| base + per_x * x + per_y * y;
+        let at =
+            |(base, per_x, per_y): (f32, f32, f32), x: f32, y: f32| base + per_x * x + per_y * y;
         runs(spots, self.width, self.height, |row, first, end| {
             let y = row as f32 + 0.5 - a.y;
             let mut from = None;
@@ -248,5 +249,10 @@ pub fn score(
     let stage = Stage::new(full, cameras, size, &[], control)?;
     let placed = cameras.iter().map(|camera| Ok(Camera::Placed(camera.pose(full, 1.0)?)));
     let other = Stage::new(simplified, &placed.collect::<Result<Vec<_>>>()?, size, &[], control)?;
-    Ok(stage.shots.iter().zip(&other.shots).map(|(full, other)| other.full.score(&full.full)).collect())
+    Ok(stage
+        .shots
+        .iter()
+        .zip(&other.shots)
+        .map(|(full, other)| other.full.score(&full.full))
+        .collect())
 }

@@ -71,7 +71,8 @@ proptest! {
 
 #[test]
 fn a_camera_within_the_tree_sees_what_the_preview_sees() {
-    let near = |z: f32| [Vec3::new(-3.0, -1.0, z), Vec3::new(3.0, -1.0, -z), Vec3::new(0.0, 2.0, -1.0)];
+    let near =
+        |z: f32| [Vec3::new(-3.0, -1.0, z), Vec3::new(3.0, -1.0, -z), Vec3::new(0.0, 2.0, -1.0)];
     let mesh = checkered(soup(&[near(0.5), near(2.0), near(-0.3)]));
     let lens = crate::preview::Lens::Perspective { fov: 1.0 };
     let pose = crate::preview::Pose { eye: Vec3::ZERO, target: Vec3::NEG_Z, up: Vec3::Y, lens };
@@ -83,7 +84,10 @@ fn a_camera_within_the_tree_sees_what_the_preview_sees() {
 fn spans_set_and_count_across_words() {
     let mut bits = Bits::new(200, 2);
     bits.set_span(1, 60, 130);
-    assert_eq!((bits.count(), bits.get(59, 1), bits.get(60, 1), bits.get(130, 1)), (70, false, true, false));
+    assert_eq!(
+        (bits.count(), bits.get(59, 1), bits.get(60, 1), bits.get(130, 1)),
+        (70, false, true, false)
+    );
     let mut full = Bits::new(200, 2);
     full.set_span(1, 0, 100);
     assert_eq!(bits.new_in_span(&full, 1, 50, 140), (10, 10));

@@ -29,7 +29,7 @@ pub struct Elements {
     pub normals: Vec<Vec3>,
     /// Area of the triangles in m².
     pub areas: Vec<f32>,
-    /// Largest distance of a vertex from the centre, in metres.
+    /// Largest distance of a vertex from the mean of its own triangles, in metres.
     pub radii: Vec<f32>,
 }
 

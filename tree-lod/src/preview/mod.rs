@@ -36,11 +36,11 @@ mod robust_tests;
 mod tests;
 
 pub(crate) use camera::Projector;
-pub(crate) use project::clip_loose;
-pub(crate) use scene::{Pattern, Scene};
 pub use camera::{Camera, Framing, Lens, Pose};
 pub use picture::{Mask, Picture};
+pub(crate) use project::clip_loose;
 pub use render::{mask, render, silhouette};
+pub(crate) use scene::{Pattern, Scene};
 pub use style::{Backdrop, Style};
 
 use crate::error::{Result, check_range};
