@@ -3,6 +3,8 @@
 
 pub mod element;
 mod error;
+pub mod implicit;
+pub mod order;
 pub mod preview;
 pub mod quality;
 
