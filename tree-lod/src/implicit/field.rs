@@ -74,7 +74,8 @@ impl Field {
         let size = bounds.size();
         let mut side = radius / CELLS;
         let allowed = CELLS_PER_POINT * points.len() as f64 + 64.0;
-        let count = |side: f32| size.to_array().map(|x| (f64::from(x) / f64::from(side)).floor() + 1.0);
+        let count =
+            |side: f32| size.to_array().map(|x| (f64::from(x) / f64::from(side)).floor() + 1.0);
         while count(side).iter().product::<f64>() > allowed {
             side *= 1.25;
         }

@@ -100,14 +100,16 @@ impl Hull {
         samples
     }
 
-    /// The place of the surface that is nearest to a point; `None` when the point is not finite, or too
+    /// The place of the surface that is nearest to a point, or another that is at most 1 % farther from it;
+    /// `None` when the point is not finite, or too
     /// far off (10¹⁸ m) to tell.
     ///
     /// # Complexity
     /// O(log triangles) near the surface; more where many triangles are about as near.
     #[must_use]
     pub fn nearest(&self, point: Vec3) -> Option<Sample> {
-        let triangle = *self.triangles.get(self.nearest.find(&self.positions, &self.triangles, point)?)?;
+        let triangle =
+            *self.triangles.get(self.nearest.find(&self.positions, &self.triangles, point)?)?;
         let weights = closest(triangle.map(|v| self.positions[v as usize]), point);
         Some(self.at(triangle, weights))
     }

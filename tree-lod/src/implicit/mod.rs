@@ -10,7 +10,8 @@
 //! Departures: Neubert takes marching cubes and the iso-value 0. There is no surface at exactly 0, for
 //! the field is 0 everywhere outside; see [`HullParams::iso`]. Marching cubes and surface nets leave
 //! holes or edges of four triangles in ambiguous cells; tetrahedra have no such cells, so the surface is
-//! always a closed 2-manifold, of more triangles.
+//! always a closed 2-manifold, of more triangles. Walls of hollows within the plant are left out: they
+//! would count as hull in [`Hull::sample`], but are never seen.
 //!
 //! ```
 //! use tree_lod::glam::Vec3;
@@ -67,7 +68,7 @@ impl HullParams {
 }
 
 /// The surface on which the field has the value [`HullParams::iso`]: closed, a 2-manifold, facing
-/// outwards, around every point of the field.
+/// outwards, around every point of the field; in several pieces where points are far apart.
 ///
 /// # Errors
 /// [`LodError::Parameter`](crate::LodError::Parameter);
@@ -83,11 +84,12 @@ pub fn surface(field: &Field, params: &HullParams, control: &Control) -> Result<
     control.report("field", 0.0)?;
     let grid = Grid::new(field, params.detail, control)?;
     control.report("surface", 0.4)?;
-    let vertices = tetra::vertices(field, &grid, params.iso, control)?;
+    let mut vertices = tetra::vertices(field, &grid, params.iso, control)?;
     // A closed surface has two triangles a vertex, but for its handles.
     control.limits.check(Resource::Triangles, 2 * vertices.keys.len() as u64)?;
     control.report("surface", 0.8)?;
-    let triangles = tetra::triangles(&grid, params.iso, &vertices.keys, control)?;
+    let mut triangles = tetra::triangles(&grid, params.iso, &vertices.keys, control)?;
+    tetra::without_hollows(&mut vertices, &mut triangles);
     control.report("tree of boxes", 0.9)?;
     Ok(Hull::new(vertices.positions, vertices.normals, triangles))
 }

@@ -3,13 +3,17 @@
 //! Triangles are halved at the median of their middles along the longest side of the box around them,
 //! down to a few, and put in that order. Each node has half of the triangles of the one above, so the
 //! tree is an array of boxes. A search goes into the nearer half first, and into the other one only if
-//! its box is nearer than what was found.
+//! its box is nearer than what was found, by more than [`ENOUGH`]: deep inside, many places are about as
+//! near, and telling them apart would cost several times as much as finding one of them.
 
 use glam::Vec3;
 use tree_core::Aabb;
 
 /// Triangles at a leaf, at most.
 const GROUP: usize = 4;
+/// Squared distance of a box, times this, that is not worth a visit: what is found is at most 1 % farther
+/// away than the nearest place.
+const ENOUGH: f32 = 1.02;
 /// Triangles that are worth a thread of their own.
 const PARALLEL: usize = 4096;
 
@@ -40,7 +44,8 @@ impl Nearest {
         }
         let mut boxes = vec![Aabb::EMPTY; 2 * n_leaves];
         leaves(1, triangles, n_leaves, &mut |node, few| {
-            boxes[node] = Aabb::of_points(few.iter().map(corners).collect::<Vec<_>>().as_flattened());
+            boxes[node] =
+                Aabb::of_points(few.iter().map(corners).collect::<Vec<_>>().as_flattened());
         });
         for node in (1..n_leaves).rev() {
             boxes[node] = boxes[2 * node].union(boxes[2 * node + 1]);
@@ -66,7 +71,7 @@ impl Nearest {
         while depth > 0 {
             depth -= 1;
             let (node, begin, end, square) = stack[depth];
-            if square >= best {
+            if ENOUGH * square >= best {
                 continue;
             }
             if node >= n_leaves {

@@ -124,6 +124,57 @@ pub(super) fn triangles(
     Ok(layers.concat())
 }
 
+/// Leaves out the walls of hollows within the plant, which no one sees: pieces that enclose a negative
+/// volume. Vertices without triangles go too.
+pub(super) fn without_hollows(vertices: &mut Vertices, triangles: &mut Vec<[u32; 3]>) {
+    let mut parents: Vec<u32> = (0..vertices.keys.len() as u32).collect();
+    for &[a, b, c] in triangles.iter() {
+        join(&mut parents, a, b);
+        join(&mut parents, a, c);
+    }
+    // Parents have lower numbers: after this every vertex knows its root.
+    for vertex in 0..parents.len() {
+        parents[vertex] = parents[parents[vertex] as usize];
+    }
+    let mut volumes = vec![0.0; parents.len()];
+    for triangle in triangles.iter() {
+        // About a place of the piece itself, so that no digits are lost.
+        let root = parents[triangle[0] as usize] as usize;
+        let middle = vertices.positions[root];
+        let [a, b, c] = triangle.map(|v| (vertices.positions[v as usize] - middle).as_dvec3());
+        volumes[root] += a.dot(b.cross(c));
+    }
+    let mut number = vec![0_u32; parents.len()];
+    let mut n = 0;
+    for (vertex, &root) in parents.iter().enumerate() {
+        if volumes[root as usize] > 0.0 {
+            number[vertex] = n as u32;
+            vertices.positions[n] = vertices.positions[vertex];
+            vertices.normals[n] = vertices.normals[vertex];
+            n += 1;
+        }
+    }
+    vertices.positions.truncate(n);
+    vertices.normals.truncate(n);
+    triangles.retain(|t| volumes[parents[t[0] as usize] as usize] > 0.0);
+    for vertex in triangles.as_flattened_mut() {
+        *vertex = number[*vertex as usize];
+    }
+}
+
+/// Joins two trees, the later root under the earlier one, and shortens the ways.
+fn join(parents: &mut [u32], a: u32, b: u32) {
+    let mut root = |mut vertex: u32| {
+        while parents[vertex as usize] != vertex {
+            parents[vertex as usize] = parents[parents[vertex as usize] as usize];
+            vertex = parents[vertex as usize];
+        }
+        vertex
+    };
+    let (a, b) = (root(a), root(b));
+    parents[a.max(b) as usize] = a.min(b);
+}
+
 fn cube(cell: [usize; 3], grid: &Grid, iso: f32, keys: &[u64], found: &mut Vec<[u32; 3]>) {
     let mut inside = 0_usize;
     for i in 0..8 {

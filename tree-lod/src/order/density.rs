@@ -83,7 +83,7 @@ pub(super) fn thin(
     let mut next_measure = 0;
     while n - removed.len() > least.max(1) {
         if removed.len() >= next_measure {
-            if variation(&densities, &there) <= f64::from(params.uniform) {
+            if variation(&densities, &there) < f64::from(params.uniform) {
                 break;
             }
             next_measure = removed.len() + n.div_ceil(MEASURED);

@@ -38,9 +38,7 @@ pub fn orientation(
     }
     let along = alignment(elements, hull, control)?;
     let chance = seed.stream("orientation order");
-    Ok(by_priority(elements, |i| {
-        along[i as usize] + params.randomness * chance.unit(i.into())
-    }))
+    Ok(by_priority(elements, |i| along[i as usize] + params.randomness * chance.unit(i.into())))
 }
 
 /// |cos α| of every element, 0 to 1.
