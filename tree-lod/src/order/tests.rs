@@ -83,13 +83,13 @@ fn the_denser_half_is_thinned_first() {
     for center in &mut elements.centers[1600..] {
         center.x = -center.x.abs();
     }
-    let params = OrderParams { uniform: 0.0, least: 0.4, ..OrderParams::default() };
+    let params = OrderParams { uniform: 0.0, least: 0.4, radius: 0.12, ..OrderParams::default() };
     let order = density(&elements, &params, Seed(1), &Control::default()).unwrap();
     let sparse = |rows: &[u32]| rows.iter().filter(|&&row| row >= 1600).count();
     assert!(sparse(&order[1700..]) < 15, "{}", sparse(&order[1700..]));
-    // The rest is about as dense on both sides.
+    // A fifth at first; at borders densities are low, so what is left is not quite a half.
     let half = sparse(&order[..800]) as f32 / 800.0;
-    assert!((0.38..0.55).contains(&half), "{half}");
+    assert!((0.36..0.55).contains(&half), "{half}");
 }
 
 #[test]
