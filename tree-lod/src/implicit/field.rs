@@ -58,6 +58,7 @@ impl Field {
     /// # Errors
     /// As [`Field::new`]; [`LodError::Foliage`] also when no element has area.
     pub fn of_elements(elements: &Elements, radius: f32, height: f32) -> Result<Self> {
+        check_columns(elements)?;
         let ids: Vec<u32> =
             (0..elements.len() as u32).filter(|&i| elements.areas[i as usize] > 0.0).collect();
         if ids.is_empty() {
@@ -211,6 +212,15 @@ impl Field {
         let (first, last) = (self.cell(low, 2), self.cell(high, 2));
         self.starts[first * layer] as usize..self.starts[(last + 1) * layer] as usize
     }
+}
+
+/// Columns are public, so they may have been cut.
+pub(crate) fn check_columns(elements: &Elements) -> Result<()> {
+    let n = elements.centers.len();
+    if [elements.normals.len(), elements.areas.len()] == [n; 2] {
+        return Ok(());
+    }
+    Err(LodError::Foliage("centres, normals and areas must be as many as elements"))
 }
 
 fn checked_bounds(points: &[Vec3]) -> Result<Aabb> {

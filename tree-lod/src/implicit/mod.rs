@@ -31,6 +31,7 @@ mod tetra;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use field::check_columns;
 pub use field::{Field, plant_height};
 pub use hull::{Hull, Sample};
 

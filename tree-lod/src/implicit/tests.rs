@@ -34,7 +34,7 @@ fn a_lone_point_makes_a_ball() {
         assert!(normal.dot(out.normalize()) > 0.999_9);
     }
     let found = topology(&hull);
-    let ball = 4.0 / 3.0 * std::f64::consts::PI * f64::from(radius).powi(3);
+    let ball = 4.0 / 3.0 * std::f64::consts::PI * f64::from(radius * radius * radius);
     assert!(found.is_closed() && found.euler() == 2, "{found:?}");
     assert!((found.volume / ball - 1.0).abs() < 0.02, "{} {ball}", found.volume);
 }

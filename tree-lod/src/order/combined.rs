@@ -1,9 +1,9 @@
 //! Density and orientation together.
 //!
-//! Source: Neubert 2012, §7.3.4, eq. 7.8: P = P_silhouette² + P_density, normalised to 0 to 1, sorted
+//! Source: Neubert 2012, §7.3.4, eq. 7.8: `P = P_silhouette² + P_density`, normalised to 0 to 1, sorted
 //! falling with a small amount of randomness.
 //!
-//! Neubert does not say how P_density follows from the field. Taken from the densities at the start, it
+//! Neubert does not say how `P_density` follows from the field. Taken from the densities at the start, it
 //! would empty dense places altogether; so it comes from thinning ([`super::density`]), in which
 //! densities are kept up to date: 0 for the element removed first, rising to 1 for the last one
 //! removed, and 1 for all that are left when densities have become uniform. Among those, which are what

@@ -7,7 +7,7 @@
 use super::{OrderParams, by_priority};
 use crate::Elements;
 use crate::error::{LodError, Result};
-use crate::implicit::Hull;
+use crate::implicit::{Hull, check_columns};
 use rayon::prelude::*;
 use tree_core::{Control, Seed};
 
@@ -33,6 +33,7 @@ pub fn orientation(
     control: &Control,
 ) -> Result<Vec<u32>> {
     params.validate()?;
+    check_columns(elements)?;
     if elements.is_empty() {
         return Err(LodError::Foliage("there are no elements"));
     }

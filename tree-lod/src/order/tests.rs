@@ -161,11 +161,14 @@ fn an_order_that_is_none_is_refused_at_its_row() {
 }
 
 #[test]
-fn foliage_without_area_is_refused() {
+fn foliage_without_area_or_with_short_columns_is_refused() {
     let mut elements = ball(10, 7);
     elements.areas.fill(0.0);
     let error = density(&elements, &OrderParams::default(), Seed(1), &Control::default());
     assert!(error.unwrap_err().to_string().contains("no element has area"));
+    elements.areas.pop();
+    let error = density(&elements, &OrderParams::default(), Seed(1), &Control::default());
+    assert!(error.unwrap_err().to_string().contains("as many as elements"));
     assert!(golden(&Elements::default()).unwrap_err().to_string().contains("no elements"));
 }
 
