@@ -4,6 +4,9 @@
 pub mod cover;
 pub mod element;
 mod error;
+
+pub mod implicit;
+pub mod order;
 pub mod outline;
 pub mod preview;
 pub mod quality;
