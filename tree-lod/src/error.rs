@@ -50,6 +50,16 @@ pub enum LodError {
         /// What is wrong with it and what would be right.
         problem: &'static str,
     },
+    /// Columns that belong together have different lengths.
+    #[error("{what}: {found} rows, {expected} are needed")]
+    Length {
+        /// The column at fault.
+        what: &'static str,
+        /// Rows it has.
+        found: usize,
+        /// Rows it should have.
+        expected: usize,
+    },
     /// There is nothing that could be pruned.
     #[error("foliage: {0}")]
     Foliage(&'static str),

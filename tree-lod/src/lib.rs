@@ -9,6 +9,7 @@ pub mod implicit;
 pub mod order;
 pub mod outline;
 pub mod preview;
+pub mod prune;
 pub mod quality;
 
 pub use element::{Elements, Foliage, Grain};

@@ -98,18 +98,21 @@ impl Bits {
         for_words(first, end, |word, bits| self.words[row + word] |= bits);
     }
 
-    /// Pixels of a span that are not set: those that are set in `full`, and the others.
+    /// The words of all rows.
+    pub(crate) fn words(&self) -> &[u64] {
+        &self.words
+    }
+
+    /// Number of words of all rows.
+    pub(crate) fn n_words(&self) -> usize {
+        self.words.len()
+    }
+
+    /// Calls `each` for every word that the pixels `first..end` of a row touch, with their bits.
     #[inline]
-    pub(crate) fn new_in_span(&self, full: &Self, y: u32, first: u32, end: u32) -> (u32, u32) {
+    pub(crate) fn words_of(&self, y: u32, first: u32, end: u32, mut each: impl FnMut(usize, u64)) {
         let row = y as usize * self.words_per_row;
-        let (mut right, mut wrong) = (0, 0);
-        for_words(first, end, |word, bits| {
-            let new = bits & !self.words[row + word];
-            let inside = full.words[row + word];
-            right += (new & inside).count_ones();
-            wrong += (new & !inside).count_ones();
-        });
-        (right, wrong)
+        for_words(first, end, |word, bits| each(row + word, bits));
     }
 }
 

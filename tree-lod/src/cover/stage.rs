@@ -3,7 +3,7 @@
 use super::bits::Bits;
 use super::triangle::runs;
 use crate::error::{Result, check_range};
-use crate::preview::{Camera, Pattern, Projector, Scene, clip_loose};
+use crate::preview::{Camera, Filter, Pattern, Projector, Scene, clip_loose};
 use crate::quality::Score;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -198,22 +198,52 @@ impl Projector {
         let u = gradient([0, 1, 2].map(|i| uvs[i].x * q[i]));
         let v = gradient([0, 1, 2].map(|i| uvs[i].y * q[i]));
         let w = gradient(q);
-        let at =
-            |(base, per_x, per_y): (f32, f32, f32), x: f32, y: f32| base + per_x * x + per_y * y;
-        runs(spots, self.width, self.height, |row, first, end| {
-            let y = row as f32 + 0.5 - a.y;
-            let mut from = None;
+        let slopes = Slopes { a, u, v, w, perspective: self.perspective };
+        let (level, size) = (mask.level, [self.width, self.height]);
+        // Told apart here and not for every pixel.
+        match mask.filter {
+            Filter::Within => slopes.fill(spots, size, |u, v| level.covers_within(u, v), run),
+            Filter::Repeat => slopes.fill(spots, size, |u, v| level.covers(u, v), run),
+            Filter::Smooth => slopes.fill(spots, size, |u, v| level.covers_smoothly(u, v), run),
+        }
+    }
+}
+
+/// Texture coordinates over distance, and 1 / distance: value at corner `a`, change right and down.
+struct Slopes {
+    a: Vec2,
+    u: (f32, f32, f32),
+    v: (f32, f32, f32),
+    w: (f32, f32, f32),
+    perspective: bool,
+}
+
+impl Slopes {
+    /// Runs of pixels in which the texture is drawn.
+    #[inline]
+    fn fill(
+        &self,
+        spots: [Vec2; 3],
+        [width, height]: [u32; 2],
+        covers: impl Fn(f32, f32) -> bool,
+        run: &mut impl FnMut(u32, u32, u32),
+    ) {
+        runs(spots, width, height, |row, first, end| {
+            let y = row as f32 + 0.5 - self.a.y;
+            let [u, v, w] = [self.u, self.v, self.w].map(|s| (s.0 + s.2 * y, s.1));
+            let mut from = end;
             for column in first..end {
-                let x = column as f32 + 0.5 - a.x;
-                let far = if self.perspective { 1.0 / at(w, x, y) } else { 1.0 };
-                if mask.covers(at(u, x, y) * far, at(v, x, y) * far) {
-                    from = from.or(Some(column));
-                } else if let Some(start) = from.take() {
-                    run(row, start, column);
+                let x = column as f32 + 0.5 - self.a.x;
+                let far = if self.perspective { 1.0 / (w.0 + w.1 * x) } else { 1.0 };
+                if covers((u.0 + u.1 * x) * far, (v.0 + v.1 * x) * far) {
+                    from = from.min(column);
+                } else if from < column {
+                    run(row, from, column);
+                    from = end;
                 }
             }
-            if let Some(start) = from {
-                run(row, start, end);
+            if from < end {
+                run(row, from, end);
             }
         });
     }

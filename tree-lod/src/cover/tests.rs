@@ -90,7 +90,6 @@ fn spans_set_and_count_across_words() {
     );
     let mut full = Bits::new(200, 2);
     full.set_span(1, 0, 100);
-    assert_eq!(bits.new_in_span(&full, 1, 50, 140), (10, 10));
     assert_eq!(bits.score(&full), crate::quality::Score { both: 40, wrong: 30, missed: 60 });
 }
 

@@ -9,8 +9,10 @@ mod split;
 
 pub use split::{Foliage, Grain};
 
+use crate::error::{LodError, Result};
 use glam::Vec3;
 use std::ops::Range;
+use tree_mesh::Mesh;
 
 /// The elements of a mesh, in columns: a row each, in the order of surfaces and triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,6 +36,47 @@ pub struct Elements {
 }
 
 impl Elements {
+    /// Checks that the elements are of this mesh: columns of equal length, surfaces and triangles that
+    /// exist, finite centres.
+    ///
+    /// # Errors
+    /// [`LodError::Length`](crate::LodError::Length) or [`LodError::Foliage`](crate::LodError::Foliage).
+    pub fn check(&self, mesh: &Mesh) -> Result<()> {
+        let n = self.centers.len();
+        for (what, found, expected) in [
+            ("surface", self.surface.len(), n),
+            ("starts", self.starts.len(), n + 1),
+            ("normals", self.normals.len(), n),
+            ("areas", self.areas.len(), n),
+            ("radii", self.radii.len(), n),
+        ] {
+            if found != expected {
+                return Err(LodError::Length { what, found, expected });
+            }
+        }
+        if n == 0 {
+            return Err(LodError::Foliage("there are no elements"));
+        }
+        if !self.centers.iter().all(|center| center.is_finite()) {
+            return Err(LodError::Foliage("a centre is not finite"));
+        }
+        let rising = self.starts.windows(2).all(|pair| pair[0] <= pair[1]);
+        let ends = (self.starts.first(), self.starts.last());
+        if !rising || ends != (Some(&0), Some(&(self.triangles.len() as u32))) {
+            return Err(LodError::Foliage("starts must rise from 0 to the number of triangles"));
+        }
+        let exists = |element: usize| {
+            mesh.surfaces.get(self.surface[element] as usize).is_some_and(|surface| {
+                let n = surface.n_triangles();
+                self.triangles_of(element).iter().all(|&triangle| (triangle as usize) < n)
+            })
+        };
+        if !(0..n).all(exists) {
+            return Err(LodError::Foliage("an element has a surface or triangle the mesh lacks"));
+        }
+        Ok(())
+    }
+
     /// Number of elements.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -6,12 +6,14 @@
 //! - [`density`]: crowded elements go first (§7.3.2).
 //! - [`orientation`]: those that do not lie along the hull go first (§7.3.3).
 //! - [`combined`]: the last two together (§7.3.4, eq. 7.8).
+//! - [`coverage`]: what covers most of the right pixels comes first (ours).
 //!
 //! Every order is a permutation of all elements ([`check`]), with the same bits for any number of
 //! threads. Elements without area show nothing: they come last, in rising order, except in
 //! `stochastic` and `golden`, which do not look at areas.
 
 mod combined;
+mod coverage;
 mod density;
 mod golden;
 mod orientation;
@@ -21,6 +23,7 @@ mod stochastic;
 mod tests;
 
 pub use combined::combined;
+pub use coverage::{CoverageParams, Ranking, coverage};
 pub use density::density;
 pub use golden::golden;
 pub use orientation::orientation;

@@ -1,6 +1,7 @@
 //! Triangles of every element.
 
 use crate::element::Elements;
+use crate::error::{LodError, Result};
 use tree_mesh::Mesh;
 
 /// Triangles of every element: rows of vertices of the element's surface.
@@ -27,6 +28,30 @@ impl Tier {
             triangles.extend(rows.map(|&row| all.get(row as usize).copied().unwrap_or_default()));
         }
         Self { starts: elements.starts.clone(), triangles }
+    }
+
+    /// Checks that the tier has triangles for these elements, of vertices of this mesh.
+    ///
+    /// # Errors
+    /// [`LodError::Length`] or [`LodError::Foliage`].
+    pub fn check(&self, mesh: &Mesh, elements: &Elements) -> Result<()> {
+        let (found, expected) = (self.starts.len(), elements.len() + 1);
+        if found != expected {
+            return Err(LodError::Length { what: "tier.starts", found, expected });
+        }
+        let rising = self.starts.windows(2).all(|pair| pair[0] <= pair[1]);
+        let ends = (self.starts.first(), self.starts.last());
+        if !rising || ends != (Some(&0), Some(&(self.triangles.len() as u32))) {
+            return Err(LodError::Foliage("a tier's starts must rise from 0 to its triangles"));
+        }
+        let exists = |element: usize| {
+            let n = mesh.surfaces[elements.surface[element] as usize].positions.len();
+            self.of(element).iter().flatten().all(|&vertex| (vertex as usize) < n)
+        };
+        if !(0..elements.len()).all(exists) {
+            return Err(LodError::Foliage("a tier has a vertex that its surface lacks"));
+        }
+        Ok(())
     }
 
     /// Triangles of an element.

@@ -39,6 +39,7 @@ pub(crate) use camera::Projector;
 pub use camera::{Camera, Framing, Lens, Pose};
 pub use picture::{Mask, Picture};
 pub(crate) use project::clip_loose;
+pub(crate) use raster::Filter;
 pub use render::{mask, render, silhouette};
 pub(crate) use scene::{Pattern, Scene};
 pub use style::{Backdrop, Style};

@@ -32,13 +32,13 @@ pub(super) struct Band<'a> {
 /// What decides about a sample besides depth.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mask<'a> {
-    pub(super) level: &'a Level,
-    pub(super) filter: Filter,
+    pub(crate) level: &'a Level,
+    pub(crate) filter: Filter,
 }
 
 /// How alpha is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Filter {
+pub(crate) enum Filter {
     /// The nearest texel; no corner lies outside 0 to 1.
     Within,
     /// The nearest texel; coordinates repeat.
@@ -49,7 +49,7 @@ pub(super) enum Filter {
 
 impl Mask<'_> {
     #[inline]
-    pub(crate) fn covers(&self, u: f32, v: f32) -> bool {
+    fn covers(&self, u: f32, v: f32) -> bool {
         match self.filter {
             Filter::Within => self.level.covers_within(u, v),
             Filter::Repeat => self.level.covers(u, v),

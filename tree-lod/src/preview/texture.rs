@@ -29,7 +29,7 @@ pub(crate) struct Pyramid {
 
 /// An image of a [`Pyramid`].
 #[derive(Debug)]
-pub(super) struct Level {
+pub(crate) struct Level {
     pub(super) width: u32,
     pub(super) height: u32,
     /// sRGB and alpha; empty in a pyramid without colours.
@@ -178,7 +178,7 @@ impl Level {
 
     /// Whether the texel at these coordinates is drawn.
     #[inline]
-    pub(super) fn covers(&self, u: f32, v: f32) -> bool {
+    pub(crate) fn covers(&self, u: f32, v: f32) -> bool {
         let x = (wrap(u) * self.width as f32) as u32;
         let y = (wrap(v) * self.height as f32) as u32;
         let texel =
@@ -189,14 +189,14 @@ impl Level {
     /// As [`covers`](Self::covers), for coordinates that should lie within 0 to 1: what rounding
     /// throws out is brought back to the border.
     #[inline]
-    pub(super) fn covers_within(&self, u: f32, v: f32) -> bool {
+    pub(crate) fn covers_within(&self, u: f32, v: f32) -> bool {
         let texel = nearest(v, self.height) * self.width as usize + nearest(u, self.width);
         u16::from(self.alpha[texel]) >= self.cutoff
     }
 
     /// As [`covers`](Self::covers), with alpha interpolated between texels: for close-ups.
     #[inline]
-    pub(super) fn covers_smoothly(&self, u: f32, v: f32) -> bool {
+    pub(crate) fn covers_smoothly(&self, u: f32, v: f32) -> bool {
         let (texels, weights) = self.around(u, v);
         let alpha: f32 = (0..4).map(|i| weights[i] * f32::from(self.alpha[texels[i]])).sum();
         alpha >= f32::from(self.cutoff)

@@ -1,7 +1,7 @@
 //! Share of geometry for each distance.
 
 use super::table::{Table, cook_lambda};
-use crate::error::{LodError, Result};
+use crate::error::Result;
 
 /// Samples of λ(d) at the near end, d from 0 to 0.1, and over the rest (§7.2.5).
 const SAMPLES: usize = 10;
@@ -40,7 +40,7 @@ impl Distance {
     /// The least λ of a model that is as good as asked for.
     ///
     /// # Errors
-    /// [`LodError::Parameter`] for a quality outside 0 to 1.
+    /// [`LodError::Parameter`](crate::LodError::Parameter) for a quality outside 0 to 1.
     pub fn for_quality(table: &Table, quality: MinimumQuality) -> Result<Self> {
         let (near, far) = match quality {
             MinimumQuality::Constant(q) => (q, q),
@@ -65,7 +65,7 @@ impl Distance {
     /// Samples of a function, at [`Distance::places`].
     ///
     /// # Errors
-    /// [`LodError::Parameter`] when a sample is not within 0 to 1.
+    /// [`LodError::Parameter`](crate::LodError::Parameter) when a sample is not within 0 to 1.
     pub fn from_samples(lambdas: &[f32; 2 * SAMPLES + 1]) -> Result<Self> {
         for &lambda in lambdas {
             crate::error::check_range("lambda", lambda.into(), 0.0, 1.0)?;
@@ -129,6 +129,7 @@ impl From<f32> for MinimumQuality {
 mod tests {
     use super::super::table::{Row, cook_scale};
     use super::*;
+    use crate::LodError;
     use proptest::prelude::*;
 
     fn table(quality: impl Fn(f32) -> f32) -> Table {
