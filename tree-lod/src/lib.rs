@@ -5,6 +5,7 @@ pub mod element;
 mod error;
 pub mod preview;
 pub mod quality;
+pub mod select;
 
 pub use element::{Elements, Foliage, Grain};
 pub use error::LodError;
