@@ -187,16 +187,18 @@ impl Scene {
             let Some(memory) = memory.get_mut(number as usize) else { continue };
             let new = frame.cut || memory.frame != now.wrapping_sub(1);
             memory.frame = *now;
+            let distance = lens.distance((row.crown - lens.position).length()) * row.per_scale;
+            let lambda = model.lambda(distance);
             memory.seen = match &screen {
-                Some(screen) => {
+                Some(screen) if lambda > model.least() => {
                     let group = (!new).then(|| model.group(*now, number));
                     screen.test(model, row, memory.seen, group)
                 }
-                None => u64::MAX,
+                // What is drawn as coarsely as can be need not be tested.
+                _ => u64::MAX,
             };
             let visible = model.visible(memory.seen);
-            let distance = lens.distance((row.crown - lens.position).length()) * row.per_scale;
-            let aim = model.aim(distance, visible.max(pace.hidden));
+            let aim = model.within(lambda * visible.max(pace.hidden));
             memory.lambda = if new { aim } else { pace.follow(memory.lambda, aim) };
             let from = if new { model.sought(memory.lambda) } else { memory.level.into() };
             let level = model.level(memory.lambda, from);
@@ -264,14 +266,22 @@ impl Tile {
 }
 
 impl Kept {
-    /// λ for a distance in a field of view of 60° and a share that is seen, within the model's levels.
+    /// λ for a distance in a field of view of 60°.
     #[inline]
-    fn aim(&self, distance: f32, visible: f32) -> f32 {
-        let lambda = self.distance.lambda((distance - self.near) * self.per_range) * visible;
-        let (Some(first), Some(last)) = (self.levels.first(), self.levels.last()) else {
-            return 1.0;
-        };
-        lambda.max(first.lambda).min(last.lambda)
+    fn lambda(&self, distance: f32) -> f32 {
+        self.distance.lambda((distance - self.near) * self.per_range)
+    }
+
+    /// λ of the coarsest level.
+    #[inline]
+    fn least(&self) -> f32 {
+        self.levels.first().map_or(1.0, |step| step.lambda)
+    }
+
+    /// A share that the levels have.
+    #[inline]
+    fn within(&self, lambda: f32) -> f32 {
+        lambda.max(self.least()).min(self.levels.last().map_or(1.0, |step| step.lambda))
     }
 
     /// The level for λ, by bisection.

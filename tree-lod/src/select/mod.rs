@@ -37,6 +37,8 @@
 //! # Ok::<(), tree_lod::LodError>(())
 //! ```
 
+#[cfg(test)]
+mod bad_tests;
 mod eye;
 mod frame;
 mod model;

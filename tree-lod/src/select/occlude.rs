@@ -17,7 +17,7 @@ const SIZE: [u32; 2] = [256, 144];
 /// Pixels that may be drawn in a frame: each pixel of the buffer so many times.
 const OVERDRAW: usize = 12;
 /// Ellipses with a smaller half axis, in pixels, are left out.
-const SMALLEST: f32 = 0.5;
+const SMALLEST: f32 = 1.0;
 /// An ellipsoid must be so many times its largest radius ahead of the eye: nearer, it is no ellipse.
 const AHEAD: f32 = 1.1;
 
@@ -52,6 +52,9 @@ impl Occluders {
 
     /// Draws what an instance hides others with.
     pub(super) fn draw(&mut self, model: &Kept, row: &Row, eye: Vec3, rows: &[Vec4; 4]) {
+        if !large(model, row, eye, rows) {
+            return;
+        }
         for occluder in &model.occluders {
             if self.left == 0 {
                 return;
@@ -62,26 +65,39 @@ impl Occluders {
                 row.linear.y_axis * occluder.radii.y,
                 row.linear.z_axis * occluder.radii.z,
             ];
-            if let Some(ellipse) = Ellipse::of(center, axes, rows) {
+            let ellipse = Ellipse::of(center, axes, rows);
+            if let Some(ellipse) = ellipse.filter(|ellipse| !self.hides(ellipse)) {
                 self.fill(&ellipse);
             }
         }
+    }
+
+    /// Whether centre and ends of an ellipse are behind what is drawn already: most are, in a forest, and
+    /// would add next to nothing.
+    fn hides(&self, ellipse: &Ellipse) -> bool {
+        let (right, up) = (Vec2::X * ellipse.xx.sqrt(), Vec2::Y * ellipse.yy.sqrt());
+        let last = Vec2::new(SIZE[0] as f32 - 1.0, SIZE[1] as f32 - 1.0);
+        [Vec2::ZERO, right, -right, up, -up].into_iter().all(|end| {
+            let pixel = (ellipse.center + 0.9 * end).clamp(Vec2::ZERO, last);
+            let at = pixel.y as usize * SIZE[0] as usize + pixel.x as usize;
+            self.depths.get(at).is_some_and(|&depth| depth > ellipse.near)
+        })
     }
 
     fn fill(&mut self, ellipse: &Ellipse) {
         let [width, height] = SIZE.map(|side| side as f32);
         let Ellipse { center, xx, xy, yy, near } = *ellipse;
         let half = yy.sqrt();
-        // Pixels count when their centres are inside: half a pixel less on either side.
-        let first = (center.y - half - 0.5).clamp(-0.5, height).ceil() as usize;
-        let end = (center.y + half + 0.5).clamp(0.0, height).floor() as usize;
+        // Pixels count when their centres are inside. Casts bring what is negative to 0.
+        let first = (center.y - half + 0.5) as usize;
+        let end = (center.y + half + 0.5).min(height) as usize;
         let (slope, across) = (xy / yy, xx - xy * xy / yy);
         for y in first..end {
             let up = y as f32 + 0.5 - center.y;
             let middle = center.x + slope * up;
             let reach = (across * (1.0 - up * up / yy)).max(0.0).sqrt();
-            let from = (middle - reach - 0.5).clamp(-0.5, width).ceil() as usize;
-            let to = (middle + reach + 0.5).clamp(0.0, width).floor() as usize;
+            let from = (middle - reach + 0.5).min(width) as usize;
+            let to = (middle + reach + 0.5).min(width) as usize;
             let start = y * SIZE[0] as usize;
             let Some(span) = self.depths.get_mut(start + from..start + to.max(from)) else {
                 return;
@@ -92,6 +108,16 @@ impl Occluders {
             self.left = self.left.saturating_sub(to.saturating_sub(from) + 1);
         }
     }
+}
+
+/// Whether any occluder of an instance may be large enough: the radius of a sphere around them all, in pixels.
+#[inline]
+fn large(model: &Kept, row: &Row, eye: Vec3, rows: &[Vec4; 4]) -> bool {
+    let w = rows[3].dot((row.crown - eye).extend(1.0));
+    let across = rows[1].truncate().length_squared();
+    let size = model.widest / row.per_scale;
+    // Twice, for the occluders are not where the crown's centre is, and the rows slant.
+    4.0 * size * size * across >= SMALLEST * SMALLEST * w * w
 }
 
 /// Depth · w that is greater for nearer things: 1 / distance in perspective, −distance otherwise.

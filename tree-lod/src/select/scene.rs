@@ -64,6 +64,8 @@ pub(super) struct Kept {
     /// Points relative to the crown's centre, by fours; those missing from the last four are repeated.
     pub(super) points: Vec<[[f32; LANES]; 3]>,
     pub(super) occluders: Vec<Occluder>,
+    /// Largest radius of an occluder.
+    pub(super) widest: f32,
     pub(super) distance: Distance,
     pub(super) near: f32,
     /// 1 / (far − near).
@@ -305,6 +307,7 @@ impl Kept {
             crown_radius,
             points: (0..groups).map(group).collect(),
             occluders: model.occluders.clone(),
+            widest: model.occluders.iter().map(|o| o.radii.max_element()).fold(0.0, f32::max),
             distance: model.distance,
             near: model.near,
             per_range: 1.0 / (model.far - model.near),
