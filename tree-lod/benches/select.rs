@@ -1,4 +1,5 @@
 //! How long a frame of scene selection takes, the camera walking.
+#![allow(clippy::expect_used)]
 
 mod forest;
 

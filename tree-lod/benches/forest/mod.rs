@@ -1,4 +1,5 @@
 //! A forest and a walk through it, for benchmarks and tests of scene selection.
+#![allow(clippy::expect_used)]
 
 use tree_lod::glam::camera::rh::{proj::directx::perspective_infinite_reverse, view::look_to_mat4};
 use tree_lod::glam::{Quat, Vec3};
