@@ -90,7 +90,8 @@ pub struct Selected {
     pub drawn: usize,
     /// Instances out of view.
     pub culled: usize,
-    /// Instances in view of which some sample points are hidden.
+    /// Instances in view of which some sample points are hidden. What is so far that it is drawn as coarsely
+    /// as can be is not tested, and counts as seen.
     pub occluded: usize,
     /// Instances in view of which all are.
     pub hidden: usize,

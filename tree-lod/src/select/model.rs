@@ -46,7 +46,8 @@ pub struct Model {
     pub distance: Distance,
     /// Distance in metres up to which the full model is drawn, for an instance of scale 1 in a field
     /// of view of 60° from top to bottom. What counts is the size on the screen: in other fields of view
-    /// distances are multiplied by tan(fov / 2) / tan 30°, and divided by the instance's scale. 0 or
+    /// distances are multiplied by tan(fov / 2) / tan 30°, and divided by the instance's scale. They are
+    /// measured from the eye to the mean of the samples, or to the centre where there are none. 0 or
     /// more. Default 10.
     pub near: f32,
     /// Distance from which on the least is drawn, more than `near`. Default 500.

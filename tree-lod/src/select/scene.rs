@@ -165,7 +165,8 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Moves an instance, or gives it another model. It keeps its place in the order of drawing; when most
+    /// Moves an instance, or gives it another model: between frames, for what was selected before holds the old
+    /// one. It keeps its place in the order of drawing; when most
     /// instances move far, a new scene is faster to look through.
     ///
     /// # Errors
