@@ -25,6 +25,8 @@ const OUTSIDE: f32 = 2.0;
 const EYE: [f32; 2] = [1.7, 40.0];
 /// Sides of the forest over which the path comes down, from the edge outwards.
 const DESCENT: f32 = 1.5;
+/// Share of the path over which the camera turns round after the walk.
+const TURN: f32 = 0.1;
 /// Vertical field of view in radians.
 pub(super) const FOV: f32 = 0.9;
 
@@ -121,8 +123,12 @@ impl Forest {
         let (eye, ahead) = (along(time), along(time + 0.02));
         let back = along(time - 0.02);
         let toward = if time < 0.98 { ahead - eye } else { eye - back };
-        // Far out the whole forest is in view, looked back at after the walk.
-        let target = if time > 2.0 / 3.0 { eye - toward } else { eye + toward };
+        // After the walk the camera turns round to the forest.
+        let turned = ((time - 2.0 / 3.0) / TURN).clamp(0.0, 1.0);
+        let (sin, cos) = libm::sincosf(0.5 * TAU * turned * turned * (3.0 - 2.0 * turned));
+        let (x, z) = (cos * toward.x + sin * toward.z, cos * toward.z - sin * toward.x);
+        let down = if turned > 0.0 { -toward.y } else { toward.y };
+        let target = eye + Vec3::new(x, down, z);
         Pose { eye, target, up: Vec3::Y, lens: Lens::Perspective { fov: FOV } }
     }
 

@@ -8,13 +8,14 @@
 //! 3. The densest plane becomes a billboard, its elements are taken out of the density, and so on.
 //!
 //! Departures: elements (cards, leaves) instead of triangles, so that no leaf is cut in two; the
-//! candidates are the planes at the middles of the cells, so cells need not be refined; no penalty for planes
+//! candidates are the planes at the middles of the cells, so cells need not be refined, but a plane moves to
+//! the one nearest to its elements' vertices (least squares) where that is valid and shows no less of them; no penalty for planes
 //! that just miss elements. ε follows, by halving, from the number of billboards asked for. Elements for which
 //! no direction is valid get a billboard of their own.
 //!
 //! O(elements × directions) time and 12 bytes of memory each, times halvings for the time.
 
-use super::{Billboard, corners};
+use super::{Billboard, corners, principal_axes};
 use rayon::prelude::*;
 use std::f32::consts::TAU;
 use tree_core::glam::Vec3;
@@ -51,17 +52,40 @@ pub(in super::super) fn decoret(mesh: &Mesh, elements: &Elements, n: usize) -> V
         }
     }
     best.unwrap_or_default()
-        .into_iter()
+        .into_par_iter()
         .map(|(plane, of)| {
             let (normal, point) = match plane {
                 Some((direction, offset)) => {
-                    (directions[direction], directions[direction] * offset)
+                    fitted(mesh, elements, &of, (directions[direction], offset), high)
                 }
                 None => own(elements, of[0] as usize),
             };
             Billboard::around(mesh, elements, of, normal, point)
         })
         .collect()
+}
+
+/// Normal and a point of the plane nearest to the vertices of some elements, or of the one they have.
+fn fitted(
+    mesh: &Mesh,
+    elements: &Elements,
+    of: &[u32],
+    (normal, offset): (Vec3, f32),
+    epsilon: f32,
+) -> (Vec3, Vec3) {
+    let points: Vec<Vec3> = of.iter().flat_map(|&e| corners(mesh, elements, e as usize)).collect();
+    let mean = points.iter().sum::<Vec3>() / points.len().max(1) as f32;
+    let [flattest, ..] = principal_axes(&points);
+    let shown = |n: Vec3| -> f32 {
+        let (triangles, _) = points.as_chunks::<3>();
+        triangles.iter().map(|[a, b, c]| (*b - *a).cross(*c - *a).dot(n).abs()).sum()
+    };
+    let valid = points.iter().all(|p| (*p - mean).dot(flattest).abs() <= epsilon);
+    if valid && shown(flattest) >= shown(normal) {
+        (flattest, mean)
+    } else {
+        (normal, normal * offset)
+    }
 }
 
 /// The plane of a single element.

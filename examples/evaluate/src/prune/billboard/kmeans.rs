@@ -9,8 +9,7 @@
 //! The text does not say when there are two long sides; here b is long when it is nearer, as a ratio, to c
 //! than to a. O(k × elements × rounds) for each k tried.
 
-use super::{Billboard, corners};
-use nalgebra::{Matrix3, SymmetricEigen};
+use super::{Billboard, corners, principal_axes};
 use rayon::prelude::*;
 use tree_core::Seed;
 use tree_core::glam::Vec3;
@@ -107,7 +106,7 @@ fn first_centers(points: &[Vec3], k: usize, seed: Seed) -> Vec<Vec3> {
 fn of_cluster(mesh: &Mesh, all: &Elements, of: Vec<u32>) -> Vec<Billboard> {
     let points: Vec<Vec3> = of.iter().flat_map(|&e| corners(mesh, all, e as usize)).collect();
     let center = points.iter().sum::<Vec3>() / points.len().max(1) as f32;
-    let mut axes = principal_axes(&points, center);
+    let mut axes = principal_axes(&points);
     let side = |axis: Vec3| {
         let along = points.iter().map(|p| axis.dot(*p));
         let low = along.clone().fold(f32::INFINITY, f32::min);
@@ -128,17 +127,4 @@ pub(super) fn count([a, b, c]: [f32; 3]) -> usize {
     } else {
         2
     }
-}
-
-fn principal_axes(points: &[Vec3], center: Vec3) -> [Vec3; 3] {
-    let mut spread = Matrix3::<f32>::zeros();
-    for p in points {
-        let d = nalgebra::Vector3::from((*p - center).to_array());
-        spread += d * d.transpose();
-    }
-    let axes = SymmetricEigen::new(spread).eigenvectors;
-    [0, 1, 2].map(|i| {
-        let axis = axes.column(i);
-        Vec3::new(axis[0], axis[1], axis[2]).normalize_or(Vec3::Y)
-    })
 }

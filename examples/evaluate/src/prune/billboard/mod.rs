@@ -13,6 +13,7 @@ pub(super) use bake::bake;
 pub(super) use decoret::decoret;
 pub(super) use kmeans::behrendt;
 
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use tree_core::glam::{Vec2, Vec3};
 use tree_lod::Elements;
 use tree_mesh::Mesh;
@@ -63,6 +64,23 @@ fn corners<'a>(
     let triangles = elements.triangles_of(element).iter();
     triangles.flat_map(|&t| {
         [0, 1, 2].map(|k| surface.positions[surface.indices[3 * t as usize + k] as usize])
+    })
+}
+
+/// Unit axes of the spread of some points about their mean, the least spread first.
+fn principal_axes(points: &[Vec3]) -> [Vec3; 3] {
+    let mean = points.iter().sum::<Vec3>() / points.len().max(1) as f32;
+    let mut spread = Matrix3::<f32>::zeros();
+    for p in points {
+        let d = Vector3::from((*p - mean).to_array());
+        spread += d * d.transpose();
+    }
+    let eigen = SymmetricEigen::new(spread);
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+    order.map(|i| {
+        let axis = eigen.eigenvectors.column(i);
+        Vec3::new(axis[0], axis[1], axis[2]).normalize_or(Vec3::Y)
     })
 }
 
