@@ -25,8 +25,8 @@ const OUTSIDE: f32 = 2.0;
 const EYE: [f32; 2] = [1.7, 40.0];
 /// Sides of the forest over which the path comes down, from the edge outwards.
 const DESCENT: f32 = 1.5;
-/// Share of the path over which the camera turns round after the walk.
-const TURN: f32 = 0.1;
+/// When the camera turns round; the walk ends at 2/3.
+const TURN: [f32; 2] = [0.52, 0.66];
 /// Vertical field of view in radians.
 pub(super) const FOV: f32 = 0.9;
 
@@ -123,8 +123,8 @@ impl Forest {
         let (eye, ahead) = (along(time), along(time + 0.02));
         let back = along(time - 0.02);
         let toward = if time < 0.98 { ahead - eye } else { eye - back };
-        // After the walk the camera turns round to the forest.
-        let turned = ((time - 2.0 / 3.0) / TURN).clamp(0.0, 1.0);
+        // Towards the end of the walk the camera turns round, so that the forest stays in view.
+        let turned = ((time - TURN[0]) / (TURN[1] - TURN[0])).clamp(0.0, 1.0);
         let (sin, cos) = libm::sincosf(0.5 * TAU * turned * turned * (3.0 - 2.0 * turned));
         let (x, z) = (cos * toward.x + sin * toward.z, cos * toward.z - sin * toward.x);
         let down = if turned > 0.0 { -toward.y } else { toward.y };
@@ -209,6 +209,18 @@ mod tests {
             };
             assert!(!forest.instances.iter().any(near));
             assert!(pose.eye.distance(pose.target) > 0.01);
+        }
+    }
+
+    #[test]
+    fn every_frame_sees_trees() {
+        let forest = Forest::new(300, 3, 5.0, Seed(1)).unwrap();
+        for (i, pose) in forest.path(80).iter().enumerate() {
+            let forward = (pose.target - pose.eye).normalize();
+            let seen = |tree: &&Instance| {
+                (tree.position - pose.eye).normalize().dot(forward) > libm::cosf(0.5 * FOV)
+            };
+            assert!(forest.instances.iter().filter(seen).count() > 10, "frame {i}");
         }
     }
 
