@@ -1,5 +1,7 @@
 //! Pruning: level of detail by measured quality (Neubert 2012, chapters 6 and 7).
 
+// The rows of §7.2.4 come with the scorer.
+#[cfg_attr(not(test), expect(dead_code))]
 mod anova;
 mod billboard;
 mod modelled;

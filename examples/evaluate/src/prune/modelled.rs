@@ -18,6 +18,7 @@ const BEND: f32 = 0.08;
 /// Linear colour of the leaves.
 const COLOR: [f32; 4] = [0.09, 0.2, 0.04, 1.0];
 /// Vertices of a leaf: six on the midrib, four on either margin.
+#[cfg(test)]
 pub(super) const VERTICES: usize = 14;
 /// Triangles of a leaf.
 pub(super) const TRIANGLES: usize = 16;

@@ -32,6 +32,7 @@ pub(super) struct Model {
     pub(super) name: String,
     pub(super) mesh: Mesh,
     pub(super) elements: Elements,
+    #[cfg_attr(not(test), expect(dead_code))]
     pub(super) leaves: Leaves,
     /// Whether nobody here made it.
     pub(super) imported: bool,

@@ -31,7 +31,7 @@ pub(in super::super) fn behrendt(
 ) -> Vec<Billboard> {
     let with = |k: usize| -> Vec<Billboard> {
         let clusters = clusters(&elements.centers, k, seed);
-        clusters.into_par_iter().flat_map_iter(|of| of_cluster(mesh, elements, of)).collect()
+        clusters.into_par_iter().flat_map_iter(|of| of_cluster(mesh, elements, &of)).collect()
     };
     // Between n / 3 clusters of three billboards each and n of one.
     let (mut low, mut high) = ((n / 3).max(1), n.max(1));
@@ -103,7 +103,7 @@ fn first_centers(points: &[Vec3], k: usize, seed: Seed) -> Vec<Vec3> {
 }
 
 /// One to three billboards of a cluster.
-fn of_cluster(mesh: &Mesh, all: &Elements, of: Vec<u32>) -> Vec<Billboard> {
+fn of_cluster(mesh: &Mesh, all: &Elements, of: &[u32]) -> Vec<Billboard> {
     let points: Vec<Vec3> = of.iter().flat_map(|&e| corners(mesh, all, e as usize)).collect();
     let center = points.iter().sum::<Vec3>() / points.len().max(1) as f32;
     let mut axes = principal_axes(&points);
@@ -115,7 +115,7 @@ fn of_cluster(mesh: &Mesh, all: &Elements, of: Vec<u32>) -> Vec<Billboard> {
     axes.sort_by(|x, y| side(*x).total_cmp(&side(*y)));
     let sides = axes.map(side);
     let normals = &axes[..count(sides)];
-    normals.iter().map(|&n| Billboard::around(mesh, all, of.clone(), n, center)).collect()
+    normals.iter().map(|&n| Billboard::around(mesh, all, of.to_vec(), n, center)).collect()
 }
 
 /// How many billboards a box of sides a ≤ b ≤ c takes; their normals are along the shortest sides.
