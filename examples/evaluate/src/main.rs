@@ -8,6 +8,7 @@ mod measure;
 mod mesh;
 mod particle;
 mod path;
+mod prune;
 mod silhouette;
 mod sketch;
 mod table;
@@ -18,12 +19,13 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 6] = [
+const SYSTEMS: [(&str, Evaluation); 7] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
     ("silhouette", silhouette::evaluate),
     ("mesh", mesh::evaluate),
+    ("prune", prune::evaluate),
     ("ffi", ffi::evaluate),
 ];
 
