@@ -206,7 +206,9 @@ fn check_order(order: &[u32], n: usize) -> Result<()> {
     for (row, &element) in order.iter().enumerate() {
         match seen.get_mut(element as usize) {
             None => return Err(LodError::Order { row, problem: "there is no such element" }),
-            Some(true) => return Err(LodError::Order { row, problem: "the element is there twice" }),
+            Some(true) => {
+                return Err(LodError::Order { row, problem: "the element is there twice" });
+            }
             Some(seen) => *seen = true,
         }
     }

@@ -217,11 +217,7 @@ impl Subject<'_> {
 }
 
 /// The scale (on length) of best quality, from that of the λ above on.
-fn best(
-    from: f32,
-    mut quality: impl FnMut(f32) -> Result<f64>,
-    control: &Control,
-) -> Result<f32> {
+fn best(from: f32, mut quality: impl FnMut(f32) -> Result<f64>, control: &Control) -> Result<f32> {
     let mut best = (f64::NEG_INFINITY, from);
     let mut look = |growth: f32, best: &mut (f64, f32)| -> Result<f64> {
         control.check()?;

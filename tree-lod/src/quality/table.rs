@@ -37,7 +37,8 @@ impl Table {
                 return problem(i, "λ must rise from above 0 to 1");
             }
             let numbers = [row.precision, row.recall, row.quality];
-            if !numbers.iter().all(|n| n.is_finite()) || !(row.scale > 0.0 && row.scale < 1e6) {
+            let sound = row.scale > 0.0 && row.scale < 1e6;
+            if !(sound && numbers.iter().all(|n| n.is_finite())) {
                 return problem(i, "numbers must be finite and the scale positive");
             }
             last = row.lambda;
@@ -113,7 +114,7 @@ pub fn cook_lambda(d: f32) -> f32 {
 }
 
 /// Share of geometry by size on the screen (Cook et al. 2007; §6.3.2): b^(log_h ½) with b = B / B₀,
-/// where B is the size in pixels of the bounding box, B₀ that at which pruning begins, and h·B₀ that at
+/// where B is the size in pixels of the bounding box, `B₀` that at which pruning begins, and h·B₀ that at
 /// which half is left.
 ///
 /// # Errors

@@ -33,7 +33,8 @@ impl Footprints {
                 let rows = piece.iter().enumerate().flat_map(|(i, &element)| {
                     pivots.of(first + i).iter().map(move |&pivot| (element as usize, pivot))
                 });
-                rows.map(|(element, pivot)| draw(scene, element, growth, pivot, &mut canvas)).collect()
+                rows.map(|(element, pivot)| draw(scene, element, growth, pivot, &mut canvas))
+                    .collect()
             })
             .collect();
         let drawn = || pieces.iter().flatten();

@@ -1,9 +1,9 @@
 //! Elements taken one by one, always the one that is worth most.
 
+use super::Scene;
 use super::footprint::Footprints;
 use super::pivot::Pivots;
 use super::state::State;
-use super::Scene;
 use crate::error::Result;
 use crate::quality::Score;
 use glam::Vec3;
@@ -85,11 +85,8 @@ pub(super) fn run(
     budget: u64,
     goal: Goal,
 ) -> Result<Run> {
-    let pivots = if pivots {
-        Pivots::rim(scene, candidates)
-    } else {
-        Pivots::centers(scene, candidates)
-    };
+    let pivots =
+        if pivots { Pivots::rim(scene, candidates) } else { Pivots::centers(scene, candidates) };
     let mut state = State::new(scene.stage, (goal.precision, goal.recall));
     if !before.is_empty() {
         let prints = Footprints::new(scene, before, 1.0, &Pivots::centers(scene, before));

@@ -52,7 +52,8 @@ pub struct CoverageParams {
 
 impl Default for CoverageParams {
     fn default() -> Self {
-        let around = Around { azimuths: 12, turn: 0.1, pitches: vec![0.0, 0.35], size: 256, fov: None };
+        let around =
+            Around { azimuths: 12, turn: 0.1, pitches: vec![0.0, 0.35], size: 256, fov: None };
         Self { around, stages: vec![0.5, 0.35, 0.2, 0.1, 0.05, 0.02], pivots: true }
     }
 }

@@ -89,7 +89,7 @@ fn views_it_has_not_seen_are_covered_far_better_than_by_chance() {
     };
     for lambda in [0.1, 0.3, 0.6] {
         let (a, b) = (quality(&ours, lambda), quality(&chance, lambda));
-        assert!(a > b + 0.04, "{lambda}: {a} against {b}");
+        assert!(1.0 - a < 0.8 * (1.0 - b), "{lambda}: {a} against {b}");
     }
 }
 
@@ -149,8 +149,9 @@ fn stages_that_do_not_fall_and_foreign_tiers_are_refused() {
 fn cancelling_stops_the_work() {
     let mesh = crown(50);
     let (elements, tier) = elements(&mesh);
-    let control = Control::default();
-    control.cancel();
+    let flag = tree_core::CancelFlag::default();
+    let control = Control::default().with_cancel(flag.clone());
+    flag.cancel();
     let found = coverage(&mesh, &elements, &tier, &quick(), &control);
     assert!(matches!(found, Err(crate::LodError::Cancelled(_))));
 }
