@@ -113,7 +113,7 @@ pub fn cook_lambda(d: f32) -> f32 {
     near * near
 }
 
-/// Share of geometry by size on the screen (Cook et al. 2007; §6.3.2): b^(log_h ½) with b = B / B₀,
+/// Share of geometry by size on the screen (Cook et al. 2007; §6.3.2): `b^(log_h ½)` with b = B / B₀,
 /// where B is the size in pixels of the bounding box, `B₀` that at which pruning begins, and h·B₀ that at
 /// which half is left.
 ///
