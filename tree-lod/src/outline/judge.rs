@@ -1,0 +1,139 @@
+//! How well fewer triangles stand for a blade.
+
+use super::shape::Blade;
+use glam::{Vec2, Vec3};
+
+/// Pixels along each side of a view: the bits of a row.
+const SIZE: usize = 64;
+/// Empty pixels at each side, room for what has grown.
+const MARGIN: f32 = 9.0;
+/// Sine and cosine of the angles by which views are tilted: 45° and 72°, so that with the first view,
+/// from above, all directions count about alike.
+const TILTS: [(f32, f32); 2] = [(0.707_106_77, 0.707_106_77), (0.951_056_5, 0.309_017)];
+/// Cosine and sine of the angles around, for both rings; the second stands between the first.
+const TURNS: [[(f32, f32); 3]; 2] = [
+    [(0.866_025_4, 0.5), (-0.866_025_4, 0.5), (0.0, -1.0)],
+    [(-0.866_025_4, -0.5), (0.866_025_4, -0.5), (0.0, 1.0)],
+];
+
+type Rows = [u64; SIZE];
+
+/// Views of a blade.
+pub(super) struct Judge<'a> {
+    blade: &'a Blade,
+    views: Vec<View>,
+    /// Area of the blade in all views.
+    total: f32,
+}
+
+struct View {
+    /// A pixel along x and along y, and where the blade's centre lies.
+    x: Vec3,
+    y: Vec3,
+    origin: Vec2,
+    /// Area of a pixel.
+    pixel: f32,
+    rows: Rows,
+}
+
+impl<'a> Judge<'a> {
+    pub(super) fn new(blade: &'a Blade) -> Self {
+        let sum: Vec3 = blade.triangles.iter().map(|&t| blade.cross(t)).sum();
+        let normal = sum.normalize_or(Vec3::Y);
+        // Along the blade, so that long blades fill the pixels.
+        let far = blade.points.iter().copied().fold(Vec3::ZERO, |far, p| {
+            if p.length_squared() > far.length_squared() { p } else { far }
+        });
+        let along = normal.cross(far).try_normalize();
+        let x = along.unwrap_or_else(|| normal.any_orthonormal_vector());
+        let y = normal.cross(x);
+        let mut views = vec![View::new(blade, x, y)];
+        for (&(sine, cosine), turns) in TILTS.iter().zip(&TURNS) {
+            for &(c, s) in turns {
+                let down = (x * c + y * s) * cosine - normal * sine;
+                views.push(View::new(blade, y * c - x * s, down));
+            }
+        }
+        let mut judge = Self { blade, views, total: 0.0 };
+        for view in &mut judge.views {
+            view.rows = view.drawn(blade, &blade.triangles, 1.0);
+            judge.total += view.pixel * count(&view.rows) as f32;
+        }
+        judge
+    }
+
+    /// Area seen in only one of both, as a share of the blade's, when `triangles` have grown about
+    /// the blade's centre to its area. Infinite for triangles without area.
+    pub(super) fn error(&self, triangles: &[[u32; 3]]) -> f32 {
+        let growth = (1.0 / self.blade.area_of(triangles)).sqrt();
+        if !growth.is_finite() {
+            return f32::INFINITY;
+        }
+        let differing = |view: &View| {
+            let rows = view.drawn(self.blade, triangles, growth);
+            let n: u32 = rows.iter().zip(&view.rows).map(|(a, b)| (a ^ b).count_ones()).sum();
+            n as f32 * view.pixel
+        };
+        self.views.iter().map(differing).sum::<f32>() / self.total.max(f32::MIN_POSITIVE)
+    }
+}
+
+fn count(rows: &Rows) -> u32 {
+    rows.iter().map(|row| row.count_ones()).sum()
+}
+
+impl View {
+    /// The blade's box fills the picture up to the margin, each side by its own scale.
+    fn new(blade: &Blade, x: Vec3, y: Vec3) -> Self {
+        let flat = || blade.points.iter().map(|p| Vec2::new(p.dot(x), p.dot(y)));
+        let low = flat().fold(Vec2::INFINITY, Vec2::min);
+        let high = flat().fold(Vec2::NEG_INFINITY, Vec2::max);
+        let room = SIZE as f32 - 2.0 * MARGIN;
+        // Seen from the edge there is nothing to see, and no pixel has an area.
+        let size = (high - low).max(Vec2::splat(1e-6));
+        let scale = room / size;
+        Self {
+            x: x * scale.x,
+            y: y * scale.y,
+            origin: Vec2::splat(MARGIN) - low * scale,
+            pixel: (size / room).element_product(),
+            rows: [0; SIZE],
+        }
+    }
+
+    fn drawn(&self, blade: &Blade, triangles: &[[u32; 3]], growth: f32) -> Rows {
+        let mut rows = [0; SIZE];
+        let (x, y) = (self.x * growth, self.y * growth);
+        for &triangle in triangles {
+            let corners = blade.corners(triangle);
+            fill(&mut rows, corners.map(|p| self.origin + Vec2::new(p.dot(x), p.dot(y))));
+        }
+        rows
+    }
+}
+
+/// Sets the bits of pixels whose middles a triangle covers.
+fn fill(rows: &mut Rows, corners: [Vec2; 3]) {
+    let [a, b, c] = corners;
+    let edges = [(a, b), (b, c), (c, a)].map(|(p, q)| (p, q.y, (q.x - p.x) / (q.y - p.y)));
+    let first = (a.y.min(b.y).min(c.y) - 0.5).ceil().max(0.0) as usize;
+    let end = ((a.y.max(b.y).max(c.y) - 0.5).ceil().max(0.0) as usize).min(SIZE);
+    for (row, bits) in rows.iter_mut().enumerate().take(end).skip(first) {
+        let y = row as f32 + 0.5;
+        let (mut left, mut right) = (f32::INFINITY, f32::NEG_INFINITY);
+        for &(p, to, slope) in &edges {
+            if (p.y <= y) != (to <= y) {
+                let x = p.x + (y - p.y) * slope;
+                left = left.min(x);
+                right = right.max(x);
+            }
+        }
+        let column = |x: f32| ((x - 0.5).ceil().max(0.0) as usize).min(SIZE);
+        *bits |= below(column(right)) & !below(column(left));
+    }
+}
+
+/// The lowest bits.
+fn below(n: usize) -> u64 {
+    if n >= SIZE { u64::MAX } else { (1 << n) - 1 }
+}
