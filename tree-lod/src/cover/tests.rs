@@ -18,7 +18,8 @@ fn soup(triangles: &[[Vec3; 3]]) -> Mesh {
 }
 
 fn checkered(mut mesh: Mesh) -> Mesh {
-    let pixel = |i: u32| [90, 90, 90, if (i % 64 / 8 + i / 64 / 8).is_multiple_of(2) { 255 } else { 0 }];
+    let pixel =
+        |i: u32| [90, 90, 90, if (i % 64 / 8 + i / 64 / 8).is_multiple_of(2) { 255 } else { 0 }];
     let pixels = (0..64 * 64).flat_map(pixel).collect();
     mesh.materials[0] = Material {
         alpha: Alpha::Mask(0.5),

@@ -1,5 +1,7 @@
 //! One index buffer from which every level of detail is drawn (Neubert 2012, §7.2.2 and §7.4).
 
+mod plan;
 mod schedule;
 
+pub use plan::plan;
 pub use schedule::{Cut, Schedule};

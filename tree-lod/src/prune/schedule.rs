@@ -1,24 +1,26 @@
 //! What is drawn for a share of the triangles.
 //!
-//! Going down from the full model, one element changes at a time. First elements are drawn with the next
-//! coarser tier, in the order of their importance; when all are, the next tier follows. In the last tier
-//! elements are dropped from the end of the order. Leaves thus keep their number while their outlines can
-//! still be made simpler, which PEERS.md shows to be worth more than anything else on modelled leaves.
+//! Going down from the full model, one element changes at a time. In each tier elements are dropped from
+//! the end of the order until `kept` of the next tier are left; then those are drawn with the next tier,
+//! the least important first; and so on. In the last tier all but one are dropped. PEERS.md shows why both
+//! are needed: leaves behind others can be dropped for nothing, the others should keep their number as
+//! long as their outlines can still be made simpler.
 //!
 //! The states form one row of falling numbers of triangles, and a share of geometry picks the first that
 //! fits the budget: a binary search with prefix sums of the costs.
 
 use crate::error::{LodError, Result, check_range};
+use crate::order;
 use crate::outline::Tier;
 
 /// What is drawn of the elements; *ranks* are places in the order, the most important is 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cut {
-    /// Tier of the ranks from `coarse` to `end`.
+    /// Tier of the ranks below `fine`.
     pub tier: u32,
-    /// Ranks below this one are drawn with the next tier. 0 in the last tier.
-    pub coarse: u32,
-    /// Ranks from here on are not drawn. All are, but in the last tier.
+    /// Ranks from here to `end` are drawn with the next tier.
+    pub fine: u32,
+    /// Ranks from here on are not drawn.
     pub end: u32,
     /// Triangles that are drawn.
     pub n_triangles: u64,
@@ -29,31 +31,35 @@ pub struct Cut {
 pub struct Schedule {
     /// Of each tier: triangles of the ranks before each rank, and of all at the end.
     sums: Vec<Vec<u32>>,
-    /// Number of elements.
-    n: u32,
+    /// Elements with which each tier begins, falling from their number.
+    kept: Vec<u32>,
+    /// Steps before each tier.
+    before: Vec<u64>,
     /// Ranks below this one are always drawn, so that there is always a triangle.
     least: u32,
 }
 
 impl Schedule {
     /// The states of these tiers, drawn in this order: a permutation of the elements, most important
-    /// first.
+    /// first. `kept` is the number of elements with which each tier begins: of the first all, then
+    /// never more than before ([`plan`](super::plan) finds good ones); empty: each begins with all.
     ///
     /// # Errors
     /// [`LodError::Foliage`] when there are no tiers, no elements or no triangles, when tiers differ in
     /// their number of elements, or an element has more triangles in a tier than in the one before;
-    /// [`LodError::Order`] when the order is no permutation of the elements.
+    /// [`LodError::Order`] when the order is no permutation of the elements; [`LodError::Length`] or
+    /// [`LodError::Parameter`] for numbers of kept elements that are not one for each tier, or rise.
     ///
     /// # Complexity
     /// O(tiers · elements).
-    pub fn new(tiers: &[Tier], order: &[u32]) -> Result<Self> {
+    pub fn new(tiers: &[Tier], order: &[u32], kept: &[u32]) -> Result<Self> {
         let Some(n) = tiers.first().and_then(|tier| tier.starts.len().checked_sub(1)) else {
             return Err(LodError::Foliage("there are no tiers"));
         };
         for tier in tiers {
             check_tier(tier, n)?;
         }
-        check_order(order, n)?;
+        order::check(order, n)?;
         let sums: Vec<_> = tiers.iter().map(|tier| sums(tier, order)).collect();
         for pair in sums.windows(2) {
             let costs = |sums: &[u32], rank: usize| sums[rank + 1] - sums[rank];
@@ -63,27 +69,18 @@ impl Schedule {
             }
         }
         let coarsest = sums.last().map_or(&[][..], |sums| sums);
-        let least = coarsest.partition_point(|&sum| sum == 0);
-        if least > n {
+        let least = coarsest.partition_point(|&sum| sum == 0) as u32;
+        if least as usize > n {
             return Err(LodError::Foliage("the last tier has no triangles"));
         }
-        Ok(Self { sums, n: n as u32, least: least as u32 })
-    }
-
-    /// As [`new`](Self::new), of the first `last` tiers only.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new), and [`LodError::Parameter`] when `last` is 0 or more than there are.
-    pub fn with_tiers(tiers: &[Tier], order: &[u32], last: usize) -> Result<Self> {
-        match tiers.get(..last) {
-            Some(used) if last > 0 => Self::new(used, order),
-            _ => Err(LodError::Parameter {
-                field: "tiers",
-                found: last as f64,
-                min: 1.0,
-                max: tiers.len() as f64,
-            }),
-        }
+        let kept = if kept.is_empty() { vec![n as u32; tiers.len()] } else { kept.to_vec() };
+        check_kept(&kept, tiers.len(), n as u32, least)?;
+        let before = kept.iter().scan(0, |sum, &kept| {
+            let before = *sum;
+            *sum += u64::from(kept);
+            Some(before)
+        });
+        Ok(Self { sums, before: before.collect(), kept, least })
     }
 
     /// The most that fits the budget of floor(λ · triangles of the full model). At least one element
@@ -109,38 +106,40 @@ impl Schedule {
     /// Number of states. Neighbours differ in one element.
     #[must_use]
     pub fn n_steps(&self) -> u64 {
-        let shrinking = u64::from(self.n - self.least) + 1;
-        self.last() as u64 * u64::from(self.n) + shrinking
+        self.before[self.last()] + u64::from(self.kept[self.last()] - self.least) + 1
     }
 
     /// A state, counted from the full model down; from [`n_steps`](Self::n_steps) on the last.
     #[must_use]
     pub fn cut(&self, step: u64) -> Cut {
-        let (n, last) = (u64::from(self.n), self.last());
-        let sliding = last as u64 * n;
-        if step < sliding {
-            let (tier, coarse) = ((step / n) as usize, (step % n) as u32);
-            let (fine, next) = (&self.sums[tier], &self.sums[tier + 1]);
-            let before = coarse as usize;
-            let n_triangles = u64::from(fine[n as usize] - fine[before]) + u64::from(next[before]);
-            return Cut { tier: tier as u32, coarse, end: self.n, n_triangles };
-        }
-        let dropped = (step - sliding).min(u64::from(self.n - self.least)) as u32;
-        let end = self.n - dropped;
-        let n_triangles = self.sums[last][end as usize].into();
-        Cut { tier: last as u32, coarse: 0, end, n_triangles }
+        let step = step.min(self.n_steps() - 1);
+        let tier = self.before.partition_point(|&before| before <= step).max(1) - 1;
+        let fine = self.kept[tier] - (step - self.before[tier]) as u32;
+        let own = self.sums[tier][fine as usize];
+        let next = self.kept.get(tier + 1).zip(self.sums.get(tier + 1));
+        let (end, others) = match next {
+            Some((&end, sums)) if end > fine => (end, sums[end as usize] - sums[fine as usize]),
+            _ => (fine, 0),
+        };
+        Cut { tier: tier as u32, fine, end, n_triangles: u64::from(own) + u64::from(others) }
+    }
+
+    /// Elements with which each tier begins.
+    #[must_use]
+    pub fn kept(&self) -> &[u32] {
+        &self.kept
     }
 
     /// Triangles of the full model.
     #[must_use]
     pub fn n_triangles(&self) -> u64 {
-        self.sums[0][self.n as usize].into()
+        self.sums[0][self.kept[0] as usize].into()
     }
 
     /// Number of elements.
     #[must_use]
     pub fn n_elements(&self) -> u32 {
-        self.n
+        self.kept[0]
     }
 
     /// Number of tiers.
@@ -165,14 +164,11 @@ impl Schedule {
         if rank < self.least {
             return 0.0;
         }
-        let sum = self.sums[self.last()].get(rank as usize + 1);
+        // It is dropped in the last tier that begins with it.
+        let tier = self.kept.partition_point(|&kept| kept > rank);
+        let sums = tier.checked_sub(1).and_then(|tier| self.sums.get(tier));
+        let sum = sums.and_then(|sums| sums.get(rank as usize + 1));
         sum.map_or(1.0, |&sum| self.lambda_of(sum.into()))
-    }
-
-    /// λ of the last state in which all elements are drawn, all with the last tier.
-    #[must_use]
-    pub fn lambda_of_all(&self) -> f32 {
-        self.lambda_of(self.sums[self.last()][self.n as usize].into())
     }
 
     /// The least λ that can be kept: of the state with the fewest elements.
@@ -201,20 +197,16 @@ fn check_tier(tier: &Tier, n: usize) -> Result<()> {
     Ok(())
 }
 
-fn check_order(order: &[u32], n: usize) -> Result<()> {
-    let mut seen = vec![false; n];
-    for (row, &element) in order.iter().enumerate() {
-        match seen.get_mut(element as usize) {
-            None => return Err(LodError::Order { row, problem: "there is no such element" }),
-            Some(true) => {
-                return Err(LodError::Order { row, problem: "the element is there twice" });
-            }
-            Some(seen) => *seen = true,
-        }
+fn check_kept(kept: &[u32], n_tiers: usize, n: u32, least: u32) -> Result<()> {
+    if kept.len() != n_tiers {
+        let (found, expected) = (kept.len(), n_tiers);
+        return Err(LodError::Length { what: "kept", found, expected });
     }
-    if order.len() < n {
-        let problem = "the order ends here: every element must be in it";
-        return Err(LodError::Order { row: order.len(), problem });
+    let mut most = n;
+    for (tier, &kept) in kept.iter().enumerate() {
+        let min = if tier == 0 { n } else { least };
+        check_range("kept", kept.into(), min.into(), most.into())?;
+        most = kept;
     }
     Ok(())
 }

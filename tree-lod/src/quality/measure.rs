@@ -30,6 +30,8 @@ pub struct Subject<'a> {
     pub tiers: &'a [Tier],
     /// Order and pivots.
     pub ranking: &'a Ranking,
+    /// Elements with which each tier begins, or empty: see [`Schedule::new`].
+    pub kept: &'a [u32],
 }
 
 /// Which scale is measured.
@@ -187,7 +189,7 @@ impl Subject<'_> {
         if !self.ranking.pivots.iter().all(|pivot| pivot.is_finite()) {
             return Err(LodError::Foliage("a pivot is not finite"));
         }
-        Schedule::new(self.tiers, &self.ranking.order)
+        Schedule::new(self.tiers, &self.ranking.order, self.kept)
     }
 
     fn stage(&self, around: &Around, control: &Control) -> Result<Stage<'_>> {
@@ -200,7 +202,7 @@ impl Subject<'_> {
         let score = |shot: &crate::cover::Shot| {
             let mut bits: Bits = shot.kept.clone();
             for (rank, &element) in self.ranking.order[..cut.end as usize].iter().enumerate() {
-                let tier = if rank < cut.coarse as usize { coarse } else { fine };
+                let tier = if rank < cut.fine as usize { fine } else { coarse };
                 let element = element as usize;
                 let piece = Piece {
                     surface: self.elements.surface[element],

@@ -78,7 +78,8 @@ fn views_it_has_not_seen_are_covered_far_better_than_by_chance() {
     let held = Around { azimuths: 5, turn: 0.4, size: 128, ..Around::default() };
     let quality = |ranking: &Ranking, lambda: f32| {
         let tiers = [tier.clone()];
-        let subject = Subject { mesh: &mesh, elements: &elements, tiers: &tiers, ranking };
+        let subject =
+            Subject { mesh: &mesh, elements: &elements, tiers: &tiers, ranking, kept: &[] };
         let params = TableParams {
             around: Around { azimuths: 4, size: 96, ..Around::default() },
             lambdas: vec![0.1, 0.3, 0.6, 1.0],
