@@ -20,7 +20,7 @@ const NONE: u32 = u32::MAX;
 const PART: usize = 1 << 13;
 /// Most shapes of one pattern that others are compared with. Elements unlike all of these get an answer
 /// of their own, found without search.
-const SHAPES_MAX: usize = 64;
+const SHAPES_MAX: usize = 24;
 
 /// Elements that are alike.
 pub(super) struct Alike {

@@ -2,8 +2,10 @@
 
 use super::disc::Disc;
 use super::judge::Judge;
+use super::polish::{Way, polished};
 use super::shape::Blade;
 use super::{choice, collapse};
+use glam::Vec3;
 
 /// Most triangles of a blade for which choosing among its own triangles is worth a search.
 const CHOICE_MAX: usize = 48;
@@ -30,14 +32,23 @@ pub(super) fn simplified(blade: &Blade, targets: &[usize], search: bool) -> Vec<
             let judge = judge.as_ref().filter(|_| blade.triangles.len() <= CHOICE_MAX);
             ways.push(choice::chosen(blade, target, judge));
         }
-        best(ways, judge.as_ref())
+        best(blade, ways, judge.as_ref(), disc.as_ref().map(|disc| disc.normal))
     };
     targets.iter().zip(collapsed).map(one).collect()
 }
 
-/// The way with the least error; the first without a judge.
-fn best(ways: Vec<Vec<[u32; 3]>>, judge: Option<&Judge<'_>>) -> Vec<[u32; 3]> {
-    let error = |way: &Vec<[u32; 3]>| judge.map_or(0.0, |judge| judge.error(way));
-    let judged = ways.into_iter().map(|way| (error(&way), way));
-    judged.reduce(|a, b| if b.0 < a.0 { b } else { a }).map(|(_, way)| way).unwrap_or_default()
+/// The way with the least error, after all changes that help; the first without a judge.
+fn best(
+    blade: &Blade,
+    ways: Vec<Vec<[u32; 3]>>,
+    judge: Option<&Judge<'_>>,
+    up: Option<Vec3>,
+) -> Vec<[u32; 3]> {
+    let Some(judge) = judge else { return ways.into_iter().next().unwrap_or_default() };
+    let polish = |triangles: Vec<[u32; 3]>| {
+        let error = judge.error(&triangles, f32::INFINITY);
+        polished(blade, judge, Way { triangles, error }, up)
+    };
+    let least = ways.into_iter().map(polish).reduce(|a, b| if b.error < a.error { b } else { a });
+    least.map(|way| way.triangles).unwrap_or_default()
 }
