@@ -14,7 +14,7 @@ const CHOICE_MAX: usize = 48;
 /// simplified so far it keeps the largest of its triangles.
 pub(super) fn simplified(blade: &Blade, targets: &[usize], search: bool) -> Vec<Vec<[u32; 3]>> {
     let disc = Disc::of(blade);
-    let judge = search.then(|| Judge::new(blade));
+    let judge = search.then(|| Judge::new(blade, false));
     let collapsed = collapse::collapsed(blade, targets);
     let one = |(&target, collapsed): (&usize, Vec<[u32; 3]>)| {
         if target == 0 {
@@ -45,10 +45,15 @@ fn best(
     up: Option<Vec3>,
 ) -> Vec<[u32; 3]> {
     let Some(judge) = judge else { return ways.into_iter().next().unwrap_or_default() };
-    let polish = |triangles: Vec<[u32; 3]>| {
-        let error = judge.error(&triangles, f32::INFINITY);
-        polished(blade, judge, Way { triangles, error }, up)
-    };
-    let least = ways.into_iter().map(polish).reduce(|a, b| if b.error < a.error { b } else { a });
-    least.map(|way| way.triangles).unwrap_or_default()
+    let second = Judge::new(blade, true);
+    let plain =
+        |triangles: Vec<[u32; 3]>| Way { error: judge.error(&triangles, f32::INFINITY), triangles };
+    let both = ways.into_iter().map(plain).flat_map(|way| {
+        let other = polished(blade, judge, way.clone(), up);
+        [way, other]
+    });
+    // What a search found by luck of its views, other views show to be worse.
+    let judged = both.map(|way| (way.error + second.error(&way.triangles, f32::INFINITY), way));
+    let least = judged.reduce(|a, b| if b.0 < a.0 { b } else { a });
+    least.map(|(_, way)| way.triangles).unwrap_or_default()
 }

@@ -27,6 +27,11 @@ const OUTER: [(f32, f32); 8] = [
 const COS: f32 = 0.923_879_5;
 const SIN: f32 = 0.382_683_43;
 
+/// Weights of the first view and of the views of both rings: their shares of all directions.
+const WEIGHTS: [f32; 3] = [1.74, 1.29, 0.76];
+/// Cosine and sine of 11.25°, by which a second judge's views are turned against the first's.
+const TURN: (f32, f32) = (0.980_785_3, 0.195_090_32);
+
 type Rows = [u64; SIZE];
 
 /// Views of a blade.
@@ -42,13 +47,14 @@ struct View {
     x: Vec3,
     y: Vec3,
     origin: Vec2,
-    /// Area of a pixel.
+    /// Area of a pixel times the weight of the view.
     pixel: f32,
     rows: Rows,
 }
 
 impl<'a> Judge<'a> {
-    pub(super) fn new(blade: &'a Blade) -> Self {
+    /// Two judges look from different directions when one is `turned`.
+    pub(super) fn new(blade: &'a Blade, turned: bool) -> Self {
         let sum: Vec3 = blade.triangles.iter().map(|&t| blade.cross(t)).sum();
         let normal = sum.normalize_or(Vec3::Y);
         // Along the blade, so that long blades fill the pixels.
@@ -58,16 +64,19 @@ impl<'a> Judge<'a> {
         let along = normal.cross(far).try_normalize();
         let x = along.unwrap_or_else(|| normal.any_orthonormal_vector());
         let y = normal.cross(x);
-        let mut views = vec![View::new(blade, x, y)];
-        for (&(sine, cosine), turns) in TILTS.iter().zip([&INNER[..], &OUTER[..]]) {
+        let (x, y) =
+            if turned { (x * TURN.0 + y * TURN.1, y * TURN.0 - x * TURN.1) } else { (x, y) };
+        let mut views = vec![View::new(blade, x, y, WEIGHTS[0])];
+        for (ring, turns) in [&INNER[..], &OUTER[..]].into_iter().enumerate() {
+            let (sine, cosine) = TILTS[ring];
             for &(c, s) in turns {
                 let down = (x * c + y * s) * cosine - normal * sine;
-                views.push(View::new(blade, y * c - x * s, down));
+                views.push(View::new(blade, y * c - x * s, down, WEIGHTS[ring + 1]));
             }
         }
         let mut judge = Self { blade, views, total: 0.0 };
         for view in &mut judge.views {
-            view.rows = view.drawn(blade, &blade.triangles, 1.0);
+            view.rows = view.drawn(blade, &blade.triangles, 1.0).0;
             judge.total += view.pixel * count(&view.rows) as f32;
         }
         judge
@@ -84,9 +93,9 @@ impl<'a> Judge<'a> {
         let all = self.total.max(f32::MIN_POSITIVE);
         let mut error = 0.0;
         for view in &self.views {
-            let rows = view.drawn(self.blade, triangles, growth);
+            let (rows, outside) = view.drawn(self.blade, triangles, growth);
             let n: u32 = rows.iter().zip(&view.rows).map(|(a, b)| (a ^ b).count_ones()).sum();
-            error += n as f32 * view.pixel / all;
+            error += (n + outside) as f32 * view.pixel / all;
             if error >= most {
                 return f32::INFINITY;
             }
@@ -101,7 +110,7 @@ fn count(rows: &Rows) -> u32 {
 
 impl View {
     /// The blade's box fills the picture up to the margin, each side by its own scale.
-    fn new(blade: &Blade, x: Vec3, y: Vec3) -> Self {
+    fn new(blade: &Blade, x: Vec3, y: Vec3, weight: f32) -> Self {
         let flat = || blade.points.iter().map(|p| Vec2::new(p.dot(x), p.dot(y)));
         let low = flat().fold(Vec2::INFINITY, Vec2::min);
         let high = flat().fold(Vec2::NEG_INFINITY, Vec2::max);
@@ -113,29 +122,33 @@ impl View {
             x: x * scale.x,
             y: y * scale.y,
             origin: Vec2::splat(MARGIN) - low * scale,
-            pixel: (size / room).element_product(),
+            pixel: (size / room).element_product() * weight,
             rows: [0; SIZE],
         }
     }
 
-    fn drawn(&self, blade: &Blade, triangles: &[[u32; 3]], growth: f32) -> Rows {
-        let mut rows = [0; SIZE];
+    /// Pixels that are covered, and the number of those outside the picture.
+    fn drawn(&self, blade: &Blade, triangles: &[[u32; 3]], growth: f32) -> (Rows, u32) {
+        let (mut rows, mut outside) = ([0; SIZE], 0);
         let (x, y) = (self.x * growth, self.y * growth);
         for &triangle in triangles {
             let corners = blade.corners(triangle);
-            fill(&mut rows, corners.map(|p| self.origin + Vec2::new(p.dot(x), p.dot(y))));
+            outside +=
+                fill(&mut rows, corners.map(|p| self.origin + Vec2::new(p.dot(x), p.dot(y))));
         }
-        rows
+        (rows, outside)
     }
 }
 
-/// Sets the bits of pixels whose middles a triangle covers.
-fn fill(rows: &mut Rows, corners: [Vec2; 3]) {
+/// Sets the bits of pixels whose middles a triangle covers; returns how many are outside the picture,
+/// up to a picture's size away.
+fn fill(rows: &mut Rows, corners: [Vec2; 3]) -> u32 {
     let [a, b, c] = corners;
     let edges = [(a, b), (b, c), (c, a)].map(|(p, q)| (p, q.y, (q.x - p.x) / (q.y - p.y)));
-    let first = (a.y.min(b.y).min(c.y) - 0.5).ceil().max(0.0) as usize;
-    let end = ((a.y.max(b.y).max(c.y) - 0.5).ceil().max(0.0) as usize).min(SIZE);
-    for (row, bits) in rows.iter_mut().enumerate().take(end).skip(first) {
+    let side = SIZE as i32;
+    let pixel = |at: f32| ((at - 0.5).ceil() as i32).clamp(-side, 2 * side);
+    let mut outside = 0;
+    for row in pixel(a.y.min(b.y).min(c.y))..pixel(a.y.max(b.y).max(c.y)) {
         let y = row as f32 + 0.5;
         let (mut left, mut right) = (f32::INFINITY, f32::NEG_INFINITY);
         for &(p, to, slope) in &edges {
@@ -145,12 +158,22 @@ fn fill(rows: &mut Rows, corners: [Vec2; 3]) {
                 right = right.max(x);
             }
         }
-        let column = |x: f32| ((x - 0.5).ceil().max(0.0) as usize).min(SIZE);
-        *bits |= below(column(right)) & !below(column(left));
+        if left >= right {
+            continue;
+        }
+        let (first, end) = (pixel(left), pixel(right));
+        let bits = usize::try_from(row).ok().and_then(|row| rows.get_mut(row));
+        let inside = bits.map_or(0, |bits| {
+            let (first, end) = (first.clamp(0, side), end.clamp(0, side));
+            *bits |= below(end) & !below(first);
+            end - first
+        });
+        outside += end - first - inside;
     }
+    outside.unsigned_abs()
 }
 
 /// The lowest bits.
-fn below(n: usize) -> u64 {
-    if n >= SIZE { u64::MAX } else { (1 << n) - 1 }
+fn below(n: i32) -> u64 {
+    if n >= SIZE as i32 { u64::MAX } else { (1 << n) - 1 }
 }

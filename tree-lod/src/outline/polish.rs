@@ -16,10 +16,13 @@ const TRIANGLES_MAX: usize = 64;
 const ROUNDS_MAX: usize = 6;
 /// Least cosine between the normals of a triangle before and after a change.
 const TURN_MIN: f32 = 0.3;
+/// Least gain that a change is made for: less may be luck of the pixels.
+const GAIN_MIN: f32 = 5e-4;
 /// Smallest area of a triangle, of a blade of area 1.
 const AREA_MIN: f32 = 1e-5;
 
 /// A simplified blade and its error.
+#[derive(Clone)]
 pub(super) struct Way {
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) error: f32,
@@ -126,8 +129,9 @@ fn fits(blade: &Blade, old: Vec3, triangle: [u32; 3], up: Option<Vec3>) -> bool 
 }
 
 fn take_if_better(judge: &Judge<'_>, way: &mut Way, triangles: Vec<[u32; 3]>) {
-    let error = judge.error(&triangles, way.error);
-    if error < way.error {
+    let most = way.error - GAIN_MIN;
+    let error = judge.error(&triangles, most);
+    if error < most {
         *way = Way { triangles, error };
     }
 }
