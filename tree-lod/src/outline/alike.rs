@@ -39,6 +39,9 @@ pub(super) struct Found {
     pub(super) of: Vec<u32>,
 }
 
+/// Fewest triangles, and the pattern of all: what must be the same.
+type Key = (usize, Vec<[u32; 3]>);
+
 /// What elements are compared by.
 struct Traits {
     least: usize,
@@ -65,7 +68,7 @@ pub(super) fn find(
     control: &Control,
 ) -> Result<Found> {
     let mut found = Found { shapes: Vec::new(), of: vec![NONE; elements.len()] };
-    let mut known: BTreeMap<(usize, Vec<[u32; 3]>), Vec<(u32, Traits)>> = BTreeMap::new();
+    let mut known: BTreeMap<Key, Vec<(u32, Traits)>> = BTreeMap::new();
     let all: Vec<u32> = (0..elements.len() as u32).collect();
     for part in all.chunks(PART) {
         control.check()?;

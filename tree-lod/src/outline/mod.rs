@@ -19,7 +19,8 @@
 //!    it has grown about its centre to the same area. A pruned model is scaled as a whole
 //!    afterwards, so that lost area costs nothing, while lost shape does.
 //!
-//! Cost: about a millisecond for each distinct shape, some 0.5 µs for each element.
+//! Cost: 5 to 10 ms for each distinct shape of 16 triangles, 0.15 s for one of 44; some 2 µs for each
+//! element.
 
 mod alike;
 mod blade;

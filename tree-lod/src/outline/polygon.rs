@@ -28,8 +28,8 @@ struct Found {
 }
 
 impl Disc {
-    /// At most `target` triangles; none when the margin has too few vertices kept in mind, or no
-    /// simple polygon is found.
+    /// At most `target` triangles; none when there are more than the margin is kept for, or no simple
+    /// polygon is found.
     pub(super) fn polygon(
         &self,
         target: usize,

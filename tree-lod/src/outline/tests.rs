@@ -103,7 +103,7 @@ fn an_ovate_leaf_keeps_its_outline() {
     let tiers = tiers_of(&mesh);
     assert_eq!(costs(&tiers), [16, 8, 4, 2, 1]);
     let front = Around { azimuths: 1, ..Around::default() };
-    for (tier, least) in tiers.iter().zip([1.0, 0.99, 0.92, 0.85, 0.65]) {
+    for (tier, least) in tiers.iter().zip([1.0, 0.99, 0.91, 0.85, 0.65]) {
         let overlap = overlap(&mesh, tier, &front);
         assert!(overlap >= least, "{} triangles: {overlap}", tier.cost(0));
     }
