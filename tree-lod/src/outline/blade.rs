@@ -14,6 +14,7 @@ const CHOICE_MAX: usize = 48;
 /// simplified so far it keeps the largest of its triangles.
 pub(super) fn simplified(blade: &Blade, targets: &[usize], search: bool) -> Vec<Vec<[u32; 3]>> {
     let disc = Disc::of(blade);
+    let up = disc.as_ref().map(|disc| disc.normal);
     let judge = search.then(|| Judge::new(blade, false));
     let collapsed = collapse::collapsed(blade, targets);
     let one = |(&target, collapsed): (&usize, Vec<[u32; 3]>)| {
@@ -25,14 +26,15 @@ pub(super) fn simplified(blade: &Blade, targets: &[usize], search: bool) -> Vec<
         }
         let polygon = disc.as_ref().and_then(|disc| disc.polygon(target, judge.as_ref()));
         let mut ways: Vec<Vec<[u32; 3]>> = polygon.into_iter().collect();
-        if !collapsed.is_empty() && collapsed.len() <= target {
+        let faces_up = |t: &[u32; 3]| up.is_none_or(|up| blade.cross(*t).dot(up) > 0.0);
+        if !collapsed.is_empty() && collapsed.len() <= target && collapsed.iter().all(faces_up) {
             ways.push(collapsed);
         }
         if ways.is_empty() {
             let judge = judge.as_ref().filter(|_| blade.triangles.len() <= CHOICE_MAX);
             ways.push(choice::chosen(blade, target, judge));
         }
-        best(blade, ways, judge.as_ref(), disc.as_ref().map(|disc| disc.normal))
+        best(blade, ways, judge.as_ref(), up)
     };
     targets.iter().zip(collapsed).map(one).collect()
 }
