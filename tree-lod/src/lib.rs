@@ -6,6 +6,7 @@ pub mod element;
 mod error;
 pub mod outline;
 pub mod preview;
+pub mod prune;
 pub mod quality;
 
 pub use element::{Elements, Foliage, Grain};
