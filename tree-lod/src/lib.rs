@@ -8,6 +8,7 @@ pub mod outline;
 pub mod preview;
 pub mod prune;
 pub mod quality;
+pub mod select;
 
 pub use element::{Elements, Foliage, Grain};
 pub use error::LodError;

@@ -1,0 +1,66 @@
+//! A frame of scene selection allocates nothing.
+
+#[allow(dead_code)]
+#[path = "../benches/forest/mod.rs"]
+mod forest;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tree_lod::select::{DepthBuffer, DrawIndexed, Frame, InstanceLod, Occlusion, Params, State};
+use tree_lod::tree_core::Control;
+
+/// Counts what is asked of the system's allocator.
+struct Counting;
+
+static COUNT: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: every call is handed on to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: as the caller's.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        COUNT.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: as the caller's.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as the caller's.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn a_frame_allocates_nothing() {
+    let n = 3000;
+    let scene = forest::forest(n);
+    let mut state = State::new(&scene, &Control::default()).unwrap();
+    let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
+    let mut rows = vec![InstanceLod::default(); scene.len()];
+    let depths = forest::depths(160, 90);
+    let params = Params::default();
+    let before = COUNT.load(Ordering::Relaxed);
+    let mut drawn = 0;
+    for i in 0..30 {
+        let eye = forest::eye(n, 20 * i);
+        let buffer = DepthBuffer { depths: &depths, width: 160, height: 90, eye, y_down: false };
+        let occlusion = match i % 3 {
+            0 => Occlusion::None,
+            1 => Occlusion::BuiltIn,
+            _ => Occlusion::Depth(buffer),
+        };
+        let frame = Frame { eye, occlusion, seconds: 0.016, cut: i == 10 };
+        drawn += scene.select(&frame, &params, &mut state).unwrap().drawn;
+        scene.draws(&params, &state, &mut draws, &mut rows).unwrap();
+        scene.batches(&params, &mut state, &mut draws, &mut rows).unwrap();
+    }
+    assert_eq!(COUNT.load(Ordering::Relaxed) - before, 0);
+    assert!(drawn > 10_000, "{drawn}");
+}
