@@ -25,7 +25,9 @@ impl PrunedModel {
             let surface = part.surface as usize;
             let [r, g, b] = part.mean.to_array();
             let primitive = self.primitive(surface).map_or("null".into(), |p| p.to_string());
-            format!(r#"{{ "surface": {surface}, "primitive": {primitive}, "mean": [{r}, {g}, {b}] }}"#)
+            format!(
+                r#"{{ "surface": {surface}, "primitive": {primitive}, "mean": [{r}, {g}, {b}] }}"#
+            )
         }));
         let table = list(self.table.rows().iter().map(|row| {
             object(&[

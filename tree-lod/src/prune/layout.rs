@@ -32,9 +32,8 @@ impl Layout {
         let mut end = 0;
         for (number, tier) in tiers.iter().enumerate() {
             let as_before = layout.tiers.last().is_some_and(|&last| {
-                let same = |&element: &u32| {
-                    tiers[last].of(element as usize) == tier.of(element as usize)
-                };
+                let same =
+                    |&element: &u32| tiers[last].of(element as usize) == tier.of(element as usize);
                 elements.iter().all(same)
             });
             if !as_before {

@@ -47,14 +47,13 @@ pub(super) fn mean(surface: &Surface, material: &Material, indices: &[u32]) -> V
 /// Places spread evenly within a triangle.
 fn spots([a, b, c]: [Vec2; 3]) -> impl Iterator<Item = Vec2> {
     let at = |i: usize| (i as f32 + 1.0 / 3.0) / SPOTS as f32;
-    (0..SPOTS).flat_map(move |i| {
-        (0..SPOTS - i).map(move |j| a + (b - a) * at(i) + (c - a) * at(j))
-    })
+    (0..SPOTS).flat_map(move |i| (0..SPOTS - i).map(move |j| a + (b - a) * at(i) + (c - a) * at(j)))
 }
 
 /// The nearest texel of a texture that repeats.
 fn texel(texture: &Texture, uv: Vec2) -> [u8; 4] {
-    let place = |t: f32, size: u32| (((t - t.floor()) * size as f32) as usize).min(size as usize - 1);
+    let place =
+        |t: f32, size: u32| (((t - t.floor()) * size as f32) as usize).min(size as usize - 1);
     let (texels, _) = texture.pixels.as_chunks::<4>();
     let (x, y) = (place(uv.x, texture.width), place(uv.y, texture.height));
     texels.get(y * texture.width as usize + x).copied().unwrap_or_default()

@@ -57,6 +57,7 @@ mod layout;
 mod level;
 mod mean;
 mod model;
+mod scene;
 mod schedule;
 mod shader;
 mod size;

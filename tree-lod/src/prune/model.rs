@@ -183,12 +183,7 @@ fn part(
     (Part { surface: number, centers, mean, layout }, rows)
 }
 
-fn check_elements(
-    mesh: &Mesh,
-    elements: &Elements,
-    tiers: &[Tier],
-    pivots: &[Vec3],
-) -> Result<()> {
+fn check_elements(mesh: &Mesh, elements: &Elements, tiers: &[Tier], pivots: &[Vec3]) -> Result<()> {
     let n = tiers.first().map_or(0, |tier| tier.starts.len() - 1);
     let length = |field, found| match found == n {
         true => Ok(()),
@@ -207,14 +202,22 @@ fn check_elements(
         let surface = surface as usize;
         if !pivot.is_finite() {
             let field = "pivots";
-            return Err(MeshError::NotFinite { surface: Some(surface), field, index: element }.into());
+            return Err(
+                MeshError::NotFinite { surface: Some(surface), field, index: element }.into()
+            );
         }
         check_range("pivots", pivot.abs().max_element().into(), 0.0, LARGEST)?;
         let count = mesh.surfaces[surface].positions.len();
         for tier in tiers {
             let mut corners = tier.of(element).as_flattened().iter();
             if let Some(&found) = corners.find(|&&corner| corner as usize >= count) {
-                return Err(MeshError::Dangling { surface, what: "vertex", found, count }.into());
+                return Err(MeshError::Dangling {
+                    surface: Some(surface),
+                    what: "vertex",
+                    found,
+                    count,
+                }
+                .into());
             }
         }
     }

@@ -24,7 +24,13 @@ pub const HLSL: &str = include_str!("shaders/prune.hlsl");
 /// `center_rank` holds the centre and the λ from which on the element is drawn. It has no size there, and
 /// its full size `fade` further up. A `fade` of 0: nothing fades.
 #[must_use]
-pub fn position(position: Vec3, center_rank: [f32; 4], growth: f32, lambda: f32, fade: f32) -> Vec3 {
+pub fn position(
+    position: Vec3,
+    center_rank: [f32; 4],
+    growth: f32,
+    lambda: f32,
+    fade: f32,
+) -> Vec3 {
     let [x, y, z, rank] = center_rank;
     let center = Vec3::new(x, y, z);
     let mut size = growth;
