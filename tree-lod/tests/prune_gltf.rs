@@ -1,4 +1,5 @@
 //! Pruned models as glTF, read back by another crate.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests
 #![cfg(feature = "gltf")]
 
 use gltf::Semantic;

@@ -1,4 +1,5 @@
 //! The shader snippets are valid, and the same in every language.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use tree_lod::prune::{GLSL, HLSL, WGSL};

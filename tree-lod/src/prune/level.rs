@@ -102,8 +102,8 @@ impl PrunedModel {
             && level.windows.iter().zip(&self.parts).all(|(window, part)| {
                 let end = window.first_index.checked_add(window.index_count);
                 window.surface == part.surface
-                    && window.first_index % 3 == 0
-                    && window.index_count % 3 == 0
+                    && window.first_index.is_multiple_of(3)
+                    && window.index_count.is_multiple_of(3)
                     && end.is_some_and(|end| end <= 3 * part.layout.n_triangles())
             });
         if !fits {
