@@ -12,6 +12,8 @@
 //!    the numbers that the shader needs ([`WGSL`], [`GLSL`], [`HLSL`]).
 //! 5. Levels as meshes of their own ([`PrunedModel::mesh_at`]), as models of a scene, in glTF and JSON.
 //!
+//! [`PrunedModel::make`] does all steps from a mesh on.
+//!
 //! Departures: the paper only shortens the prefix; here leaves also get simpler outlines. Fading leaves
 //! have no size where they begin to be drawn, after Cook; the first in the order never fade, so that
 //! something is always drawn.
@@ -58,6 +60,7 @@ mod gltf;
 mod json;
 mod layout;
 mod level;
+mod make;
 mod mean;
 mod model;
 mod plan;
@@ -72,6 +75,7 @@ mod vertices;
 #[cfg(feature = "gltf")]
 pub use gltf::Screen;
 pub use level::{Level, Window};
+pub use make::MakeParams;
 pub use model::{Part, PruneParams, PrunedModel};
 pub use plan::plan;
 pub use schedule::{Cut, Schedule};

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::LodError;
-use crate::element::Elements;
+use crate::element::{Elements, Foliage};
 use crate::order::Ranking;
 use crate::outline::Tier;
 use crate::quality::{Distance, Row, Subject, Table};
@@ -379,6 +379,18 @@ fn what_does_not_fit_the_mesh_is_refused() {
     ]) {
         assert!(found.contains(wanted), "{found}: {wanted}");
     }
+}
+
+#[test]
+fn a_mesh_becomes_a_pruned_model_in_one_call() {
+    let mesh = case(&[(1, [8, 8, 8]); 30], 1, false).mesh;
+    let params = MakeParams { foliage: Foliage::Surfaces(vec![1]), ..MakeParams::default() };
+    let model = PrunedModel::make(&mesh, &params, &Control::default()).unwrap();
+    assert_eq!(model.level(1.0).unwrap().n_triangles, 240);
+    let found = model.level(0.3).unwrap().n_triangles;
+    assert!(found <= 72 && found >= 60, "{found}");
+    let bare = MakeParams { foliage: Foliage::Surfaces(vec![7]), ..params };
+    assert!(PrunedModel::make(&mesh, &bare, &Control::default()).is_err());
 }
 
 #[test]

@@ -83,7 +83,7 @@ impl TableParams {
         let mut params = Self::default();
         params.around.azimuths = (WORK / n_triangles.max(1)).clamp(4, 8) as u32;
         if n_triangles > 100_000 {
-            params.around.size = 192;
+            params.around.size = 160;
         }
         params
     }
