@@ -67,18 +67,6 @@ impl Bits {
         score
     }
 
-    /// Sets what is set in `other`, a mask of the same size.
-    pub fn unite(&mut self, other: &Self) {
-        for (word, &more) in self.words.iter_mut().zip(&other.words) {
-            *word |= more;
-        }
-    }
-
-    /// Becomes a copy of `other` without new memory where the sizes are the same.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.clone_from(other);
-    }
-
     /// Words of a row, the pixel at x in bit x mod 64 of word x / 64.
     pub fn rows(&self) -> impl Iterator<Item = &[u64]> + '_ {
         self.words.chunks(self.words_per_row.max(1))
@@ -98,8 +86,9 @@ impl Bits {
         for_words(first, end, |word, bits| self.words[row + word] |= bits);
     }
 
-    /// The words of all rows.
-    pub(crate) fn words(&self) -> &[u64] {
+    /// The words of all rows, `height` times as many as the first row has: see [`rows`](Self::rows).
+    #[must_use]
+    pub fn words(&self) -> &[u64] {
         &self.words
     }
 

@@ -57,8 +57,16 @@ impl Elements {
         if n == 0 {
             return Err(LodError::Foliage("there are no elements"));
         }
-        if !self.centers.iter().all(|center| center.is_finite()) {
-            return Err(LodError::Foliage("a centre is not finite"));
+        let finite = self.centers.iter().chain(&self.normals).all(|v| v.is_finite())
+            && self.areas.iter().chain(&self.radii).all(|v| v.is_finite());
+        if !finite {
+            return Err(LodError::Foliage("centres, normals, areas and radii must be finite"));
+        }
+        if self.surfaces.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return Err(LodError::Foliage("the pruned surfaces must rise"));
+        }
+        if !self.surface.iter().all(|surface| self.surfaces.binary_search(surface).is_ok()) {
+            return Err(LodError::Foliage("an element is on a surface that is not pruned"));
         }
         let rising = self.starts.windows(2).all(|pair| pair[0] <= pair[1]);
         let ends = (self.starts.first(), self.starts.last());

@@ -36,9 +36,9 @@ impl std::ops::Add for Score {
 
     fn add(self, other: Self) -> Self {
         Self {
-            both: self.both + other.both,
-            wrong: self.wrong + other.wrong,
-            missed: self.missed + other.missed,
+            both: self.both.saturating_add(other.both),
+            wrong: self.wrong.saturating_add(other.wrong),
+            missed: self.missed.saturating_add(other.missed),
         }
     }
 }
@@ -55,7 +55,8 @@ pub(crate) fn quality(p: f64, r: f64) -> f64 {
 }
 
 fn share(right: u64, other: u64) -> f64 {
-    if right + other == 0 { 1.0 } else { right as f64 / (right + other) as f64 }
+    let all = right as f64 + other as f64;
+    if all > 0.0 { right as f64 / all } else { 1.0 }
 }
 
 #[cfg(test)]

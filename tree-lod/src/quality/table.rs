@@ -100,10 +100,11 @@ impl Table {
     }
 }
 
-/// Scale after Cook et al. (2007): 1 / λ, so that the summed area stays. λ above 0.
+/// Scale after Cook et al. (2007): 1 / λ, so that the summed area stays. For a λ of 0 or less, or none at
+/// all, the scale is as large as a number can be.
 #[must_use]
 pub fn cook_scale(lambda: f32) -> f32 {
-    1.0 / lambda.max(f32::MIN_POSITIVE)
+    (1.0 / lambda.max(f32::MIN_POSITIVE)).min(f32::MAX)
 }
 
 /// Share of geometry after Cook et al. (2007), (1 − d)², for a distance d of 0 to 1.
