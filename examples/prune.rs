@@ -172,11 +172,8 @@ fn picture(
     let width = SIZE * lambdas.len() as u32;
     let blank = [224_u8, 224, 224, 255];
     let height = SIZE + SIZE / 2;
-    let mut sheet = Picture {
-        width,
-        height,
-        pixels: blank.repeat(width as usize * height as usize),
-    };
+    let mut sheet =
+        Picture { width, height, pixels: blank.repeat(width as usize * height as usize) };
     for (column, &lambda) in lambdas.iter().enumerate() {
         let mesh = model.mesh_at(lambda)?;
         // Cook's rule, λ = (1 − d)², read for the size on the screen.
