@@ -24,6 +24,10 @@
 // find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
 // parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
 //
+// Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the order in which it
+// is drawn, `tree_lod_table_measure` finds how large the rest must grow. A `tree_scene` of such models says in each frame what is
+// drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own buffers.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -31,8 +35,8 @@
 // * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-//   its kind). Handles keep alive what they are made of. Three kinds change, `tree_photo_session`,
-//   `tree_sketch_session` and `tree_silhouette`: one thread at a time.
+//   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
+//   `tree_sketch_session`, `tree_silhouette`, `tree_scene` and `tree_scene_state`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
