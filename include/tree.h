@@ -6937,6 +6937,15 @@ tree_status tree_elements_of_mesh(const struct tree_mesh *mesh,
                                   const struct tree_control *control,
                                   struct tree_elements **elements);
 
+// Elements of your own, which are copied: each a row of the columns, as `tree_elements_view` gives them. `mesh` is what
+// they are elements of. `control` may be NULL; `triangles` of its limits caps elements and triangles. Free the
+// elements with `tree_elements_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+// `n_triangles`, when the mesh lacks a surface or a triangle, or a centre is not finite.
+tree_status tree_elements_from_columns(const struct tree_mesh *mesh,
+                                       const struct tree_elements_columns *columns,
+                                       const struct tree_control *control,
+                                       struct tree_elements **elements);
+
 // Views elements. Set `columns->struct_size` first.
 tree_status tree_elements_view(const struct tree_elements *elements,
                                struct tree_elements_columns *columns);

@@ -1656,6 +1656,7 @@ class Elements : public detail::Object<tree_elements, tree_elements_free> {
 public:
     using Object::Object;
     static Elements of_mesh(const Mesh &mesh, Span<const uint32_t> surfaces, tree_grain grain, Ref<tree_control> control = nullptr);
+    static Elements from_columns(const Mesh &mesh, Ref<tree_elements_columns> columns, Ref<tree_control> control = nullptr);
     ElementsColumns view() const &;
     ElementsColumns view() const && = delete;
     float plant_height() const;
@@ -3033,6 +3034,11 @@ inline float lod_distance_lambda(const tree_lod_distance &distance, float d) {
 inline Elements Elements::of_mesh(const Mesh &mesh, Span<const uint32_t> surfaces, tree_grain grain, Ref<tree_control> control) {
     Elements elements;
     detail::done(tree_elements_of_mesh(mesh.get(), surfaces.data(), surfaces.size(), grain, control, elements.place()), control);
+    return elements;
+}
+inline Elements Elements::from_columns(const Mesh &mesh, Ref<tree_elements_columns> columns, Ref<tree_control> control) {
+    Elements elements;
+    detail::done(tree_elements_from_columns(mesh.get(), columns, control, elements.place()), control);
     return elements;
 }
 inline ElementsColumns Elements::view() const & {

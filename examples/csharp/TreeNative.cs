@@ -12149,6 +12149,15 @@ namespace TreeFamily.Native
         public static extern int tree_elements_of_mesh(tree_mesh* mesh, uint* surfaces, UIntPtr n_surfaces, uint grain, tree_control* control, tree_elements** elements);
 
         /// <summary>
+        /// Elements of your own, which are copied: each a row of the columns, as `tree_elements_view` gives them. `mesh` is what
+        /// they are elements of. `control` may be NULL; `triangles` of its limits caps elements and triangles. Free the
+        /// elements with `tree_elements_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+        /// `n_triangles`, when the mesh lacks a surface or a triangle, or a centre is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_elements_from_columns(tree_mesh* mesh, tree_elements_columns* columns, tree_control* control, tree_elements** elements);
+
+        /// <summary>
         /// Views elements. Set `columns-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -1,10 +1,14 @@
 //! What is dropped and scaled as one.
 
 use super::take::few;
-use crate::border::{Failure, Handle, Result, Versioned, call, free, get, out, tree_status, write};
-use crate::control::{run, tree_control};
+use crate::border::{
+    Failure, Handle, Result, Versioned, call, free, get, out, read, slice, tree_status, vec3s,
+    write,
+};
+use crate::control::{limits, run, tree_control};
 use crate::mesh::{column, tree_mesh};
 use tree_lod::{Elements, Foliage, Grain};
+use tree_model::tree_core::{Limits, Resource};
 
 /// What one element is: one of the `TREE_GRAIN_` constants.
 pub type tree_grain = u32;
@@ -126,6 +130,48 @@ pub unsafe extern "C" fn tree_elements_of_mesh(
         place.put(tree_elements(unsafe { run(control, body) }?));
         Ok(())
     })
+}
+
+/// Elements of your own, which are copied: each a row of the columns, as `tree_elements_view` gives them. `mesh` is what
+/// they are elements of. `control` may be NULL; `triangles` of its limits caps elements and triangles. Free the
+/// elements with `tree_elements_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+/// `n_triangles`, when the mesh lacks a surface or a triangle, or a centre is not finite.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_elements_from_columns(
+    mesh: *const tree_mesh,
+    columns: *const tree_elements_columns,
+    control: *const tree_control,
+    elements: *mut *mut tree_elements,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(elements, "elements") }?;
+        let mesh = unsafe { get(mesh, "mesh") }?.rust();
+        let limits = unsafe { limits(control) }?;
+        let columns = unsafe { read(columns, "columns") }?;
+        let made = unsafe { columns.rust(&limits) }?;
+        made.check(mesh)?;
+        place.put(tree_elements(made));
+        Ok(())
+    })
+}
+
+impl tree_elements_columns {
+    unsafe fn rust(&self, limits: &Limits) -> Result<Elements> {
+        let (n, rows) = (self.n_elements, Resource::Triangles);
+        let points = |first, name| unsafe { vec3s(first, n, limits, rows, name) };
+        let numbers = |first, name| unsafe { slice(first, n, limits, rows, name) };
+        let whole = |first, n, name| unsafe { slice(first, n, limits, rows, name) };
+        Ok(Elements {
+            surfaces: whole(self.surfaces, self.n_surfaces, "columns.surfaces")?.to_vec(),
+            surface: whole(self.surface, n, "columns.surface")?.to_vec(),
+            starts: whole(self.starts, n.saturating_add(1), "columns.starts")?.to_vec(),
+            triangles: whole(self.triangles, self.n_triangles, "columns.triangles")?.to_vec(),
+            centers: points(self.centers, "columns.centers")?.to_vec(),
+            normals: points(self.normals, "columns.normals")?.to_vec(),
+            areas: numbers(self.areas, "columns.areas")?.to_vec(),
+            radii: numbers(self.radii, "columns.radii")?.to_vec(),
+        })
+    }
 }
 
 /// Views elements. Set `columns->struct_size` first.

@@ -63,6 +63,26 @@ static void elements_and_grains(const tree_mesh *mesh) {
     float metres;
     OK(tree_elements_plant_height(elements, &metres));
     CHECK(fabsf(metres - view.centers[1]) < 1e-5f);
+    /* The same again, and two cards alone. */
+    tree_elements_columns own = view, again = view;
+    OK(tree_elements_from_columns(mesh, &own, NULL, &found));
+    OK(tree_elements_view(found, &again));
+    CHECK(again.n_triangles == view.n_triangles && again.centers != view.centers);
+    CHECK(memcmp(again.centers, view.centers, 3 * CARDS * sizeof(float)) == 0);
+    OK(tree_elements_free(found));
+    own.n_elements = 2;
+    FAILS(TREE_ERROR_INVALID, "starts", tree_elements_from_columns(mesh, &own, NULL, &found));
+    own.n_triangles = 4;
+    OK(tree_elements_from_columns(mesh, &own, NULL, &found));
+    OK(tree_elements_free(found));
+    own.areas = NULL;
+    FAILS(TREE_ERROR_NULL, "areas", tree_elements_from_columns(mesh, &own, NULL, &found));
+    own = view;
+    own.surface = own.triangles;
+    FAILS(TREE_ERROR_INVALID, "mesh lacks", tree_elements_from_columns(mesh, &own, NULL, &found));
+    own.n_elements = SIZE_MAX;
+    FAILS(TREE_ERROR_LIMIT, "", tree_elements_from_columns(mesh, &own, NULL, &found));
+    CHECK(found == NULL);
     OK(tree_elements_free(elements));
 
     static const uint32_t leaves[] = {1, 1}, none[] = {7};
