@@ -295,6 +295,20 @@ static const tree_stand_params *few_trees(void) {
     return &params;
 }
 
+/* A scene of one tree of one triangle. */
+static const tree_lod_row the_full_row = {1, 1, 1, 1, 1};
+static const tree_scene_instance one_instance = {0, {0, 0, -20}, {0, 0, 0, 1}, 1};
+static const tree_scene_model *one_scene_model(void) {
+    static tree_scene_model model;
+    static const float all = 1;
+    static const tree_scene_draw triangle = {0, 3, 0};
+    must(tree_scene_model_init(&model, sizeof model));
+    model.lambdas = &all;
+    model.draws = &triangle;
+    model.n_levels = model.n_parts = 1;
+    return &model;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

@@ -10,10 +10,14 @@ pub(crate) const SINGLES: &[&str] = &[
     "azimuth",
     "by_all",
     "by_bumps",
+    "contrast",
     "difference",
+    "distance",
     "domain",
     "gap",
+    "growth",
     "iou",
+    "lambda",
     "length",
     "measure",
     "metres",
@@ -21,12 +25,18 @@ pub(crate) const SINGLES: &[&str] = &[
     "n_runs",
     "phase",
     "posterior",
+    "precision",
+    "quality",
     "radius",
     "reach",
+    "recall",
     "row",
+    "scale",
+    "score",
     "seconds",
     "seed",
     "share",
+    "shown",
     "sway",
     "n_threads",
     "volume",
@@ -42,6 +52,7 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
             (function, argument),
             ("tree_packed_unpack", "mesh")
                 | ("tree_grid_new", "values")
+                | ("tree_elements_of_mesh", "surfaces")
                 | ("tree_sketch_branches_propagate", "crown" | "obstacles")
                 | ("tree_sketch_grow_crown", "crown")
                 | ("tree_sketch_infer", "pins")
@@ -57,7 +68,7 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
 
 /// Structs that have no default.
 pub(crate) fn is_required(argument: &str) -> bool {
-    matches!(argument, "camera" | "columns" | "leaf" | "pixels" | "samples")
+    matches!(argument, "camera" | "columns" | "frame" | "leaf" | "pixels" | "samples")
 }
 
 /// Arrays that have one count with those after them.
@@ -84,6 +95,7 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
 pub(crate) fn fixed(function: &str, argument: &str) -> usize {
     match argument {
         "columns" => 12,
+        "view" | "projection" if function == "tree_scene_eye_check" => 16,
         "affine" => 6,
         "at" | "at_pixel" | "base_pixel" | "by_pixels" | "stretch" => 2,
         "low" | "high" if function == "tree_outline_mask" => 2,
@@ -99,6 +111,15 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("skeleton_children", "starts") => "view().n_nodes + 1",
         ("skeleton_from_unordered", _) => "columns ? columns->n_nodes : 0",
         ("mask_bits", _) => "view().n_pixels",
+        ("bits_words", _) => "measure().n_words",
+        ("bits_bytes", _) => "measure().n_pixels",
+        ("order_coverage", "order") => "elements.view().n_elements",
+        ("order_coverage", _) => "3 * elements.view().n_elements",
+        (name, "order") if name.starts_with("order_") => "view().n_elements",
+        ("metaballs_values", _) => "points.size() / 3",
+        ("metaballs_gradients" | "hull_nearest", _) => "points.size()",
+        ("hull_sample", _) => "3 * n_samples",
+        ("lod_distance_places", _) => "TREE_LOD_DISTANCE_SAMPLES",
         ("mesh_wind", _) => "this->surface(surface).n_vertices",
         ("mesh_bend", _) => "3 * this->surface(surface).n_vertices",
         ("mesh_points", _) => "this->surface(number).n_vertices",
