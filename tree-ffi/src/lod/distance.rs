@@ -23,7 +23,7 @@ impl tree_lod_distance {
         Self { lambdas: *distance.samples() }
     }
 
-    fn rust(&self) -> Result<Distance> {
+    pub(super) fn rust(&self) -> Result<Distance> {
         Ok(Distance::from_samples(&self.lambdas)?)
     }
 

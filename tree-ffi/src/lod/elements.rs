@@ -24,7 +24,7 @@ pub const TREE_GRAIN_TRIANGLE: u32 = 1;
 pub const TREE_GRAIN_LEAF: u32 = 2;
 
 /// Most surfaces that can be named.
-const SURFACES_MAX: usize = 1 << 16;
+pub(super) const SURFACES_MAX: usize = 1 << 16;
 
 /// The elements of a mesh: what is dropped and scaled as one, such as a leaf or a card. There is always at
 /// least one.
@@ -93,7 +93,7 @@ unsafe impl Versioned for tree_elements_columns {
     }
 }
 
-fn grain_of(grain: tree_grain) -> Result<Grain> {
+pub(super) fn grain_of(grain: tree_grain) -> Result<Grain> {
     match grain {
         TREE_GRAIN_BLADE => Ok(Grain::Blade),
         TREE_GRAIN_TRIANGLE => Ok(Grain::Triangle),

@@ -1,5 +1,5 @@
 //! Level of detail by measured pruning (Neubert 2012, chapters 6 and 7): elements, masks and their quality,
-//! tables, hulls, orders, and scenes.
+//! tables, hulls, orders, tiers, pruned models, and scenes.
 
 mod distance;
 mod elements;
@@ -8,6 +8,12 @@ mod mask;
 mod metaballs;
 mod order;
 mod order_params;
+mod pruned;
+mod pruned_gltf;
+mod pruned_level;
+mod pruned_make;
+mod pruned_scene;
+mod pruned_shader;
 mod rules;
 mod score;
 mod select;
@@ -17,6 +23,7 @@ mod select_write;
 mod subject;
 mod table;
 mod take;
+mod tiers;
 mod views;
 
 pub use distance::*;
@@ -26,6 +33,12 @@ pub use mask::*;
 pub use metaballs::*;
 pub use order::*;
 pub use order_params::*;
+pub use pruned::*;
+pub use pruned_gltf::*;
+pub use pruned_level::*;
+pub use pruned_make::*;
+pub use pruned_scene::*;
+pub use pruned_shader::*;
 pub use rules::*;
 pub use score::*;
 pub use select::*;
@@ -34,4 +47,5 @@ pub use select_model::*;
 pub use select_write::*;
 pub use subject::*;
 pub use table::*;
+pub use tiers::*;
 pub use views::*;

@@ -4,9 +4,13 @@ use super::elements::tree_elements;
 use super::hull::tree_hull;
 use super::order_params::{tree_coverage_params, tree_order_params};
 use super::take::{fill_points, fill_some, room_for};
-use crate::border::{Result, call, get, slice, tree_status};
+use super::tiers::tree_tiers;
+use crate::border::{
+    Failure, Result, TREE_ERROR_PARAMETER, call, get, get_opt, slice, tree_status,
+};
 use crate::control::{limits, run, tree_control};
 use crate::mesh::tree_mesh;
+use std::borrow::Cow;
 use std::ptr::null;
 use tree_lod::Elements;
 use tree_lod::order::{self, OrderParams};
@@ -129,13 +133,19 @@ unsafe fn by(
 /// together make the best quality. Where leaves have grown, each chooses the point that it grows about. The best
 /// order of all, and the one that takes longest: some ten drawings of the foliage in every view.
 ///
+/// Elements are drawn as in tier `tier` of `tiers`: 0 is the full model, and NULL, with 0, has no other. For leaves of
+/// many triangles take one of about four triangles each: a quarter of the time, and nearly the same order.
+///
 /// `params` and `control` may be NULL. `order` as for `tree_order_stochastic`; `pivots`, three floats for each
 /// element (not rank) in metres, has room for `pivots_capacity` floats, at least three for each element.
-/// `TREE_ERROR_INVALID` when the elements are not of this mesh.
+/// `TREE_ERROR_INVALID` when the elements or tiers are not of this mesh, `TREE_ERROR_PARAMETER` when there is no such
+/// tier.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_order_coverage(
     mesh: *const tree_mesh,
     elements: *const tree_elements,
+    tiers: *const tree_tiers,
+    tier: usize,
     params: *const tree_coverage_params,
     control: *const tree_control,
     order: *mut u32,
@@ -149,10 +159,15 @@ pub unsafe extern "C" fn tree_order_coverage(
         let params = unsafe { tree_coverage_params::read(params, elements.n_triangles()) }?;
         room_for(elements.len(), capacity, "order")?;
         room_for(3 * elements.len(), pivots_capacity, "pivots")?;
-        let body = |control: &_| {
-            let full = Tier::full(mesh, elements);
-            Ok(order::coverage(mesh, elements, &full, &params, control)?)
+        let shape = match unsafe { get_opt(tiers, "tiers") }? {
+            Some(tiers) => Cow::Borrowed(tiers.row(tier)?),
+            None if tier == 0 => Cow::Owned(Tier::full(mesh, elements)),
+            None => {
+                let text = format!("tier is {tier}, but without tiers there is only 0");
+                return Err(Failure::new(TREE_ERROR_PARAMETER, text));
+            }
         };
+        let body = |control: &_| Ok(order::coverage(mesh, elements, &shape, &params, control)?);
         let found = unsafe { run(control, body) }?;
         unsafe { fill_some(order, capacity, &found.order, "order") }?;
         unsafe { fill_points(pivots, pivots_capacity, &found.pivots, "pivots") }

@@ -33,8 +33,8 @@ pub struct tree_scene_params {
     pub band: f32,
     /// Seconds in which lambda comes nearer to its aim by two thirds, 0 (at once) to 60. Default 0.2.
     pub time: f32,
-    /// Share of the elements drawn that are fading in at the end of the order, 0 to 1. Default 0.1.
-    pub fade: f32,
+    /// 0.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -42,14 +42,14 @@ unsafe impl Versioned for tree_scene_params {
     const NAME: &'static str = "tree_scene_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        let Params { hidden, band, time, fade } = Params::default();
-        Self { struct_size: size_of::<Self>(), hidden, band, time, fade }
+        let Params { hidden, band, time } = Params::default();
+        Self { struct_size: size_of::<Self>(), hidden, band, time, reserved: 0 }
     }
 }
 
 impl tree_scene_params {
     fn rust(&self) -> Params {
-        Params { hidden: self.hidden, band: self.band, time: self.time, fade: self.fade }
+        Params { hidden: self.hidden, band: self.band, time: self.time }
     }
 
     /// The default for NULL.

@@ -84,6 +84,9 @@ pub struct tree_scene_model {
     pub lambdas: *const f32,
     /// For each level the factor on the area of each element, more than 0. NULL, the default: 1.
     pub scales: *const f32,
+    /// For each level the width in lambda over which the last elements fade in, 0 (they pop; nothing fades in the full
+    /// model) to 1. NULL, the default: 0.
+    pub fades: *const f32,
     /// Number of levels, 1 to 1024.
     pub n_levels: usize,
     /// What is drawn of each part of the model (bark, leaves, fruit): the parts of the first level, then those of
@@ -118,6 +121,7 @@ unsafe impl Versioned for tree_scene_model {
             distance: null(),
             lambdas: null(),
             scales: null(),
+            fades: null(),
             n_levels: 0,
             draws: null(),
             n_parts: 0,
@@ -161,11 +165,11 @@ impl tree_scene_model {
     unsafe fn levels(&self, part: &impl Fn(&str) -> String) -> Result<Vec<Level>> {
         let n = self.n_levels;
         let lambdas = unsafe { few(self.lambdas, n, LEVELS_MAX, &part("lambdas")) }?;
-        let scales = if self.scales.is_null() {
-            &[]
-        } else {
-            unsafe { few(self.scales, n, LEVELS_MAX, &part("scales")) }?
+        let optional = |first: *const f32, name: &str| match first.is_null() {
+            true => Ok(&[][..]),
+            false => unsafe { few(first, n, LEVELS_MAX, &part(name)) },
         };
+        let (scales, fades) = (optional(self.scales, "scales")?, optional(self.fades, "fades")?);
         let parts = self.n_parts;
         if parts > PARTS_MAX {
             let text = format!("{} is {parts}, at most {PARTS_MAX} are allowed", part("n_parts"));
@@ -181,6 +185,7 @@ impl tree_scene_model {
         let level = |(i, &lambda): (usize, &f32)| Level {
             lambda,
             scale: scales.get(i).copied().unwrap_or(1.0),
+            fade: fades.get(i).copied().unwrap_or(0.0),
             draws: draws.iter().skip(i * parts).take(parts).map(draw).collect(),
         };
         Ok(lambdas.iter().enumerate().map(level).collect())

@@ -1,7 +1,6 @@
 //! Draw arguments into the caller's buffers.
 
 use super::select::{scene, state, tree_scene, tree_scene_state};
-use super::select_frame::tree_scene_params;
 use super::take::buffer;
 use crate::border::{Failure, Result, call, out_value, tree_status};
 use bytemuck::{Pod, Zeroable};
@@ -65,7 +64,7 @@ const _: () = {
 /// Writes a draw for each part of each instance in view, and a row for each instance: for multi-draw indirect. Draws
 /// of an instance follow one another; parts without indices are left out. `draws` and `rows` have room for
 /// `draws_capacity` and `rows_capacity` of them; `tree_scene_measure` says how many always suffice. `n_draws` and
-/// `n_rows` say how many were written. `params` may be NULL for the defaults. It takes no memory.
+/// `n_rows` say how many were written. It takes no memory.
 ///
 /// `TREE_ERROR_BUFFER` when a buffer is too small; its text says how many are needed, and nothing is written then.
 /// Buffers may be mapped memory of a graphics processor: they are written once, in order, and not read.
@@ -73,7 +72,6 @@ const _: () = {
 pub unsafe extern "C" fn tree_scene_state_draws(
     state: *const tree_scene_state,
     scene: *const tree_scene,
-    params: *const tree_scene_params,
     draws: *mut tree_draw_indexed,
     draws_capacity: usize,
     rows: *mut tree_instance_lod,
@@ -84,11 +82,10 @@ pub unsafe extern "C" fn tree_scene_state_draws(
     call(|| {
         let state = unsafe { self::state(state) }?;
         let scene = unsafe { self::scene(scene) }?;
-        let params = unsafe { tree_scene_params::read(params) }?;
         let draws = unsafe { buffer::<DrawIndexed>(draws.cast(), draws_capacity, "draws") }?;
         let rows = unsafe { buffer::<InstanceLod>(rows.cast(), rows_capacity, "rows") }?;
         unsafe { foresee_counts(n_draws, n_rows) }?;
-        let written = scene.draws(&params, &state, draws, rows)?;
+        let written = scene.draws(&state, draws, rows)?;
         unsafe { tell(&written, n_draws, n_rows) }
     })
 }
@@ -99,7 +96,6 @@ pub unsafe extern "C" fn tree_scene_state_draws(
 pub unsafe extern "C" fn tree_scene_state_batches(
     state: *mut tree_scene_state,
     scene: *const tree_scene,
-    params: *const tree_scene_params,
     draws: *mut tree_draw_indexed,
     draws_capacity: usize,
     rows: *mut tree_instance_lod,
@@ -110,11 +106,10 @@ pub unsafe extern "C" fn tree_scene_state_batches(
     call(|| {
         let mut state = unsafe { self::state(state.cast_const()) }?;
         let scene = unsafe { self::scene(scene) }?;
-        let params = unsafe { tree_scene_params::read(params) }?;
         let draws = unsafe { buffer::<DrawIndexed>(draws.cast(), draws_capacity, "draws") }?;
         let rows = unsafe { buffer::<InstanceLod>(rows.cast(), rows_capacity, "rows") }?;
         unsafe { foresee_counts(n_draws, n_rows) }?;
-        let written = scene.batches(&params, &mut state, draws, rows)?;
+        let written = scene.batches(&mut state, draws, rows)?;
         unsafe { tell(&written, n_draws, n_rows) }
     })
 }

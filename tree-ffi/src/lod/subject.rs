@@ -2,20 +2,23 @@
 
 use super::elements::tree_elements;
 use super::score::{fill_scores, tree_score};
-use super::take::room_for;
+use super::take::{few, fill_some, room_for};
+use super::tiers::{TIERS_MAX, tree_tiers};
 use super::views::tree_around;
-use crate::border::{Result, Versioned, call, get, init, read, slice, tree_status, vec3s};
+use crate::border::{Result, Versioned, call, get, get_opt, init, read, slice, tree_status, vec3s};
 use crate::control::{limits, run, tree_control};
 use crate::mesh::tree_mesh;
+use std::borrow::Cow;
 use std::ptr::null;
 use tree_lod::Elements;
 use tree_lod::order::Ranking;
 use tree_lod::outline::Tier;
+use tree_lod::prune::plan;
 use tree_lod::quality::{Subject, score_at};
 use tree_lod::tree_mesh::Mesh;
 use tree_model::tree_core::Resource;
 
-/// What is measured: a model, its elements, and in which order they are dropped. Begin with
+/// What is measured: a model, its elements, in which order they are dropped, and what they are drawn with. Begin with
 /// `tree_lod_subject_init`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +38,13 @@ pub struct tree_lod_subject {
     pub pivots: *const f32,
     /// Number of pivots: the number of elements, or 0 for the default.
     pub n_pivots: usize,
+    /// What the elements are drawn with. NULL, the default: the full model alone.
+    pub tiers: *const tree_tiers,
+    /// Number of elements with which each tier begins, such as `tree_lod_plan` writes them: of the first all, then
+    /// never more than before. NULL, the default: each begins with all.
+    pub kept: *const u32,
+    /// Number of rows of `kept`: the number of tiers, or 0 for the default.
+    pub n_kept: usize,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -50,6 +60,9 @@ unsafe impl Versioned for tree_lod_subject {
             n_order: 0,
             pivots: null(),
             n_pivots: 0,
+            tiers: null(),
+            kept: null(),
+            n_kept: 0,
         }
     }
 }
@@ -58,8 +71,9 @@ unsafe impl Versioned for tree_lod_subject {
 pub(super) struct Held<'a> {
     mesh: &'a Mesh,
     elements: &'a Elements,
-    tiers: Vec<Tier>,
+    tiers: Cow<'a, [Tier]>,
     ranking: Ranking,
+    kept: &'a [u32],
 }
 
 impl Held<'_> {
@@ -69,6 +83,7 @@ impl Held<'_> {
             elements: self.elements,
             tiers: &self.tiers,
             ranking: &self.ranking,
+            kept: self.kept,
         }
     }
 }
@@ -88,7 +103,12 @@ impl tree_lod_subject {
         let pivots = unsafe { vec3s(pivots.0, pivots.1, &limits, rows, "subject.pivots") }?;
         let pivots = if pivots.is_empty() { &elements.centers } else { pivots };
         let ranking = Ranking { order: order.to_vec(), pivots: pivots.to_vec() };
-        Ok(Held { mesh, elements, tiers: vec![Tier::full(mesh, elements)], ranking })
+        let tiers = match unsafe { get_opt(given.tiers, "subject.tiers") }? {
+            Some(tiers) => Cow::Borrowed(tiers.rust()),
+            None => Cow::Owned(vec![Tier::full(mesh, elements)]),
+        };
+        let kept = unsafe { few(given.kept, given.n_kept, TIERS_MAX, "subject.kept") }?;
+        Ok(Held { mesh, elements, tiers, ranking, kept })
     }
 }
 
@@ -106,7 +126,7 @@ pub unsafe extern "C" fn tree_lod_subject_init(
 /// its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
 /// scores, at least `tree_around_n_views`. `control` may be NULL.
 ///
-/// `TREE_ERROR_INVALID` when mesh, elements, order and pivots do not belong together,
+/// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
 /// `TREE_ERROR_PARAMETER` names what is out of range.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_lod_subject_score(
@@ -124,5 +144,26 @@ pub unsafe extern "C" fn tree_lod_subject_score(
         room_for(around.cameras().len(), capacity, "scores")?;
         let body = |control: &_| Ok(score_at(&held.rust(), lambda, scale, &around, control)?);
         unsafe { fill_scores(scores, capacity, &run(control, body)?) }
+    })
+}
+
+/// Finds when outlines should become simpler, and when elements should go: writes the number of elements with which
+/// each tier should begin, for `kept` of a subject. Tiers that are better left out begin with one. `kept` has room
+/// for `capacity` numbers, at least one for each tier of the subject (1 where it has none); what the subject has as
+/// `kept` is not looked at. It takes about as long as a table for each tier. `control` may be NULL.
+///
+/// `TREE_ERROR_INVALID` when the parts of the subject do not belong together.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_lod_plan(
+    subject: *const tree_lod_subject,
+    control: *const tree_control,
+    kept: *mut u32,
+    capacity: usize,
+) -> tree_status {
+    call(|| {
+        let held = unsafe { tree_lod_subject::read(subject, control) }?;
+        room_for(held.tiers.len(), capacity, "kept")?;
+        let found = unsafe { run(control, |control| Ok(plan(&held.rust(), control)?)) }?;
+        unsafe { fill_some(kept, capacity, &found, "kept") }
     })
 }

@@ -79,7 +79,7 @@ impl Handle for tree_lod_table {
 }
 
 impl tree_lod_table {
-    fn new(table: Table) -> Self {
+    pub(super) fn new(table: Table) -> Self {
         Self { rows: table.rows().iter().map(tree_lod_row::of).collect(), table }
     }
 
@@ -125,7 +125,7 @@ unsafe impl Versioned for tree_lod_table_params {
 
 impl tree_lod_table_params {
     /// For a model of so many triangles.
-    unsafe fn rust(&self, n_triangles: usize) -> Result<TableParams> {
+    pub(super) unsafe fn rust(&self, n_triangles: usize) -> Result<TableParams> {
         let default = TableParams::for_triangles(n_triangles);
         // More than Rust allows, so that Rust says how many are allowed.
         let lambdas = unsafe { few(self.lambdas, self.n_lambdas, ROWS_MAX, "lambdas") }?;
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn tree_lod_table_from_rows(
 /// lambda times the triangles for each lambda and view. `params` and `control` may be NULL. Free the table
 /// with `tree_lod_table_free`.
 ///
-/// `TREE_ERROR_INVALID` when mesh, elements, order and pivots do not belong together; see
+/// `TREE_ERROR_INVALID` when the parts of the subject do not belong together; see
 /// `tree_lod_table_params_check` for the rest.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_lod_table_measure(

@@ -474,13 +474,13 @@ static void orders(const tree_mesh *mesh, const tree_mesh *bare, const tree_elem
     coverage.around = &around;
     coverage.stages = stages;
     coverage.n_stages = 2;
-    OK(tree_order_coverage(mesh, elements, &coverage, NULL, order, CARDS, pivots, 3 * CARDS));
+    OK(tree_order_coverage(mesh, elements, NULL, 0, &coverage, NULL, order, CARDS, pivots, 3 * CARDS));
     OK(tree_order_check(order, CARDS, CARDS));
     CHECK(isfinite(pivots[0]) && isfinite(pivots[3 * CARDS - 1]));
     FAILS(TREE_ERROR_BUFFER, "pivots",
-          tree_order_coverage(mesh, elements, &coverage, NULL, order, CARDS, pivots, CARDS));
+          tree_order_coverage(mesh, elements, NULL, 0, &coverage, NULL, order, CARDS, pivots, CARDS));
     FAILS(TREE_ERROR_INVALID, "mesh lacks",
-          tree_order_coverage(bare, elements, &coverage, NULL, order, CARDS, pivots, 3 * CARDS));
+          tree_order_coverage(bare, elements, NULL, 0, &coverage, NULL, order, CARDS, pivots, 3 * CARDS));
     tree_cancel *cancel = NULL;
     tree_control control;
     OK(tree_control_init(&control, sizeof control));
@@ -488,7 +488,7 @@ static void orders(const tree_mesh *mesh, const tree_mesh *bare, const tree_elem
     OK(tree_cancel_set(cancel));
     control.cancel = cancel;
     FAILS(TREE_ERROR_CANCELLED, "",
-          tree_order_coverage(mesh, elements, &coverage, &control, order, CARDS, pivots, 3 * CARDS));
+          tree_order_coverage(mesh, elements, NULL, 0, &coverage, &control, order, CARDS, pivots, 3 * CARDS));
     OK(tree_cancel_free(cancel));
     coverage.n_stages = 1;
     coverage.stages = &around.turn;

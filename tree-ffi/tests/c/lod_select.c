@@ -58,6 +58,10 @@ static void bad_models(const tree_scene_model *good) {
     model.n_samples = 65;
     FAILS(TREE_ERROR_PARAMETER, "samples", tree_scene_model_check(&model));
     model = *good;
+    static const float fades[LEVELS] = {0.1f, 2};
+    model.fades = fades;
+    FAILS(TREE_ERROR_INVALID, "fade", tree_scene_model_check(&model));
+    model.fades = NULL;
     model.scales = NULL;
     model.distance = NULL;
     OK(tree_scene_model_check(&model));
@@ -133,7 +137,7 @@ static void bad_frames(tree_scene *scene, tree_scene_state *state) {
     frame.depths = NULL;
     FAILS(TREE_ERROR_NULL, "frame.depths", tree_scene_state_select(state, scene, &frame, NULL, NULL));
     OK(tree_scene_params_init(&params, sizeof params));
-    CHECK(params.hidden == 0.1f && params.fade == 0.1f);
+    CHECK(params.hidden == 0.1f && params.band == 0.05f);
     OK(tree_scene_params_check(&params));
     params.band = 2;
     FAILS(TREE_ERROR_PARAMETER, "band", tree_scene_params_check(&params));
@@ -179,7 +183,7 @@ static void frames(tree_scene *scene, tree_scene_state *state) {
     CHECK(report.drawn == TREES - 1 && report.culled == 1);
     OK(tree_scene_state_n_drawn(state, &n_drawn));
     CHECK(n_drawn == report.drawn);
-    OK(tree_scene_state_draws(state, scene, NULL, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
+    OK(tree_scene_state_draws(state, scene, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
     CHECK(n_rows == report.drawn && n_draws == PARTS * n_rows);
     uint64_t indices = 0;
     for (size_t i = 0; i < n_draws; i++) {
@@ -201,7 +205,7 @@ static void frames(tree_scene *scene, tree_scene_state *state) {
     OK(tree_scene_state_shown(state, scene, SIZE_MAX, &shown));
     CHECK(shown.in_view == 0);
 
-    OK(tree_scene_state_batches(state, scene, NULL, batches, TREES * PARTS, rows, TREES, &n_batches, &n_rows));
+    OK(tree_scene_state_batches(state, scene, batches, TREES * PARTS, rows, TREES, &n_batches, &n_rows));
     CHECK(n_batches <= LEVELS * PARTS && n_batches < n_draws && n_rows == report.drawn);
     uint64_t in_batches = 0;
     for (size_t i = 0; i < n_batches; i++)
@@ -211,18 +215,18 @@ static void frames(tree_scene *scene, tree_scene_state *state) {
     /* Buffers that are too small stay as they are. */
     memset(draws, 0xee, sizeof draws);
     FAILS(TREE_ERROR_BUFFER, "draws needed: 78",
-          tree_scene_state_draws(state, scene, NULL, draws, 5, rows, TREES, &n_draws, &n_rows));
+          tree_scene_state_draws(state, scene, draws, 5, rows, TREES, &n_draws, &n_rows));
     FAILS(TREE_ERROR_BUFFER, "instances needed: 39",
-          tree_scene_state_draws(state, scene, NULL, draws, TREES * PARTS, rows, 38, &n_draws, &n_rows));
+          tree_scene_state_draws(state, scene, draws, TREES * PARTS, rows, 38, &n_draws, &n_rows));
     FAILS(TREE_ERROR_BUFFER, "draws needed",
-          tree_scene_state_batches(state, scene, NULL, draws, 1, rows, TREES, &n_draws, &n_rows));
+          tree_scene_state_batches(state, scene, draws, 1, rows, TREES, &n_draws, &n_rows));
     CHECK(draws[0].index_count == 0xeeeeeeee && draws[0].first_instance == 0xeeeeeeee);
     FAILS(TREE_ERROR_NULL, "rows",
-          tree_scene_state_draws(state, scene, NULL, draws, TREES * PARTS, NULL, TREES, &n_draws, &n_rows));
+          tree_scene_state_draws(state, scene, draws, TREES * PARTS, NULL, TREES, &n_draws, &n_rows));
     FAILS(TREE_ERROR_NULL, "n_rows",
-          tree_scene_state_draws(state, scene, NULL, draws, TREES * PARTS, rows, TREES, &n_draws, NULL));
+          tree_scene_state_draws(state, scene, draws, TREES * PARTS, rows, TREES, &n_draws, NULL));
     FAILS(TREE_ERROR_INVALID, "draws is not aligned",
-          tree_scene_state_draws(state, scene, NULL, (tree_draw_indexed *)(void *)((char *)draws + 1), 5,
+          tree_scene_state_draws(state, scene, (tree_draw_indexed *)(void *)((char *)draws + 1), 5,
                                  rows, TREES, &n_draws, &n_rows));
 }
 
@@ -238,8 +242,8 @@ static void memory_stays(tree_scene *scene, tree_scene_state *state) {
     for (int i = 0; i < 1000; i++) {
         frame.view[14] = -0.1f * (float)(i % 300);
         OK(tree_scene_state_select(state, scene, &frame, NULL, NULL));
-        OK(tree_scene_state_draws(state, scene, NULL, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
-        OK(tree_scene_state_batches(state, scene, NULL, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
+        OK(tree_scene_state_draws(state, scene, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
+        OK(tree_scene_state_batches(state, scene, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
     }
     CHECK(tree_memory_used() == before && tree_memory_peak() == before);
 }

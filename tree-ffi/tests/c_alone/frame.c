@@ -71,9 +71,9 @@ int main(void) {
         frame.occlusion = i % 3;
         frame.view[14] = 0.5f * (float)i;
         OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
-        OK(tree_scene_state_draws(state, scene, NULL, draws, TREES, rows, TREES, &n_draws, &n_rows));
+        OK(tree_scene_state_draws(state, scene, draws, TREES, rows, TREES, &n_draws, &n_rows));
         CHECK(n_rows == report.drawn && n_draws == n_rows);
-        OK(tree_scene_state_batches(state, scene, NULL, draws, TREES, rows, TREES, &n_draws, &n_rows));
+        OK(tree_scene_state_batches(state, scene, draws, TREES, rows, TREES, &n_draws, &n_rows));
         CHECK(n_rows == report.drawn);
     }
     CHECK(n_calls == before);
