@@ -167,6 +167,9 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_hull", "tree_hull_of_metaballs(live_tree_metaballs(), NULL, NULL, &made)"),
     ("tree_scene", "tree_scene_new(one_scene_model(), 1, &one_instance, 1, NULL, &made)"),
     ("tree_scene_state", "tree_scene_state_new(live_tree_scene(), NULL, &made)"),
+    ("tree_tiers", "tree_tiers_full(live_tree_mesh(), live_tree_elements(), &made)"),
+    ("tree_pruned", "tree_pruned_new(one_subject(), live_tree_lod_table(), NULL, NULL, &made)"),
+    ("tree_scene_levels", "tree_pruned_scene_levels(live_tree_pruned(), 2, NULL, &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

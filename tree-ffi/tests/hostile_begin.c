@@ -309,6 +309,23 @@ static const tree_scene_model *one_scene_model(void) {
     return &model;
 }
 
+/* A model to be pruned: its table has the full row alone. */
+static tree_mesh *live_tree_mesh(void);
+static tree_elements *live_tree_elements(void);
+static const tree_lod_subject *one_subject(void) {
+    static tree_lod_subject subject;
+    static uint32_t order[64];
+    tree_elements_columns columns = {.struct_size = sizeof columns};
+    must(tree_lod_subject_init(&subject, sizeof subject));
+    must(tree_elements_view(live_tree_elements(), &columns));
+    must(tree_order_golden(live_tree_elements(), order, 64));
+    subject.mesh = live_tree_mesh();
+    subject.elements = live_tree_elements();
+    subject.order = order;
+    subject.n_order = columns.n_elements;
+    return &subject;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

@@ -50,6 +50,7 @@ int main(void) {
     test_silhouette_in();
     test_lod();
     test_lod_select();
+    test_prune();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);
