@@ -363,6 +363,15 @@
 // `TREE_GRAIN_BLADE`. Nothing is ever half a leaf.
 #define TREE_GRAIN_LEAF 2
 
+// WGSL.
+#define TREE_SHADER_WGSL 0
+
+// GLSL, from version 1.30 (desktop) or 3.00 (ES) on.
+#define TREE_SHADER_GLSL 1
+
+// HLSL, any shader model.
+#define TREE_SHADER_HLSL 2
+
 // Not at all: every tree counts as seen.
 #define TREE_SCENE_OCCLUSION_NONE 0
 
@@ -1186,6 +1195,9 @@ typedef struct tree_pool tree_pool;
 // A drawn profile: radius over height, from the ground up.
 typedef struct tree_profile tree_profile;
 
+// A mesh whose foliage can be drawn at any level: windows of its index buffers (Neubert 2012, chapter 7).
+typedef struct tree_pruned tree_pruned;
+
 // A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
 // has y along the straight span of the axis from its start, and r across.
 typedef struct tree_revolved tree_revolved;
@@ -1202,6 +1214,9 @@ typedef struct tree_rows tree_rows;
 // work, or the other way round, is `TREE_ERROR_ORDER`. Any number of threads may select in it at once, each
 // with a state of its own.
 typedef struct tree_scene tree_scene;
+
+// Levels of a pruned model, for a `tree_scene_model`.
+typedef struct tree_scene_levels tree_scene_levels;
 
 // What one view of a scene (a camera, or a cascade of a shadow map) remembers from frame to frame, and all the
 // room that a frame needs.
@@ -1262,6 +1277,10 @@ typedef struct tree_templates tree_templates;
 
 // A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
 typedef struct tree_texture tree_texture;
+
+// Triangles that elements are drawn with: the full model first, then with fewer and fewer triangles of nearly the
+// same outlines. All are of the model's own vertices.
+typedef struct tree_tiers tree_tiers;
 
 // What particles left behind: traces that join on their way to the base.
 typedef struct tree_traces tree_traces;
@@ -2421,6 +2440,201 @@ typedef struct tree_coverage_params {
     uint32_t reserved;
 } tree_coverage_params;
 
+// How large a pruned model is.
+typedef struct tree_pruned_totals {
+    // `sizeof(tree_pruned_totals)`.
+    size_t struct_size;
+    // Surfaces that are pruned; all others are drawn whole.
+    size_t n_parts;
+    // Number of tiers.
+    size_t n_tiers;
+    // Number of elements.
+    size_t n_elements;
+    // Triangles of the full foliage.
+    uint64_t n_triangles;
+    // Number of states; neighbours differ in one element.
+    uint64_t n_steps;
+    // Bytes of the foliage's indices in the mesh that came in.
+    uint64_t indices_before;
+    // Bytes of the indices of all tiers.
+    uint64_t indices_after;
+    // Bytes of the foliage's vertices in the mesh that came in.
+    uint64_t vertices_before;
+    // Bytes of the vertices with copies and centres.
+    uint64_t vertices_after;
+    // The least lambda that can be kept: of the state with the fewest elements.
+    float least_lambda;
+    // Lambda of the last state in which all elements are drawn.
+    float lambda_of_all;
+} tree_pruned_totals;
+
+// A view of a surface that is pruned.
+typedef struct tree_pruned_part {
+    // `sizeof(tree_pruned_part)`.
+    size_t struct_size;
+    // Four floats for each vertex of the surface: the point that its element is scaled about, in metres, and the
+    // lambda from which on it is drawn (0: always). A vertex of no element has itself as centre.
+    const float *centers;
+    // Number of vertices.
+    size_t n_vertices;
+    // Number of the surface in the mesh.
+    uint32_t surface;
+    // Mean linear colour of what is seen of the full model: texture times base colour.
+    float mean[3];
+} tree_pruned_part;
+
+// What is drawn of the elements; *ranks* are places in the order, the most important is 0.
+typedef struct tree_lod_cut {
+    // Triangles that are drawn.
+    uint64_t n_triangles;
+    // Tier of the ranks below `fine`.
+    uint32_t tier;
+    // Ranks from here to `end` are drawn with the next tier.
+    uint32_t fine;
+    // Ranks from here on are not drawn.
+    uint32_t end;
+    // 0.
+    uint32_t reserved;
+} tree_lod_cut;
+
+// When levels in a file change. Begin with `tree_lod_screen_init`.
+typedef struct tree_lod_screen {
+    // `sizeof(tree_lod_screen)`.
+    size_t struct_size;
+    // Lambda for each distance, 0 at `near` and 1 at `far`. NULL, the default: that of `tree_lod_distance_cook`.
+    const struct tree_lod_distance *distance;
+    // Distance in metres up to which the full model is wanted, in a field of view of 60 degrees, 0 or more.
+    // Default 10.
+    float near;
+    // Distance from which on the least will do, more than `near`, at most 1e9. Default 500.
+    float far;
+} tree_lod_screen;
+
+// What is drawn for a lambda, and the numbers that the shader needs. Its windows stand in an array of their own.
+typedef struct tree_lod_level {
+    // Share of the foliage's triangles, more than 0, at most 1. No less than what one element needs.
+    float lambda;
+    // Factor on the area of each element.
+    float scale;
+    // Factor on its lengths: the square root of `scale`.
+    float growth;
+    // Factor on the contrast of colours, more than 0, at most 1.
+    float contrast;
+    // Width in lambda over which the last elements fade; 0 where all are drawn.
+    float fade;
+    // 0.
+    uint32_t reserved;
+    // Triangles of the foliage that are drawn.
+    uint64_t n_triangles;
+} tree_lod_level;
+
+// A piece of a surface's index buffer.
+typedef struct tree_lod_window {
+    // Number of the surface.
+    uint32_t surface;
+    // First index.
+    uint32_t first_index;
+    // Number of indices; may be 0.
+    uint32_t index_count;
+} tree_lod_window;
+
+// How a model is pruned. Begin with `tree_prune_params_init`.
+typedef struct tree_prune_params {
+    // `sizeof(tree_prune_params)`.
+    size_t struct_size;
+    // Share of lambda over which the last elements fade, 0 to 1. More is smoother in motion, but shows fewer of the
+    // triangles that are drawn. 0: they pop. Default 0.1.
+    float fade;
+    // 0.
+    uint32_t reserved;
+} tree_prune_params;
+
+// How outlines become simpler. Begin with `tree_tiers_params_init`.
+typedef struct tree_tiers_params {
+    // `sizeof(tree_tiers_params)`.
+    size_t struct_size;
+    // Share of its triangles that an element has in each tier after the first, falling, 0 to 1. Every element keeps
+    // a triangle, or two where a picture with a mask lies on it. NULL, the default: 1/2, 1/4, 1/8, 1/16.
+    const float *shares;
+    // Number of shares, at most 16; 0 for the default.
+    size_t n_shares;
+    // How far lengths of elements may differ, in lengths of a square of the same area, for them to share one answer,
+    // 0 to 1. Default 0.08.
+    float alike;
+    // Largest share of the triangles of the tier before that a tier may have; others are not worth their memory and
+    // are left out. 0 to 1. Default 0.9.
+    float worth;
+} tree_tiers_params;
+
+// Which scale a table is measured with: one of the `TREE_LOD_SCALE_` constants.
+typedef uint32_t tree_lod_scale;
+
+// How a table is measured. Begin with `tree_lod_table_params_init`.
+typedef struct tree_lod_table_params {
+    // `sizeof(tree_lod_table_params)`.
+    size_t struct_size;
+    // From where to look. NULL, the default: 8 azimuths, level, with 256 pixels; fewer and smaller for a large
+    // model, as `tree_around_for_table` says.
+    const struct tree_around *around;
+    // Rows of the table: rising, more than 0, the last 1. NULL, the default: 17 from 0.01 to 1.
+    const float *lambdas;
+    // Number of lambdas, at most 256; 0 for the default.
+    size_t n_lambdas;
+    // Which scale is measured: a `TREE_LOD_SCALE_` constant. Default `TREE_LOD_SCALE_BEST`.
+    tree_lod_scale scale;
+    // `TREE_LOD_SCALE_FIXED`: the scale, a factor on area, 0.01 to 10,000. Default 1.
+    float fixed;
+} tree_lod_table_params;
+
+// Every step from a mesh to a pruned model. Begin with `tree_prune_make_params_init`.
+typedef struct tree_prune_make_params {
+    // `sizeof(tree_prune_make_params)`.
+    size_t struct_size;
+    // Surfaces that are pruned, each once. NULL, the default: they are found, as `tree_elements_of_mesh` does it.
+    const uint32_t *surfaces;
+    // Number of these surfaces; 0 for the default.
+    size_t n_surfaces;
+    // How outlines become simpler. NULL, the default: its defaults.
+    const struct tree_tiers_params *outlines;
+    // How the order is found. NULL, the default: as is right for so many triangles.
+    const struct tree_coverage_params *order;
+    // How scales are measured. NULL, the default: as is right for so many triangles.
+    const struct tree_lod_table_params *table;
+    // How the model is pruned. NULL, the default: its defaults.
+    const struct tree_prune_params *prune;
+    // What an element is: a `TREE_GRAIN_` constant. Default `TREE_GRAIN_BLADE`.
+    tree_grain grain;
+    // 0.
+    uint32_t reserved;
+} tree_prune_make_params;
+
+// What is measured: a model, its elements, in which order they are dropped, and what they are drawn with. Begin with
+// `tree_lod_subject_init`.
+typedef struct tree_lod_subject {
+    // `sizeof(tree_lod_subject)`.
+    size_t struct_size;
+    // The full model. No default: NULL, which is refused.
+    const struct tree_mesh *mesh;
+    // Its elements. No default: NULL, which is refused.
+    const struct tree_elements *elements;
+    // All elements, the most important first, such as `tree_order_coverage` writes them.
+    const uint32_t *order;
+    // Number of rows of `order`: the number of elements.
+    size_t n_order;
+    // Three floats for each element (not rank): the point it is scaled about, in metres. NULL, the default: its
+    // centre.
+    const float *pivots;
+    // Number of pivots: the number of elements, or 0 for the default.
+    size_t n_pivots;
+    // What the elements are drawn with. NULL, the default: the full model alone.
+    const struct tree_tiers *tiers;
+    // Number of elements with which each tier begins, such as `tree_lod_plan` writes them: of the first all, then
+    // never more than before. NULL, the default: each begins with all.
+    const uint32_t *kept;
+    // Number of rows of `kept`: the number of tiers, or 0 for the default.
+    size_t n_kept;
+} tree_lod_subject;
+
 // An ellipsoid along the axes of a model that nothing is seen through.
 typedef struct tree_scene_occluder {
     // Its centre in metres.
@@ -2461,6 +2675,9 @@ typedef struct tree_scene_model {
     const float *lambdas;
     // For each level the factor on the area of each element, more than 0. NULL, the default: 1.
     const float *scales;
+    // For each level the width in lambda over which the last elements fade in, 0 (they pop; nothing fades in the full
+    // model) to 1. NULL, the default: 0.
+    const float *fades;
     // Number of levels, 1 to 1024.
     size_t n_levels;
     // What is drawn of each part of the model (bark, leaves, fruit): the parts of the first level, then those of
@@ -2479,6 +2696,9 @@ typedef struct tree_scene_model {
     // Distance from which on the least is drawn, more than `near`. Default 500.
     float far;
 } tree_scene_model;
+
+// Language of a shader: one of the `TREE_SHADER_` constants.
+typedef uint32_t tree_shader;
 
 // A tree of a scene.
 typedef struct tree_scene_instance {
@@ -2527,8 +2747,8 @@ typedef struct tree_scene_params {
     float band;
     // Seconds in which lambda comes nearer to its aim by two thirds, 0 (at once) to 60. Default 0.2.
     float time;
-    // Share of the elements drawn that are fading in at the end of the order, 0 to 1. Default 0.1.
-    float fade;
+    // 0.
+    uint32_t reserved;
 } tree_scene_params;
 
 // How it is found out what stands before a tree: one of the `TREE_SCENE_OCCLUSION_` constants.
@@ -2618,46 +2838,6 @@ typedef struct tree_instance_lod {
     float contrast;
 } tree_instance_lod;
 
-// What is measured: a model, its elements, and in which order they are dropped. Begin with
-// `tree_lod_subject_init`.
-typedef struct tree_lod_subject {
-    // `sizeof(tree_lod_subject)`.
-    size_t struct_size;
-    // The full model. No default: NULL, which is refused.
-    const struct tree_mesh *mesh;
-    // Its elements. No default: NULL, which is refused.
-    const struct tree_elements *elements;
-    // All elements, the most important first, such as `tree_order_coverage` writes them.
-    const uint32_t *order;
-    // Number of rows of `order`: the number of elements.
-    size_t n_order;
-    // Three floats for each element (not rank): the point it is scaled about, in metres. NULL, the default: its
-    // centre.
-    const float *pivots;
-    // Number of pivots: the number of elements, or 0 for the default.
-    size_t n_pivots;
-} tree_lod_subject;
-
-// Which scale a table is measured with: one of the `TREE_LOD_SCALE_` constants.
-typedef uint32_t tree_lod_scale;
-
-// How a table is measured. Begin with `tree_lod_table_params_init`.
-typedef struct tree_lod_table_params {
-    // `sizeof(tree_lod_table_params)`.
-    size_t struct_size;
-    // From where to look. NULL, the default: 8 azimuths, level, with 256 pixels; fewer and smaller for a large
-    // model, as `tree_around_for_table` says.
-    const struct tree_around *around;
-    // Rows of the table: rising, more than 0, the last 1. NULL, the default: 17 from 0.01 to 1.
-    const float *lambdas;
-    // Number of lambdas, at most 256; 0 for the default.
-    size_t n_lambdas;
-    // Which scale is measured: a `TREE_LOD_SCALE_` constant. Default `TREE_LOD_SCALE_BEST`.
-    tree_lod_scale scale;
-    // `TREE_LOD_SCALE_FIXED`: the scale, a factor on area, 0.01 to 10,000. Default 1.
-    float fixed;
-} tree_lod_table_params;
-
 // A share of geometry, its best scale, and how good the model then is.
 typedef struct tree_lod_row {
     // Share of the foliage's triangles that is drawn, more than 0, at most 1.
@@ -2671,6 +2851,20 @@ typedef struct tree_lod_row {
     // Mean of the quality of the views.
     float quality;
 } tree_lod_row;
+
+// A view of a tier.
+typedef struct tree_tier_columns {
+    // `sizeof(tree_tier_columns)`.
+    size_t struct_size;
+    // Number of elements.
+    size_t n_elements;
+    // Where the triangles of each element begin, and their number at the end: `n_elements + 1` rows.
+    const uint32_t *starts;
+    // Three vertices of the element's surface for each triangle, in the winding of the model.
+    const uint32_t *triangles;
+    // Number of triangles.
+    size_t n_triangles;
+} tree_tier_columns;
 
 // What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
 // `tree_leaf_names`.
@@ -7144,11 +7338,17 @@ tree_status tree_order_combined(const struct tree_elements *elements,
 // together make the best quality. Where leaves have grown, each chooses the point that it grows about. The best
 // order of all, and the one that takes longest: some ten drawings of the foliage in every view.
 //
+// Elements are drawn as in tier `tier` of `tiers`: 0 is the full model, and NULL, with 0, has no other. For leaves of
+// many triangles take one of about four triangles each: a quarter of the time, and nearly the same order.
+//
 // `params` and `control` may be NULL. `order` as for `tree_order_stochastic`; `pivots`, three floats for each
 // element (not rank) in metres, has room for `pivots_capacity` floats, at least three for each element.
-// `TREE_ERROR_INVALID` when the elements are not of this mesh.
+// `TREE_ERROR_INVALID` when the elements or tiers are not of this mesh, `TREE_ERROR_PARAMETER` when there is no such
+// tier.
 tree_status tree_order_coverage(const struct tree_mesh *mesh,
                                 const struct tree_elements *elements,
+                                const struct tree_tiers *tiers,
+                                size_t tier,
                                 const struct tree_coverage_params *params,
                                 const struct tree_control *control,
                                 uint32_t *order,
@@ -7173,6 +7373,223 @@ tree_status tree_coverage_params_init(struct tree_coverage_params *params, size_
 
 // Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
 tree_status tree_coverage_params_check(const struct tree_coverage_params *params);
+
+// Tells how large a model is, and the ends of its lambdas. Set `totals->struct_size` first.
+tree_status tree_pruned_measure(const struct tree_pruned *pruned,
+                                struct tree_pruned_totals *totals);
+
+// The mesh to upload, nothing copied. Its foliage must be drawn by windows, for its index buffers hold leaves several
+// times. Free it with `tree_mesh_free`; it keeps the model alive.
+tree_status tree_pruned_mesh(const struct tree_pruned *pruned,
+                             struct tree_mesh **mesh);
+
+// Views part `number`, rising with the surfaces. Set `part->struct_size` first. `TREE_ERROR_PARAMETER` when there is
+// no such part.
+tree_status tree_pruned_part_view(const struct tree_pruned *pruned,
+                                  size_t number,
+                                  struct tree_pruned_part *part);
+
+// The scale for each lambda, a table of its own. Free it with `tree_lod_table_free`.
+tree_status tree_pruned_table(const struct tree_pruned *pruned, struct tree_lod_table **table);
+
+// Writes the number of elements with which each tier begins. `kept` has room for `capacity` numbers, at least one for
+// each tier.
+tree_status tree_pruned_kept(const struct tree_pruned *pruned,
+                             uint32_t *kept,
+                             size_t capacity);
+
+// The most elements that fit `lambda`, 0 to 1, of the full foliage's triangles: at least one, even if it has more.
+tree_status tree_pruned_cut(const struct tree_pruned *pruned,
+                            float lambda,
+                            struct tree_lod_cut *cut);
+
+// A state, counted from the full model, 0, down; from `n_steps` on it is the last.
+tree_status tree_pruned_step(const struct tree_pruned *pruned,
+                             uint64_t step,
+                             struct tree_lod_cut *cut);
+
+// The least lambda for which so many triangles may be drawn; 1 for more than there are.
+tree_status tree_pruned_lambda_of(const struct tree_pruned *pruned,
+                                  uint64_t n_triangles,
+                                  float *lambda);
+
+// Lambda from which on an element is drawn: 0 for those that always are, 1 for ranks that do not exist.
+tree_status tree_pruned_lambda_of_rank(const struct tree_pruned *pruned,
+                                       uint32_t rank,
+                                       float *lambda);
+
+// Frees a model, and with it all views of its parts. Meshes made of it stay.
+tree_status tree_pruned_free(struct tree_pruned *pruned);
+
+// Makes `screen`, of `size` bytes, the default.
+tree_status tree_lod_screen_init(struct tree_lod_screen *screen, size_t size);
+
+// Checks every field of `screen`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_lod_screen_check(const struct tree_lod_screen *screen);
+
+// Share of the screen's height, 0 to 1, that something of `size` metres has where lambda has fallen to `lambda`.
+tree_status tree_lod_screen_coverage(const struct tree_lod_screen *screen,
+                                     float lambda,
+                                     float size,
+                                     float *coverage);
+
+// A model as a GLB file in memory, for engines that draw windows: foliage with all tiers in its index buffers, and an
+// attribute `_TREE_CENTER` of 4 floats a vertex, as in `tree_pruned_part`. The levels go beside it, as
+// `tree_pruned_to_json`. Programs that draw all of it draw leaves several times. `options` and `control` may be NULL,
+// as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for `quantize`: shaders
+// need positions in metres.
+tree_status tree_pruned_to_glb(const struct tree_pruned *pruned,
+                               const struct tree_glb_options *options,
+                               const struct tree_control *control,
+                               struct tree_bytes **bytes);
+
+// As `tree_pruned_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_pruned_write_glb(const struct tree_pruned *pruned,
+                                  const char *path,
+                                  size_t path_len,
+                                  const struct tree_glb_options *options,
+                                  const struct tree_control *control);
+
+// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file, each
+// a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance has
+// fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL. Free the
+// bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
+tree_status tree_pruned_to_glb_levels(const struct tree_pruned *pruned,
+                                      const float *lambdas,
+                                      size_t n_lambdas,
+                                      const struct tree_lod_screen *screen,
+                                      const struct tree_glb_options *options,
+                                      const struct tree_control *control,
+                                      struct tree_bytes **bytes);
+
+// As `tree_pruned_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_pruned_write_glb_levels(const struct tree_pruned *pruned,
+                                         const float *lambdas,
+                                         size_t n_lambdas,
+                                         const struct tree_lod_screen *screen,
+                                         const char *path,
+                                         size_t path_len,
+                                         const struct tree_glb_options *options,
+                                         const struct tree_control *control);
+
+// What is drawn for `lambda`, 0 to 1: at most so much of the full foliage, but at least one element. `windows` has
+// room for `capacity` of them, at least `n_parts` of `tree_pruned_measure`: one for each part, in their order. It is
+// quick enough for every frame.
+tree_status tree_pruned_level(const struct tree_pruned *pruned,
+                              float lambda,
+                              struct tree_lod_level *level,
+                              struct tree_lod_window *windows,
+                              size_t capacity);
+
+// `n` levels, 2 to 1024, with rising lambda: from the first of the table to the full model, in equal ratios. `levels`
+// has room for `levels_capacity` of them, at least `n`; `windows` for `windows_capacity`, at least `n` times the
+// parts: those of the first level, then those of the next. `n_levels` says how many there are: fewer than `n` where
+// the table begins at 1.
+tree_status tree_pruned_levels(const struct tree_pruned *pruned,
+                               size_t n,
+                               struct tree_lod_level *levels,
+                               size_t levels_capacity,
+                               struct tree_lod_window *windows,
+                               size_t windows_capacity,
+                               size_t *n_levels);
+
+// The level for `lambda`, 0 to 1, as a plain mesh, wood included: elements scaled as the shader does, what is not
+// drawn left out. Nothing fades in it. Free it with `tree_mesh_free`. `control` may be NULL; of it only threads
+// matter, and a cancellation before the work begins.
+tree_status tree_pruned_mesh_at(const struct tree_pruned *pruned,
+                                float lambda,
+                                const struct tree_control *control,
+                                struct tree_mesh **mesh);
+
+// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when they are
+// of another model.
+tree_status tree_pruned_mesh_of(const struct tree_pruned *pruned,
+                                const struct tree_lod_level *level,
+                                const struct tree_lod_window *windows,
+                                size_t n_windows,
+                                const struct tree_control *control,
+                                struct tree_mesh **mesh);
+
+// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for each
+// level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes, which are
+// UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels times parts.
+tree_status tree_pruned_to_json(const struct tree_pruned *pruned,
+                                const struct tree_lod_level *levels,
+                                size_t n_levels,
+                                const struct tree_lod_window *windows,
+                                size_t n_windows,
+                                struct tree_bytes **bytes);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_prune_params_init(struct tree_prune_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_prune_params_check(const struct tree_prune_params *params);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_prune_make_params_init(struct tree_prune_make_params *params, size_t size);
+
+// Makes a pruned model of a mesh, all steps in one call: elements, tiers, order by coverage, plan, table and model.
+// Some seconds for half a million triangles. `params` and `control` may be NULL; `triangles` of its limits caps those
+// of all tiers together. Free the model with `tree_pruned_free`. `TREE_ERROR_INVALID` when there is no foliage.
+tree_status tree_pruned_make(const struct tree_mesh *mesh,
+                             const struct tree_prune_make_params *params,
+                             const struct tree_control *control,
+                             struct tree_pruned **pruned);
+
+// Makes a pruned model of what its steps have made: the subject with its order, pivots, tiers and plan, and `table`
+// with the scale for each lambda. Surfaces of foliage keep their vertices and columns, their index buffers hold the
+// triangles of all tiers; vertices that several elements share are doubled, and such a surface loses its anchors.
+// `params` and `control` may be NULL. Free the model with `tree_pruned_free`.
+//
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together, or pivots are not finite;
+// `TREE_ERROR_PARAMETER` for foliage further than 1000 km from the origin, or a `kept` that rises.
+tree_status tree_pruned_new(const struct tree_lod_subject *subject,
+                            const struct tree_lod_table *table,
+                            const struct tree_prune_params *params,
+                            const struct tree_control *control,
+                            struct tree_pruned **pruned);
+
+// The model for a scene, with `n` levels, 2 to 1024, as `tree_pruned_levels` makes them: a draw for every surface,
+// wood included, all surfaces one after another in one vertex buffer and one index buffer. `distance` says how lambda
+// falls, NULL for that of `tree_lod_distance_cook`. Free the levels with `tree_scene_levels_free`.
+//
+// `TREE_ERROR_INVALID` when the model has more than 64 surfaces, or one buffer cannot hold them.
+tree_status tree_pruned_scene_levels(const struct tree_pruned *pruned,
+                                     size_t n,
+                                     const struct tree_lod_distance *distance,
+                                     struct tree_scene_levels **levels);
+
+// Makes `model` one of these levels, with sphere and distance; points for occlusion, occluders, `near` and `far` are
+// left at their defaults, for you to set. Set `model->struct_size` first. It borrows from the levels: make the scene
+// before they are freed.
+tree_status tree_scene_levels_model(const struct tree_scene_levels *levels,
+                                    struct tree_scene_model *model);
+
+// Frees levels; no model may point at them any more.
+tree_status tree_scene_levels_free(struct tree_scene_levels *levels);
+
+// The functions `tree_prune_position` and `tree_prune_color` for a shader: text to be put into your own. It tells
+// what they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+tree_status tree_prune_shader(tree_shader language,
+                              struct tree_str *text);
+
+// Where a shader draws a vertex: `vertex`, three floats, moved from the centre of its element by `growth` (a factor on
+// length), and towards it where the element fades. `center_rank` is four floats of `tree_pruned_part.centers`, the
+// rest is of a level. For shaders of your own, and for checking them.
+tree_status tree_prune_position(const float *vertex,
+                                const float *center_rank,
+                                float growth,
+                                float lambda,
+                                float fade,
+                                float (*drawn)[3]);
+
+// The linear colour that a shader gives a leaf, before light: `rgb`, three floats, with its contrast lowered, so that
+// few large leaves look no more mottled than many small ones. `mean` is that of the part.
+tree_status tree_prune_color(const float *rgb,
+                             const float *mean,
+                             float contrast,
+                             float (*drawn)[3]);
 
 // Scale after Cook et al. (2007): `1 / lambda`, a factor on area, so that the summed area stays. `lambda` is a
 // share of geometry, more than 0; of 0 and less the scale is that of the smallest number.
@@ -7309,13 +7726,12 @@ tree_status tree_scene_model_check(const struct tree_scene_model *model);
 // Writes a draw for each part of each instance in view, and a row for each instance: for multi-draw indirect. Draws
 // of an instance follow one another; parts without indices are left out. `draws` and `rows` have room for
 // `draws_capacity` and `rows_capacity` of them; `tree_scene_measure` says how many always suffice. `n_draws` and
-// `n_rows` say how many were written. `params` may be NULL for the defaults. It takes no memory.
+// `n_rows` say how many were written. It takes no memory.
 //
 // `TREE_ERROR_BUFFER` when a buffer is too small; its text says how many are needed, and nothing is written then.
 // Buffers may be mapped memory of a graphics processor: they are written once, in order, and not read.
 tree_status tree_scene_state_draws(const struct tree_scene_state *state,
                                    const struct tree_scene *scene,
-                                   const struct tree_scene_params *params,
                                    struct tree_draw_indexed *draws,
                                    size_t draws_capacity,
                                    struct tree_instance_lod *rows,
@@ -7327,7 +7743,6 @@ tree_status tree_scene_state_draws(const struct tree_scene_state *state,
 // draws, of many instances each. Rows are not written in order.
 tree_status tree_scene_state_batches(struct tree_scene_state *state,
                                      const struct tree_scene *scene,
-                                     const struct tree_scene_params *params,
                                      struct tree_draw_indexed *draws,
                                      size_t draws_capacity,
                                      struct tree_instance_lod *rows,
@@ -7343,7 +7758,7 @@ tree_status tree_lod_subject_init(struct tree_lod_subject *subject, size_t size)
 // its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
 // scores, at least `tree_around_n_views`. `control` may be NULL.
 //
-// `TREE_ERROR_INVALID` when mesh, elements, order and pivots do not belong together,
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
 // `TREE_ERROR_PARAMETER` names what is out of range.
 tree_status tree_lod_subject_score(const struct tree_lod_subject *subject,
                                    float lambda,
@@ -7352,6 +7767,17 @@ tree_status tree_lod_subject_score(const struct tree_lod_subject *subject,
                                    const struct tree_control *control,
                                    struct tree_score *scores,
                                    size_t capacity);
+
+// Finds when outlines should become simpler, and when elements should go: writes the number of elements with which
+// each tier should begin, for `kept` of a subject. Tiers that are better left out begin with one. `kept` has room
+// for `capacity` numbers, at least one for each tier of the subject (1 where it has none); what the subject has as
+// `kept` is not looked at. It takes about as long as a table for each tier. `control` may be NULL.
+//
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together.
+tree_status tree_lod_plan(const struct tree_lod_subject *subject,
+                          const struct tree_control *control,
+                          uint32_t *kept,
+                          size_t capacity);
 
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_lod_table_params_init(struct tree_lod_table_params *params, size_t size);
@@ -7372,7 +7798,7 @@ tree_status tree_lod_table_from_rows(const struct tree_lod_row *rows,
 // lambda times the triangles for each lambda and view. `params` and `control` may be NULL. Free the table
 // with `tree_lod_table_free`.
 //
-// `TREE_ERROR_INVALID` when mesh, elements, order and pivots do not belong together; see
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together; see
 // `tree_lod_table_params_check` for the rest.
 tree_status tree_lod_table_measure(const struct tree_lod_subject *subject,
                                    const struct tree_lod_table_params *params,
@@ -7396,6 +7822,51 @@ tree_status tree_lod_table_lambda_for(const struct tree_lod_table *table,
 
 // Frees a table, and with it all views of it.
 tree_status tree_lod_table_free(struct tree_lod_table *table);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_tiers_params_init(struct tree_tiers_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_tiers_params_check(const struct tree_tiers_params *params);
+
+// Makes the tiers of a model: its elements, and the same with fewer and fewer triangles. No element has more
+// triangles in a later tier than in an earlier one. It takes 5 to 10 ms for each distinct shape of 16 triangles.
+// `params` and `control` may be NULL; `triangles` of its limits caps those of all tiers together. Free the tiers
+// with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of this mesh.
+tree_status tree_tiers_of_mesh(const struct tree_mesh *mesh,
+                               const struct tree_elements *elements,
+                               const struct tree_tiers_params *params,
+                               const struct tree_control *control,
+                               struct tree_tiers **tiers);
+
+// The full model as the only tier. Free it with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of
+// this mesh.
+tree_status tree_tiers_full(const struct tree_mesh *mesh,
+                            const struct tree_elements *elements,
+                            struct tree_tiers **tiers);
+
+// Tiers of your own, which are copied: the finest first, each as `tree_tiers_view` gives it. `mesh` and `elements` are
+// what they are tiers of. `control` may be NULL; `triangles` of its limits caps the triangles of each. Free the tiers
+// with `tree_tiers_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+// `n_triangles`, has no row for each element and one more, or a surface lacks a vertex.
+tree_status tree_tiers_from_columns(const struct tree_mesh *mesh,
+                                    const struct tree_elements *elements,
+                                    const struct tree_tier_columns *columns,
+                                    size_t n_columns,
+                                    const struct tree_control *control,
+                                    struct tree_tiers **tiers);
+
+// Number of tiers, at least 1.
+tree_status tree_tiers_count(const struct tree_tiers *tiers, size_t *n_tiers);
+
+// Views tier `tier`; 0 is the full model. Set `columns->struct_size` first. `TREE_ERROR_PARAMETER` when there is no
+// such tier.
+tree_status tree_tiers_view(const struct tree_tiers *tiers,
+                            size_t tier,
+                            struct tree_tier_columns *columns);
+
+// Frees tiers, and with them all views of them.
+tree_status tree_tiers_free(struct tree_tiers *tiers);
 
 // Makes `around`, of `size` bytes, the default.
 tree_status tree_around_init(struct tree_around *around, size_t size);
