@@ -437,9 +437,11 @@ class Pieces;
 class Plan;
 class Pool;
 class Profile;
+class Pruned;
 class Revolved;
 class Rows;
 class Scene;
+class SceneLevels;
 class SceneState;
 class Separation;
 class Silhouette;
@@ -452,6 +454,7 @@ class Strokes;
 class Swc;
 class Templates;
 class Texture;
+class Tiers;
 class Traces;
 class Tree;
 class Trimap;
@@ -554,10 +557,14 @@ struct Limits;
 struct LinkParams;
 struct LivewireParams;
 struct LivewireReport;
+using LodCut = tree_lod_cut;
 using LodDistance = tree_lod_distance;
+using LodLevel = tree_lod_level;
 using LodRow = tree_lod_row;
+struct LodScreen;
 struct LodSubject;
 struct LodTableParams;
+using LodWindow = tree_lod_window;
 struct MainBranches;
 using Mark = tree_mark;
 struct MaskColumns;
@@ -605,6 +612,10 @@ struct PlyOptions;
 struct PoolOptions;
 struct ProfileColumns;
 struct ProfileOptions;
+struct PruneMakeParams;
+struct PruneParams;
+struct PrunedPart;
+struct PrunedTotals;
 struct RadiusRule;
 struct RevolvedFrame;
 using SceneDraw = tree_scene_draw;
@@ -670,6 +681,8 @@ struct TemplateParams;
 struct TemplateSide;
 struct TemplateView;
 struct TexturePixels;
+struct TierColumns;
+struct TiersParams;
 struct Topology;
 struct TracesColumns;
 struct TrimapColumns;
@@ -1032,6 +1045,12 @@ struct LivewireReport : tree_livewire_report {
     LivewireReport() : tree_livewire_report{} { struct_size = sizeof *this; }
 };
 
+struct LodScreen : tree_lod_screen {
+    LodScreen() : tree_lod_screen{} { tree_lod_screen_init(this, sizeof(tree_lod_screen)); }
+    bool check() const;
+    float coverage(float lambda, float size) const;
+};
+
 struct LodSubject : tree_lod_subject {
     LodSubject() : tree_lod_subject{} { tree_lod_subject_init(this, sizeof(tree_lod_subject)); }
     bool score(float lambda, float scale, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const;
@@ -1231,6 +1250,23 @@ struct ProfileColumns : tree_profile_columns {
 
 struct ProfileOptions : tree_profile_options {
     ProfileOptions() : tree_profile_options{} { tree_profile_options_init(this, sizeof(tree_profile_options)); }
+};
+
+struct PruneMakeParams : tree_prune_make_params {
+    PruneMakeParams() : tree_prune_make_params{} { tree_prune_make_params_init(this, sizeof(tree_prune_make_params)); }
+};
+
+struct PruneParams : tree_prune_params {
+    PruneParams() : tree_prune_params{} { tree_prune_params_init(this, sizeof(tree_prune_params)); }
+    bool check() const;
+};
+
+struct PrunedPart : tree_pruned_part {
+    PrunedPart() : tree_pruned_part{} { struct_size = sizeof *this; }
+};
+
+struct PrunedTotals : tree_pruned_totals {
+    PrunedTotals() : tree_pruned_totals{} { struct_size = sizeof *this; }
 };
 
 struct RadiusRule : tree_radius_rule {
@@ -1449,6 +1485,15 @@ struct TemplateView : tree_template_view {
 
 struct TexturePixels : tree_texture_pixels {
     TexturePixels() : tree_texture_pixels{} { struct_size = sizeof *this; }
+};
+
+struct TierColumns : tree_tier_columns {
+    TierColumns() : tree_tier_columns{} { struct_size = sizeof *this; }
+};
+
+struct TiersParams : tree_tiers_params {
+    TiersParams() : tree_tiers_params{} { tree_tiers_params_init(this, sizeof(tree_tiers_params)); }
+    bool check() const;
 };
 
 struct Topology : tree_topology {
@@ -1887,8 +1932,8 @@ public:
     Bytes to_ply(Ref<tree_ply_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     static Mesh read(std::string_view path, Ref<tree_import_options> options = nullptr, Ref<tree_control> control = nullptr, tree_import_report *report = nullptr);
     static Mesh from_bytes(tree_mesh_format format, Span<const uint8_t> data, Span<const uint8_t> mtl = {}, Ref<tree_control> control = nullptr, tree_import_report *report = nullptr);
-    std::tuple<std::vector<uint32_t>, std::vector<float>> order_coverage(const Elements &elements, Ref<tree_coverage_params> params = nullptr, Ref<tree_control> control = nullptr) const;
-    bool order_coverage(const Elements &elements, Ref<tree_coverage_params> params, Ref<tree_control> control, Span<uint32_t> order, Span<float> pivots) const;
+    std::tuple<std::vector<uint32_t>, std::vector<float>> order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params, Ref<tree_control> control, Span<uint32_t> order, Span<float> pivots) const;
     bool score(const Mesh &full, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const;
     Span<const tree_wind_branch> branches() const &;
     Span<const tree_wind_branch> branches() const && = delete;
@@ -2139,6 +2184,36 @@ public:
     Volume volume(const Floats<3> &base) const;
 };
 
+class Pruned : public detail::Object<tree_pruned, tree_pruned_free> {
+public:
+    using Object::Object;
+    PrunedTotals measure() const;
+    Mesh mesh() const;
+    PrunedPart part_view(size_t number) const &;
+    PrunedPart part_view(size_t number) const && = delete;
+    LodTable table() const;
+    std::vector<uint32_t> kept() const;
+    bool kept(Span<uint32_t> kept) const;
+    tree_lod_cut cut(float lambda) const;
+    tree_lod_cut step(uint64_t step) const;
+    float lambda_of(uint64_t n_triangles) const;
+    float lambda_of_rank(uint32_t rank) const;
+    Bytes to_glb(Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb(std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    Bytes to_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen = nullptr, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    std::tuple<tree_lod_level, std::vector<tree_lod_window>> level(float lambda) const;
+    tree_lod_level level(float lambda, Span<tree_lod_window> windows) const;
+    std::tuple<std::vector<tree_lod_level>, std::vector<tree_lod_window>, size_t> levels(size_t n) const;
+    size_t levels(size_t n, Span<tree_lod_level> levels, Span<tree_lod_window> windows) const;
+    Mesh mesh_at(float lambda, Ref<tree_control> control = nullptr) const;
+    Mesh mesh_of(const tree_lod_level &level, Span<const tree_lod_window> windows, Ref<tree_control> control = nullptr) const;
+    Bytes to_json(Span<const tree_lod_level> levels, Span<const tree_lod_window> windows) const;
+    static Pruned make(const Mesh &mesh, Ref<tree_prune_make_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Pruned make(Ref<tree_lod_subject> subject, const LodTable &table, Ref<tree_prune_params> params = nullptr, Ref<tree_control> control = nullptr);
+    SceneLevels scene_levels(size_t n, const tree_lod_distance &distance) const;
+};
+
 class Revolved : public detail::Object<tree_revolved, tree_revolved_free> {
 public:
     using Object::Object;
@@ -2170,6 +2245,13 @@ public:
     static bool eye_check(const Floats<16> &view, const Floats<16> &projection);
 };
 
+class SceneLevels : public detail::Object<tree_scene_levels, tree_scene_levels_free> {
+public:
+    using Object::Object;
+    SceneModel model() const &;
+    SceneModel model() const && = delete;
+};
+
 class SceneState : public detail::Object<tree_scene_state, tree_scene_state_free> {
 public:
     using Object::Object;
@@ -2177,8 +2259,8 @@ public:
     size_t n_drawn() const;
     tree_scene_shown shown(const Scene &scene, size_t instance) const;
     SceneReport select(const Scene &scene, Ref<tree_scene_frame> frame, Ref<tree_scene_params> params = nullptr) const;
-    std::tuple<size_t, size_t> draws(const Scene &scene, Ref<tree_scene_params> params, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const;
-    std::tuple<size_t, size_t> batches(const Scene &scene, Ref<tree_scene_params> params, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const;
+    std::tuple<size_t, size_t> draws(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const;
+    std::tuple<size_t, size_t> batches(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const;
 };
 
 class Separation : public detail::Object<tree_separation, tree_separation_free> {
@@ -2383,6 +2465,17 @@ public:
     bool write_png(std::string_view path) const;
 };
 
+class Tiers : public detail::Object<tree_tiers, tree_tiers_free> {
+public:
+    using Object::Object;
+    static Tiers of_mesh(const Mesh &mesh, const Elements &elements, Ref<tree_tiers_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Tiers full(const Mesh &mesh, const Elements &elements);
+    static Tiers from_columns(const Mesh &mesh, const Elements &elements, Span<const tree_tier_columns> columns, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    TierColumns view(size_t tier) const &;
+    TierColumns view(size_t tier) const && = delete;
+};
+
 class Traces : public detail::Object<tree_traces, tree_traces_free> {
 public:
     using Object::Object;
@@ -2525,6 +2618,9 @@ std::vector<float> lod_distance_places();
 bool lod_distance_places(Span<float> places);
 float lod_distance_lambda(const tree_lod_distance &distance, float d);
 bool order_check(Span<const uint32_t> order, size_t n_elements);
+std::string_view prune_shader(tree_shader language);
+std::array<float, 3> prune_position(const Floats<3> &vertex, const Floats<4> &center_rank, float growth, float lambda, float fade);
+std::array<float, 3> prune_color(const Floats<3> &rgb, const Floats<3> &mean, float contrast);
 float lod_cook_scale(float lambda);
 float lod_cook_lambda(float d);
 float lod_size_lambda(float pixels, float full, float h);
@@ -2532,6 +2628,7 @@ float lod_drop_and_resize(uint32_t n, uint32_t k, float w);
 float lod_contrast(float lambda, float scale);
 std::tuple<double, double, double> score_quality(const tree_score &score);
 double score_mean_quality(Span<const tree_score> scores);
+bool lod_plan(Ref<tree_lod_subject> subject, Ref<tree_control> control, Span<uint32_t> kept);
 BarkStyle bark_style_of(std::string_view name);
 LeafShape leaf_shape_of(std::string_view name);
 Span<const tree_str> bark_names();
@@ -3211,14 +3308,16 @@ inline std::vector<uint32_t> Elements::order_combined(Ref<tree_order_params> par
 inline bool Elements::order_combined(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control, Span<uint32_t> order) const {
     return detail::done(tree_order_combined(get(), params, seed, control, order.data(), order.size()), control);
 }
-inline std::tuple<std::vector<uint32_t>, std::vector<float>> Mesh::order_coverage(const Elements &elements, Ref<tree_coverage_params> params, Ref<tree_control> control) const {
+inline std::tuple<std::vector<uint32_t>, std::vector<float>> Mesh::order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params, Ref<tree_control> control) const {
     std::vector<uint32_t> order(elements.view().n_elements);
     std::vector<float> pivots(3 * elements.view().n_elements);
-    if (!(detail::done(tree_order_coverage(get(), elements.get(), params, control, order.data(), order.size(), pivots.data(), pivots.size()), control))) { order.clear(); pivots.clear(); }
+    if (!(detail::expect(tiers.fits(), TREE_ERROR_NULL, "tiers: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_order_coverage(get(), elements.get(), tiers, tier, params, control, order.data(), order.size(), pivots.data(), pivots.size()), control))) { order.clear(); pivots.clear(); }
     return {std::move(order), std::move(pivots)};
 }
-inline bool Mesh::order_coverage(const Elements &elements, Ref<tree_coverage_params> params, Ref<tree_control> control, Span<uint32_t> order, Span<float> pivots) const {
-    return detail::done(tree_order_coverage(get(), elements.get(), params, control, order.data(), order.size(), pivots.data(), pivots.size()), control);
+inline bool Mesh::order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params, Ref<tree_control> control, Span<uint32_t> order, Span<float> pivots) const {
+    return detail::expect(tiers.fits(), TREE_ERROR_NULL, "tiers: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_order_coverage(get(), elements.get(), tiers, tier, params, control, order.data(), order.size(), pivots.data(), pivots.size()), control);
 }
 inline bool order_check(Span<const uint32_t> order, size_t n_elements) {
     return detail::done(tree_order_check(order.data(), order.size(), n_elements));
@@ -3228,6 +3327,156 @@ inline bool OrderParams::check() const {
 }
 inline bool CoverageParams::check() const {
     return detail::done(tree_coverage_params_check(this));
+}
+inline PrunedTotals Pruned::measure() const {
+    PrunedTotals totals;
+    if (!(detail::done(tree_pruned_measure(get(), &totals)))) { totals.struct_size = 0; }
+    return totals;
+}
+inline Mesh Pruned::mesh() const {
+    Mesh mesh;
+    detail::done(tree_pruned_mesh(get(), mesh.place()));
+    return mesh;
+}
+inline PrunedPart Pruned::part_view(size_t number) const & {
+    PrunedPart part;
+    if (!(detail::done(tree_pruned_part_view(get(), number, &part)))) { part.struct_size = 0; }
+    return part;
+}
+inline LodTable Pruned::table() const {
+    LodTable table;
+    detail::done(tree_pruned_table(get(), table.place()));
+    return table;
+}
+inline std::vector<uint32_t> Pruned::kept() const {
+    std::vector<uint32_t> kept(measure().n_tiers);
+    if (!(detail::done(tree_pruned_kept(get(), kept.data(), kept.size())))) { kept.clear(); }
+    return kept;
+}
+inline bool Pruned::kept(Span<uint32_t> kept) const {
+    return detail::done(tree_pruned_kept(get(), kept.data(), kept.size()));
+}
+inline tree_lod_cut Pruned::cut(float lambda) const {
+    tree_lod_cut cut{};
+    detail::done(tree_pruned_cut(get(), lambda, &cut));
+    return cut;
+}
+inline tree_lod_cut Pruned::step(uint64_t step) const {
+    tree_lod_cut cut{};
+    detail::done(tree_pruned_step(get(), step, &cut));
+    return cut;
+}
+inline float Pruned::lambda_of(uint64_t n_triangles) const {
+    float lambda{};
+    detail::done(tree_pruned_lambda_of(get(), n_triangles, &lambda));
+    return lambda;
+}
+inline float Pruned::lambda_of_rank(uint32_t rank) const {
+    float lambda{};
+    detail::done(tree_pruned_lambda_of_rank(get(), rank, &lambda));
+    return lambda;
+}
+inline bool LodScreen::check() const {
+    return detail::done(tree_lod_screen_check(this));
+}
+inline float LodScreen::coverage(float lambda, float size) const {
+    float coverage{};
+    detail::done(tree_lod_screen_coverage(this, lambda, size, &coverage));
+    return coverage;
+}
+inline Bytes Pruned::to_glb(Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_pruned_to_glb(get(), options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool Pruned::write_glb(std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_pruned_write_glb(get(), path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline Bytes Pruned::to_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_pruned_to_glb_levels(get(), lambdas.data(), lambdas.size(), screen, options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool Pruned::write_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_pruned_write_glb_levels(get(), lambdas.data(), lambdas.size(), screen, path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline std::tuple<tree_lod_level, std::vector<tree_lod_window>> Pruned::level(float lambda) const {
+    tree_lod_level level{};
+    std::vector<tree_lod_window> windows(measure().n_parts);
+    if (!(detail::done(tree_pruned_level(get(), lambda, &level, windows.data(), windows.size())))) { windows.clear(); }
+    return {std::move(level), std::move(windows)};
+}
+inline tree_lod_level Pruned::level(float lambda, Span<tree_lod_window> windows) const {
+    tree_lod_level level{};
+    detail::done(tree_pruned_level(get(), lambda, &level, windows.data(), windows.size()));
+    return level;
+}
+inline std::tuple<std::vector<tree_lod_level>, std::vector<tree_lod_window>, size_t> Pruned::levels(size_t n) const {
+    std::vector<tree_lod_level> levels(n);
+    std::vector<tree_lod_window> windows(n * measure().n_parts);
+    size_t n_levels{};
+    if (!(detail::done(tree_pruned_levels(get(), n, levels.data(), levels.size(), windows.data(), windows.size(), &n_levels)))) { levels.clear(); windows.clear(); }
+    levels.resize(n_levels);
+    windows.resize(n_levels * measure().n_parts);
+    return {std::move(levels), std::move(windows), std::move(n_levels)};
+}
+inline size_t Pruned::levels(size_t n, Span<tree_lod_level> levels, Span<tree_lod_window> windows) const {
+    size_t n_levels{};
+    detail::done(tree_pruned_levels(get(), n, levels.data(), levels.size(), windows.data(), windows.size(), &n_levels));
+    return n_levels;
+}
+inline Mesh Pruned::mesh_at(float lambda, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_pruned_mesh_at(get(), lambda, control, mesh.place()), control);
+    return mesh;
+}
+inline Mesh Pruned::mesh_of(const tree_lod_level &level, Span<const tree_lod_window> windows, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_pruned_mesh_of(get(), &level, windows.data(), windows.size(), control, mesh.place()), control);
+    return mesh;
+}
+inline Bytes Pruned::to_json(Span<const tree_lod_level> levels, Span<const tree_lod_window> windows) const {
+    Bytes bytes;
+    detail::done(tree_pruned_to_json(get(), levels.data(), levels.size(), windows.data(), windows.size(), bytes.place()));
+    return bytes;
+}
+inline bool PruneParams::check() const {
+    return detail::done(tree_prune_params_check(this));
+}
+inline Pruned Pruned::make(const Mesh &mesh, Ref<tree_prune_make_params> params, Ref<tree_control> control) {
+    Pruned pruned;
+    detail::done(tree_pruned_make(mesh.get(), params, control, pruned.place()), control);
+    return pruned;
+}
+inline Pruned Pruned::make(Ref<tree_lod_subject> subject, const LodTable &table, Ref<tree_prune_params> params, Ref<tree_control> control) {
+    Pruned pruned;
+    detail::done(tree_pruned_new(subject, table.get(), params, control, pruned.place()), control);
+    return pruned;
+}
+inline SceneLevels Pruned::scene_levels(size_t n, const tree_lod_distance &distance) const {
+    SceneLevels levels;
+    detail::done(tree_pruned_scene_levels(get(), n, &distance, levels.place()));
+    return levels;
+}
+inline SceneModel SceneLevels::model() const & {
+    SceneModel model;
+    if (!(detail::done(tree_scene_levels_model(get(), &model)))) { model.struct_size = 0; }
+    return model;
+}
+inline std::string_view prune_shader(tree_shader language) {
+    tree_str text{};
+    detail::done(tree_prune_shader(language, &text));
+    return detail::text(text);
+}
+inline std::array<float, 3> prune_position(const Floats<3> &vertex, const Floats<4> &center_rank, float growth, float lambda, float fade) {
+    std::array<float, 3> drawn{};
+    detail::done(tree_prune_position(vertex, center_rank, growth, lambda, fade, reinterpret_cast<float(*)[3]>(drawn.data())));
+    return drawn;
+}
+inline std::array<float, 3> prune_color(const Floats<3> &rgb, const Floats<3> &mean, float contrast) {
+    std::array<float, 3> drawn{};
+    detail::done(tree_prune_color(rgb, mean, contrast, reinterpret_cast<float(*)[3]>(drawn.data())));
+    return drawn;
 }
 inline float lod_cook_scale(float lambda) {
     float scale{};
@@ -3313,20 +3562,23 @@ inline SceneReport SceneState::select(const Scene &scene, Ref<tree_scene_frame> 
 inline bool SceneModel::check() const {
     return detail::done(tree_scene_model_check(this));
 }
-inline std::tuple<size_t, size_t> SceneState::draws(const Scene &scene, Ref<tree_scene_params> params, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const {
+inline std::tuple<size_t, size_t> SceneState::draws(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const {
     size_t n_draws{};
     size_t n_rows{};
-    detail::done(tree_scene_state_draws(get(), scene.get(), params, draws.data(), draws.size(), rows.data(), rows.size(), &n_draws, &n_rows));
+    detail::done(tree_scene_state_draws(get(), scene.get(), draws.data(), draws.size(), rows.data(), rows.size(), &n_draws, &n_rows));
     return {std::move(n_draws), std::move(n_rows)};
 }
-inline std::tuple<size_t, size_t> SceneState::batches(const Scene &scene, Ref<tree_scene_params> params, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const {
+inline std::tuple<size_t, size_t> SceneState::batches(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const {
     size_t n_draws{};
     size_t n_rows{};
-    detail::done(tree_scene_state_batches(get(), scene.get(), params, draws.data(), draws.size(), rows.data(), rows.size(), &n_draws, &n_rows));
+    detail::done(tree_scene_state_batches(get(), scene.get(), draws.data(), draws.size(), rows.data(), rows.size(), &n_draws, &n_rows));
     return {std::move(n_draws), std::move(n_rows)};
 }
 inline bool LodSubject::score(float lambda, float scale, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const {
     return detail::done(tree_lod_subject_score(this, lambda, scale, around, control, scores.data(), scores.size()), control);
+}
+inline bool lod_plan(Ref<tree_lod_subject> subject, Ref<tree_control> control, Span<uint32_t> kept) {
+    return detail::done(tree_lod_plan(subject, control, kept.data(), kept.size()), control);
 }
 inline bool LodTableParams::check() const {
     return detail::done(tree_lod_table_params_check(this));
@@ -3356,6 +3608,34 @@ inline float LodTable::lambda_for(float quality) const {
     float lambda{};
     detail::done(tree_lod_table_lambda_for(get(), quality, &lambda));
     return lambda;
+}
+inline bool TiersParams::check() const {
+    return detail::done(tree_tiers_params_check(this));
+}
+inline Tiers Tiers::of_mesh(const Mesh &mesh, const Elements &elements, Ref<tree_tiers_params> params, Ref<tree_control> control) {
+    Tiers tiers;
+    detail::done(tree_tiers_of_mesh(mesh.get(), elements.get(), params, control, tiers.place()), control);
+    return tiers;
+}
+inline Tiers Tiers::full(const Mesh &mesh, const Elements &elements) {
+    Tiers tiers;
+    detail::done(tree_tiers_full(mesh.get(), elements.get(), tiers.place()));
+    return tiers;
+}
+inline Tiers Tiers::from_columns(const Mesh &mesh, const Elements &elements, Span<const tree_tier_columns> columns, Ref<tree_control> control) {
+    Tiers tiers;
+    detail::done(tree_tiers_from_columns(mesh.get(), elements.get(), columns.data(), columns.size(), control, tiers.place()), control);
+    return tiers;
+}
+inline size_t Tiers::count() const {
+    size_t n_tiers{};
+    detail::done(tree_tiers_count(get(), &n_tiers));
+    return n_tiers;
+}
+inline TierColumns Tiers::view(size_t tier) const & {
+    TierColumns columns;
+    if (!(detail::done(tree_tiers_view(get(), tier, &columns)))) { columns.struct_size = 0; }
+    return columns;
 }
 inline Around Around::for_order(size_t n_triangles) {
     Around around;

@@ -275,6 +275,11 @@ namespace TreeFamily.Native
     public struct tree_profile { }
 
     /// <summary>
+    /// A mesh whose foliage can be drawn at any level: windows of its index buffers (Neubert 2012, chapter 7).
+    /// </summary>
+    public struct tree_pruned { }
+
+    /// <summary>
     /// A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
     /// has y along the straight span of the axis from its start, and r across.
     /// </summary>
@@ -296,6 +301,11 @@ namespace TreeFamily.Native
     /// with a state of its own.
     /// </summary>
     public struct tree_scene { }
+
+    /// <summary>
+    /// Levels of a pruned model, for a `tree_scene_model`.
+    /// </summary>
+    public struct tree_scene_levels { }
 
     /// <summary>
     /// What one view of a scene (a camera, or a cascade of a shadow map) remembers from frame to frame, and all the
@@ -380,6 +390,12 @@ namespace TreeFamily.Native
     /// A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
     /// </summary>
     public struct tree_texture { }
+
+    /// <summary>
+    /// Triangles that elements are drawn with: the full model first, then with fewer and fewer triangles of nearly the
+    /// same outlines. All are of the model's own vertices.
+    /// </summary>
+    public struct tree_tiers { }
 
     /// <summary>
     /// What particles left behind: traces that join on their way to the base.
@@ -2503,6 +2519,380 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How large a pruned model is.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pruned_totals
+    {
+        /// <summary>
+        /// `sizeof(tree_pruned_totals)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Surfaces that are pruned; all others are drawn whole.
+        /// </summary>
+        public UIntPtr n_parts;
+        /// <summary>
+        /// Number of tiers.
+        /// </summary>
+        public UIntPtr n_tiers;
+        /// <summary>
+        /// Number of elements.
+        /// </summary>
+        public UIntPtr n_elements;
+        /// <summary>
+        /// Triangles of the full foliage.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Number of states; neighbours differ in one element.
+        /// </summary>
+        public ulong n_steps;
+        /// <summary>
+        /// Bytes of the foliage's indices in the mesh that came in.
+        /// </summary>
+        public ulong indices_before;
+        /// <summary>
+        /// Bytes of the indices of all tiers.
+        /// </summary>
+        public ulong indices_after;
+        /// <summary>
+        /// Bytes of the foliage's vertices in the mesh that came in.
+        /// </summary>
+        public ulong vertices_before;
+        /// <summary>
+        /// Bytes of the vertices with copies and centres.
+        /// </summary>
+        public ulong vertices_after;
+        /// <summary>
+        /// The least lambda that can be kept: of the state with the fewest elements.
+        /// </summary>
+        public float least_lambda;
+        /// <summary>
+        /// Lambda of the last state in which all elements are drawn.
+        /// </summary>
+        public float lambda_of_all;
+    }
+
+    /// <summary>
+    /// A view of a surface that is pruned.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pruned_part
+    {
+        /// <summary>
+        /// `sizeof(tree_pruned_part)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Four floats for each vertex of the surface: the point that its element is scaled about, in metres, and the
+        /// lambda from which on it is drawn (0: always). A vertex of no element has itself as centre.
+        /// </summary>
+        public float* centers;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Number of the surface in the mesh.
+        /// </summary>
+        public uint surface;
+        /// <summary>
+        /// Mean linear colour of what is seen of the full model: texture times base colour.
+        /// </summary>
+        public fixed float mean[3];
+    }
+
+    /// <summary>
+    /// What is drawn of the elements; *ranks* are places in the order, the most important is 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_cut
+    {
+        /// <summary>
+        /// Triangles that are drawn.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Tier of the ranks below `fine`.
+        /// </summary>
+        public uint tier;
+        /// <summary>
+        /// Ranks from here to `end` are drawn with the next tier.
+        /// </summary>
+        public uint fine;
+        /// <summary>
+        /// Ranks from here on are not drawn.
+        /// </summary>
+        public uint end;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// When levels in a file change. Begin with `tree_lod_screen_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_screen
+    {
+        /// <summary>
+        /// `sizeof(tree_lod_screen)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Lambda for each distance, 0 at `near` and 1 at `far`. NULL, the default: that of `tree_lod_distance_cook`.
+        /// </summary>
+        public tree_lod_distance* distance;
+        /// <summary>
+        /// Distance in metres up to which the full model is wanted, in a field of view of 60 degrees, 0 or more.
+        /// Default 10.
+        /// </summary>
+        public float near;
+        /// <summary>
+        /// Distance from which on the least will do, more than `near`, at most 1e9. Default 500.
+        /// </summary>
+        public float far;
+    }
+
+    /// <summary>
+    /// What is drawn for a lambda, and the numbers that the shader needs. Its windows stand in an array of their own.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_level
+    {
+        /// <summary>
+        /// Share of the foliage's triangles, more than 0, at most 1. No less than what one element needs.
+        /// </summary>
+        public float lambda;
+        /// <summary>
+        /// Factor on the area of each element.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// Factor on its lengths: the square root of `scale`.
+        /// </summary>
+        public float growth;
+        /// <summary>
+        /// Factor on the contrast of colours, more than 0, at most 1.
+        /// </summary>
+        public float contrast;
+        /// <summary>
+        /// Width in lambda over which the last elements fade; 0 where all are drawn.
+        /// </summary>
+        public float fade;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// Triangles of the foliage that are drawn.
+        /// </summary>
+        public ulong n_triangles;
+    }
+
+    /// <summary>
+    /// A piece of a surface's index buffer.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_window
+    {
+        /// <summary>
+        /// Number of the surface.
+        /// </summary>
+        public uint surface;
+        /// <summary>
+        /// First index.
+        /// </summary>
+        public uint first_index;
+        /// <summary>
+        /// Number of indices; may be 0.
+        /// </summary>
+        public uint index_count;
+    }
+
+    /// <summary>
+    /// How a model is pruned. Begin with `tree_prune_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_prune_params
+    {
+        /// <summary>
+        /// `sizeof(tree_prune_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Share of lambda over which the last elements fade, 0 to 1. More is smoother in motion, but shows fewer of the
+        /// triangles that are drawn. 0: they pop. Default 0.1.
+        /// </summary>
+        public float fade;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How outlines become simpler. Begin with `tree_tiers_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_tiers_params
+    {
+        /// <summary>
+        /// `sizeof(tree_tiers_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Share of its triangles that an element has in each tier after the first, falling, 0 to 1. Every element keeps
+        /// a triangle, or two where a picture with a mask lies on it. NULL, the default: 1/2, 1/4, 1/8, 1/16.
+        /// </summary>
+        public float* shares;
+        /// <summary>
+        /// Number of shares, at most 16; 0 for the default.
+        /// </summary>
+        public UIntPtr n_shares;
+        /// <summary>
+        /// How far lengths of elements may differ, in lengths of a square of the same area, for them to share one answer,
+        /// 0 to 1. Default 0.08.
+        /// </summary>
+        public float alike;
+        /// <summary>
+        /// Largest share of the triangles of the tier before that a tier may have; others are not worth their memory and
+        /// are left out. 0 to 1. Default 0.9.
+        /// </summary>
+        public float worth;
+    }
+
+    /// <summary>
+    /// How a table is measured. Begin with `tree_lod_table_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_table_params
+    {
+        /// <summary>
+        /// `sizeof(tree_lod_table_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// From where to look. NULL, the default: 8 azimuths, level, with 256 pixels; fewer and smaller for a large
+        /// model, as `tree_around_for_table` says.
+        /// </summary>
+        public tree_around* around;
+        /// <summary>
+        /// Rows of the table: rising, more than 0, the last 1. NULL, the default: 17 from 0.01 to 1.
+        /// </summary>
+        public float* lambdas;
+        /// <summary>
+        /// Number of lambdas, at most 256; 0 for the default.
+        /// </summary>
+        public UIntPtr n_lambdas;
+        /// <summary>
+        /// Which scale is measured: a `TREE_LOD_SCALE_` constant. Default `TREE_LOD_SCALE_BEST`.
+        /// </summary>
+        public uint scale; // tree_lod_scale
+        /// <summary>
+        /// `TREE_LOD_SCALE_FIXED`: the scale, a factor on area, 0.01 to 10,000. Default 1.
+        /// </summary>
+        public float @fixed;
+    }
+
+    /// <summary>
+    /// Every step from a mesh to a pruned model. Begin with `tree_prune_make_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_prune_make_params
+    {
+        /// <summary>
+        /// `sizeof(tree_prune_make_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Surfaces that are pruned, each once. NULL, the default: they are found, as `tree_elements_of_mesh` does it.
+        /// </summary>
+        public uint* surfaces;
+        /// <summary>
+        /// Number of these surfaces; 0 for the default.
+        /// </summary>
+        public UIntPtr n_surfaces;
+        /// <summary>
+        /// How outlines become simpler. NULL, the default: its defaults.
+        /// </summary>
+        public tree_tiers_params* outlines;
+        /// <summary>
+        /// How the order is found. NULL, the default: as is right for so many triangles.
+        /// </summary>
+        public tree_coverage_params* order;
+        /// <summary>
+        /// How scales are measured. NULL, the default: as is right for so many triangles.
+        /// </summary>
+        public tree_lod_table_params* table;
+        /// <summary>
+        /// How the model is pruned. NULL, the default: its defaults.
+        /// </summary>
+        public tree_prune_params* prune;
+        /// <summary>
+        /// What an element is: a `TREE_GRAIN_` constant. Default `TREE_GRAIN_BLADE`.
+        /// </summary>
+        public uint grain; // tree_grain
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What is measured: a model, its elements, in which order they are dropped, and what they are drawn with. Begin with
+    /// `tree_lod_subject_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_subject
+    {
+        /// <summary>
+        /// `sizeof(tree_lod_subject)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The full model. No default: NULL, which is refused.
+        /// </summary>
+        public tree_mesh* mesh;
+        /// <summary>
+        /// Its elements. No default: NULL, which is refused.
+        /// </summary>
+        public tree_elements* elements;
+        /// <summary>
+        /// All elements, the most important first, such as `tree_order_coverage` writes them.
+        /// </summary>
+        public uint* order;
+        /// <summary>
+        /// Number of rows of `order`: the number of elements.
+        /// </summary>
+        public UIntPtr n_order;
+        /// <summary>
+        /// Three floats for each element (not rank): the point it is scaled about, in metres. NULL, the default: its
+        /// centre.
+        /// </summary>
+        public float* pivots;
+        /// <summary>
+        /// Number of pivots: the number of elements, or 0 for the default.
+        /// </summary>
+        public UIntPtr n_pivots;
+        /// <summary>
+        /// What the elements are drawn with. NULL, the default: the full model alone.
+        /// </summary>
+        public tree_tiers* tiers;
+        /// <summary>
+        /// Number of elements with which each tier begins, such as `tree_lod_plan` writes them: of the first all, then
+        /// never more than before. NULL, the default: each begins with all.
+        /// </summary>
+        public uint* kept;
+        /// <summary>
+        /// Number of rows of `kept`: the number of tiers, or 0 for the default.
+        /// </summary>
+        public UIntPtr n_kept;
+    }
+
+    /// <summary>
     /// An ellipsoid along the axes of a model that nothing is seen through.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -2580,6 +2970,11 @@ namespace TreeFamily.Native
         /// For each level the factor on the area of each element, more than 0. NULL, the default: 1.
         /// </summary>
         public float* scales;
+        /// <summary>
+        /// For each level the width in lambda over which the last elements fade in, 0 (they pop; nothing fades in the full
+        /// model) to 1. NULL, the default: 0.
+        /// </summary>
+        public float* fades;
         /// <summary>
         /// Number of levels, 1 to 1024.
         /// </summary>
@@ -2709,9 +3104,9 @@ namespace TreeFamily.Native
         /// </summary>
         public float time;
         /// <summary>
-        /// Share of the elements drawn that are fading in at the end of the order, 0 to 1. Default 0.1.
+        /// 0.
         /// </summary>
-        public float fade;
+        public uint reserved;
     }
 
     /// <summary>
@@ -2875,77 +3270,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// What is measured: a model, its elements, and in which order they are dropped. Begin with
-    /// `tree_lod_subject_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_lod_subject
-    {
-        /// <summary>
-        /// `sizeof(tree_lod_subject)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// The full model. No default: NULL, which is refused.
-        /// </summary>
-        public tree_mesh* mesh;
-        /// <summary>
-        /// Its elements. No default: NULL, which is refused.
-        /// </summary>
-        public tree_elements* elements;
-        /// <summary>
-        /// All elements, the most important first, such as `tree_order_coverage` writes them.
-        /// </summary>
-        public uint* order;
-        /// <summary>
-        /// Number of rows of `order`: the number of elements.
-        /// </summary>
-        public UIntPtr n_order;
-        /// <summary>
-        /// Three floats for each element (not rank): the point it is scaled about, in metres. NULL, the default: its
-        /// centre.
-        /// </summary>
-        public float* pivots;
-        /// <summary>
-        /// Number of pivots: the number of elements, or 0 for the default.
-        /// </summary>
-        public UIntPtr n_pivots;
-    }
-
-    /// <summary>
-    /// How a table is measured. Begin with `tree_lod_table_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_lod_table_params
-    {
-        /// <summary>
-        /// `sizeof(tree_lod_table_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// From where to look. NULL, the default: 8 azimuths, level, with 256 pixels; fewer and smaller for a large
-        /// model, as `tree_around_for_table` says.
-        /// </summary>
-        public tree_around* around;
-        /// <summary>
-        /// Rows of the table: rising, more than 0, the last 1. NULL, the default: 17 from 0.01 to 1.
-        /// </summary>
-        public float* lambdas;
-        /// <summary>
-        /// Number of lambdas, at most 256; 0 for the default.
-        /// </summary>
-        public UIntPtr n_lambdas;
-        /// <summary>
-        /// Which scale is measured: a `TREE_LOD_SCALE_` constant. Default `TREE_LOD_SCALE_BEST`.
-        /// </summary>
-        public uint scale; // tree_lod_scale
-        /// <summary>
-        /// `TREE_LOD_SCALE_FIXED`: the scale, a factor on area, 0.01 to 10,000. Default 1.
-        /// </summary>
-        public float @fixed;
-    }
-
-    /// <summary>
     /// A share of geometry, its best scale, and how good the model then is.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -2971,6 +3295,34 @@ namespace TreeFamily.Native
         /// Mean of the quality of the views.
         /// </summary>
         public float quality;
+    }
+
+    /// <summary>
+    /// A view of a tier.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_tier_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_tier_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of elements.
+        /// </summary>
+        public UIntPtr n_elements;
+        /// <summary>
+        /// Where the triangles of each element begin, and their number at the end: `n_elements + 1` rows.
+        /// </summary>
+        public uint* starts;
+        /// <summary>
+        /// Three vertices of the element's surface for each triangle, in the winding of the model.
+        /// </summary>
+        public uint* triangles;
+        /// <summary>
+        /// Number of triangles.
+        /// </summary>
+        public UIntPtr n_triangles;
     }
 
     /// <summary>
@@ -10339,6 +10691,21 @@ namespace TreeFamily.Native
         public const int TREE_GRAIN_LEAF = 2;
 
         /// <summary>
+        /// WGSL.
+        /// </summary>
+        public const int TREE_SHADER_WGSL = 0;
+
+        /// <summary>
+        /// GLSL, from version 1.30 (desktop) or 3.00 (ES) on.
+        /// </summary>
+        public const int TREE_SHADER_GLSL = 1;
+
+        /// <summary>
+        /// HLSL, any shader model.
+        /// </summary>
+        public const int TREE_SHADER_HLSL = 2;
+
+        /// <summary>
         /// Not at all: every tree counts as seen.
         /// </summary>
         public const int TREE_SCENE_OCCLUSION_NONE = 0;
@@ -12379,12 +12746,16 @@ namespace TreeFamily.Native
         /// together make the best quality. Where leaves have grown, each chooses the point that it grows about. The best
         /// order of all, and the one that takes longest: some ten drawings of the foliage in every view.
         ///
+        /// Elements are drawn as in tier `tier` of `tiers`: 0 is the full model, and NULL, with 0, has no other. For leaves of
+        /// many triangles take one of about four triangles each: a quarter of the time, and nearly the same order.
+        ///
         /// `params` and `control` may be NULL. `order` as for `tree_order_stochastic`; `pivots`, three floats for each
         /// element (not rank) in metres, has room for `pivots_capacity` floats, at least three for each element.
-        /// `TREE_ERROR_INVALID` when the elements are not of this mesh.
+        /// `TREE_ERROR_INVALID` when the elements or tiers are not of this mesh, `TREE_ERROR_PARAMETER` when there is no such
+        /// tier.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_order_coverage(tree_mesh* mesh, tree_elements* elements, tree_coverage_params* @params, tree_control* control, uint* order, UIntPtr capacity, float* pivots, UIntPtr pivots_capacity);
+        public static extern int tree_order_coverage(tree_mesh* mesh, tree_elements* elements, tree_tiers* tiers, UIntPtr tier, tree_coverage_params* @params, tree_control* control, uint* order, UIntPtr capacity, float* pivots, UIntPtr pivots_capacity);
 
         /// <summary>
         /// Checks that an order of `n_order` rows has each of `n_elements` elements once; `TREE_ERROR_INVALID` names the
@@ -12416,6 +12787,242 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_coverage_params_check(tree_coverage_params* @params);
+
+        /// <summary>
+        /// Tells how large a model is, and the ends of its lambdas. Set `totals-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_measure(tree_pruned* pruned, tree_pruned_totals* totals);
+
+        /// <summary>
+        /// The mesh to upload, nothing copied. Its foliage must be drawn by windows, for its index buffers hold leaves several
+        /// times. Free it with `tree_mesh_free`; it keeps the model alive.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_mesh(tree_pruned* pruned, tree_mesh** mesh);
+
+        /// <summary>
+        /// Views part `number`, rising with the surfaces. Set `part-&gt;struct_size` first. `TREE_ERROR_PARAMETER` when there is
+        /// no such part.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_part_view(tree_pruned* pruned, UIntPtr number, tree_pruned_part* part);
+
+        /// <summary>
+        /// The scale for each lambda, a table of its own. Free it with `tree_lod_table_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_table(tree_pruned* pruned, tree_lod_table** table);
+
+        /// <summary>
+        /// Writes the number of elements with which each tier begins. `kept` has room for `capacity` numbers, at least one for
+        /// each tier.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_kept(tree_pruned* pruned, uint* kept, UIntPtr capacity);
+
+        /// <summary>
+        /// The most elements that fit `lambda`, 0 to 1, of the full foliage's triangles: at least one, even if it has more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_cut(tree_pruned* pruned, float lambda, tree_lod_cut* cut);
+
+        /// <summary>
+        /// A state, counted from the full model, 0, down; from `n_steps` on it is the last.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_step(tree_pruned* pruned, ulong step, tree_lod_cut* cut);
+
+        /// <summary>
+        /// The least lambda for which so many triangles may be drawn; 1 for more than there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_lambda_of(tree_pruned* pruned, ulong n_triangles, float* lambda);
+
+        /// <summary>
+        /// Lambda from which on an element is drawn: 0 for those that always are, 1 for ranks that do not exist.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_lambda_of_rank(tree_pruned* pruned, uint rank, float* lambda);
+
+        /// <summary>
+        /// Frees a model, and with it all views of its parts. Meshes made of it stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_free(tree_pruned* pruned);
+
+        /// <summary>
+        /// Makes `screen`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_screen_init(tree_lod_screen* screen, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `screen`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_screen_check(tree_lod_screen* screen);
+
+        /// <summary>
+        /// Share of the screen's height, 0 to 1, that something of `size` metres has where lambda has fallen to `lambda`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_screen_coverage(tree_lod_screen* screen, float lambda, float size, float* coverage);
+
+        /// <summary>
+        /// A model as a GLB file in memory, for engines that draw windows: foliage with all tiers in its index buffers, and an
+        /// attribute `_TREE_CENTER` of 4 floats a vertex, as in `tree_pruned_part`. The levels go beside it, as
+        /// `tree_pruned_to_json`. Programs that draw all of it draw leaves several times. `options` and `control` may be NULL,
+        /// as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for `quantize`: shaders
+        /// need positions in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_to_glb(tree_pruned* pruned, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_pruned_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_write_glb(tree_pruned* pruned, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file, each
+        /// a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance has
+        /// fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL. Free the
+        /// bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_to_glb_levels(tree_pruned* pruned, float* lambdas, UIntPtr n_lambdas, tree_lod_screen* screen, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_pruned_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_write_glb_levels(tree_pruned* pruned, float* lambdas, UIntPtr n_lambdas, tree_lod_screen* screen, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// What is drawn for `lambda`, 0 to 1: at most so much of the full foliage, but at least one element. `windows` has
+        /// room for `capacity` of them, at least `n_parts` of `tree_pruned_measure`: one for each part, in their order. It is
+        /// quick enough for every frame.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_level(tree_pruned* pruned, float lambda, tree_lod_level* level, tree_lod_window* windows, UIntPtr capacity);
+
+        /// <summary>
+        /// `n` levels, 2 to 1024, with rising lambda: from the first of the table to the full model, in equal ratios. `levels`
+        /// has room for `levels_capacity` of them, at least `n`; `windows` for `windows_capacity`, at least `n` times the
+        /// parts: those of the first level, then those of the next. `n_levels` says how many there are: fewer than `n` where
+        /// the table begins at 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_levels(tree_pruned* pruned, UIntPtr n, tree_lod_level* levels, UIntPtr levels_capacity, tree_lod_window* windows, UIntPtr windows_capacity, UIntPtr* n_levels);
+
+        /// <summary>
+        /// The level for `lambda`, 0 to 1, as a plain mesh, wood included: elements scaled as the shader does, what is not
+        /// drawn left out. Nothing fades in it. Free it with `tree_mesh_free`. `control` may be NULL; of it only threads
+        /// matter, and a cancellation before the work begins.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_mesh_at(tree_pruned* pruned, float lambda, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when they are
+        /// of another model.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_mesh_of(tree_pruned* pruned, tree_lod_level* level, tree_lod_window* windows, UIntPtr n_windows, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for each
+        /// level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes, which are
+        /// UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels times parts.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_to_json(tree_pruned* pruned, tree_lod_level* levels, UIntPtr n_levels, tree_lod_window* windows, UIntPtr n_windows, tree_bytes** bytes);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_params_init(tree_prune_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_params_check(tree_prune_params* @params);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_make_params_init(tree_prune_make_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes a pruned model of a mesh, all steps in one call: elements, tiers, order by coverage, plan, table and model.
+        /// Some seconds for half a million triangles. `params` and `control` may be NULL; `triangles` of its limits caps those
+        /// of all tiers together. Free the model with `tree_pruned_free`. `TREE_ERROR_INVALID` when there is no foliage.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_make(tree_mesh* mesh, tree_prune_make_params* @params, tree_control* control, tree_pruned** pruned);
+
+        /// <summary>
+        /// Makes a pruned model of what its steps have made: the subject with its order, pivots, tiers and plan, and `table`
+        /// with the scale for each lambda. Surfaces of foliage keep their vertices and columns, their index buffers hold the
+        /// triangles of all tiers; vertices that several elements share are doubled, and such a surface loses its anchors.
+        /// `params` and `control` may be NULL. Free the model with `tree_pruned_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together, or pivots are not finite;
+        /// `TREE_ERROR_PARAMETER` for foliage further than 1000 km from the origin, or a `kept` that rises.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_new(tree_lod_subject* subject, tree_lod_table* table, tree_prune_params* @params, tree_control* control, tree_pruned** pruned);
+
+        /// <summary>
+        /// The model for a scene, with `n` levels, 2 to 1024, as `tree_pruned_levels` makes them: a draw for every surface,
+        /// wood included, all surfaces one after another in one vertex buffer and one index buffer. `distance` says how lambda
+        /// falls, NULL for that of `tree_lod_distance_cook`. Free the levels with `tree_scene_levels_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when the model has more than 64 surfaces, or one buffer cannot hold them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_scene_levels(tree_pruned* pruned, UIntPtr n, tree_lod_distance* distance, tree_scene_levels** levels);
+
+        /// <summary>
+        /// Makes `model` one of these levels, with sphere and distance; points for occlusion, occluders, `near` and `far` are
+        /// left at their defaults, for you to set. Set `model-&gt;struct_size` first. It borrows from the levels: make the scene
+        /// before they are freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_levels_model(tree_scene_levels* levels, tree_scene_model* model);
+
+        /// <summary>
+        /// Frees levels; no model may point at them any more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_levels_free(tree_scene_levels* levels);
+
+        /// <summary>
+        /// The functions `tree_prune_position` and `tree_prune_color` for a shader: text to be put into your own. It tells
+        /// what they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_shader(uint language, tree_str* text);
+
+        /// <summary>
+        /// Where a shader draws a vertex: `vertex`, three floats, moved from the centre of its element by `growth` (a factor on
+        /// length), and towards it where the element fades. `center_rank` is four floats of `tree_pruned_part.centers`, the
+        /// rest is of a level. For shaders of your own, and for checking them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_position(float* vertex, float* center_rank, float growth, float lambda, float fade, float* drawn);
+
+        /// <summary>
+        /// The linear colour that a shader gives a leaf, before light: `rgb`, three floats, with its contrast lowered, so that
+        /// few large leaves look no more mottled than many small ones. `mean` is that of the part.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_color(float* rgb, float* mean, float contrast, float* drawn);
 
         /// <summary>
         /// Scale after Cook et al. (2007): `1 / lambda`, a factor on area, so that the summed area stays. `lambda` is a
@@ -12581,20 +13188,20 @@ namespace TreeFamily.Native
         /// Writes a draw for each part of each instance in view, and a row for each instance: for multi-draw indirect. Draws
         /// of an instance follow one another; parts without indices are left out. `draws` and `rows` have room for
         /// `draws_capacity` and `rows_capacity` of them; `tree_scene_measure` says how many always suffice. `n_draws` and
-        /// `n_rows` say how many were written. `params` may be NULL for the defaults. It takes no memory.
+        /// `n_rows` say how many were written. It takes no memory.
         ///
         /// `TREE_ERROR_BUFFER` when a buffer is too small; its text says how many are needed, and nothing is written then.
         /// Buffers may be mapped memory of a graphics processor: they are written once, in order, and not read.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_scene_state_draws(tree_scene_state* state, tree_scene* scene, tree_scene_params* @params, tree_draw_indexed* draws, UIntPtr draws_capacity, tree_instance_lod* rows, UIntPtr rows_capacity, UIntPtr* n_draws, UIntPtr* n_rows);
+        public static extern int tree_scene_state_draws(tree_scene_state* state, tree_scene* scene, tree_draw_indexed* draws, UIntPtr draws_capacity, tree_instance_lod* rows, UIntPtr rows_capacity, UIntPtr* n_draws, UIntPtr* n_rows);
 
         /// <summary>
         /// As `tree_scene_state_draws`, with one draw for each part of all instances of the same model at the same level: fewer
         /// draws, of many instances each. Rows are not written in order.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_scene_state_batches(tree_scene_state* state, tree_scene* scene, tree_scene_params* @params, tree_draw_indexed* draws, UIntPtr draws_capacity, tree_instance_lod* rows, UIntPtr rows_capacity, UIntPtr* n_draws, UIntPtr* n_rows);
+        public static extern int tree_scene_state_batches(tree_scene_state* state, tree_scene* scene, tree_draw_indexed* draws, UIntPtr draws_capacity, tree_instance_lod* rows, UIntPtr rows_capacity, UIntPtr* n_draws, UIntPtr* n_rows);
 
         /// <summary>
         /// Makes `subject`, of `size` bytes, the default: its mesh, elements and order must be set.
@@ -12608,11 +13215,22 @@ namespace TreeFamily.Native
         /// its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
         /// scores, at least `tree_around_n_views`. `control` may be NULL.
         ///
-        /// `TREE_ERROR_INVALID` when mesh, elements, order and pivots do not belong together,
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
         /// `TREE_ERROR_PARAMETER` names what is out of range.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_lod_subject_score(tree_lod_subject* subject, float lambda, float scale, tree_around* around, tree_control* control, tree_score* scores, UIntPtr capacity);
+
+        /// <summary>
+        /// Finds when outlines should become simpler, and when elements should go: writes the number of elements with which
+        /// each tier should begin, for `kept` of a subject. Tiers that are better left out begin with one. `kept` has room
+        /// for `capacity` numbers, at least one for each tier of the subject (1 where it has none); what the subject has as
+        /// `kept` is not looked at. It takes about as long as a table for each tier. `control` may be NULL.
+        ///
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_plan(tree_lod_subject* subject, tree_control* control, uint* kept, UIntPtr capacity);
 
         /// <summary>
         /// Makes `params`, of `size` bytes, the default.
@@ -12641,7 +13259,7 @@ namespace TreeFamily.Native
         /// lambda times the triangles for each lambda and view. `params` and `control` may be NULL. Free the table
         /// with `tree_lod_table_free`.
         ///
-        /// `TREE_ERROR_INVALID` when mesh, elements, order and pivots do not belong together; see
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together; see
         /// `tree_lod_table_params_check` for the rest.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -12670,6 +13288,62 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_lod_table_free(tree_lod_table* table);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_params_init(tree_tiers_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_params_check(tree_tiers_params* @params);
+
+        /// <summary>
+        /// Makes the tiers of a model: its elements, and the same with fewer and fewer triangles. No element has more
+        /// triangles in a later tier than in an earlier one. It takes 5 to 10 ms for each distinct shape of 16 triangles.
+        /// `params` and `control` may be NULL; `triangles` of its limits caps those of all tiers together. Free the tiers
+        /// with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of this mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_of_mesh(tree_mesh* mesh, tree_elements* elements, tree_tiers_params* @params, tree_control* control, tree_tiers** tiers);
+
+        /// <summary>
+        /// The full model as the only tier. Free it with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of
+        /// this mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_full(tree_mesh* mesh, tree_elements* elements, tree_tiers** tiers);
+
+        /// <summary>
+        /// Tiers of your own, which are copied: the finest first, each as `tree_tiers_view` gives it. `mesh` and `elements` are
+        /// what they are tiers of. `control` may be NULL; `triangles` of its limits caps the triangles of each. Free the tiers
+        /// with `tree_tiers_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+        /// `n_triangles`, has no row for each element and one more, or a surface lacks a vertex.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_from_columns(tree_mesh* mesh, tree_elements* elements, tree_tier_columns* columns, UIntPtr n_columns, tree_control* control, tree_tiers** tiers);
+
+        /// <summary>
+        /// Number of tiers, at least 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_count(tree_tiers* tiers, UIntPtr* n_tiers);
+
+        /// <summary>
+        /// Views tier `tier`; 0 is the full model. Set `columns-&gt;struct_size` first. `TREE_ERROR_PARAMETER` when there is no
+        /// such tier.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_view(tree_tiers* tiers, UIntPtr tier, tree_tier_columns* columns);
+
+        /// <summary>
+        /// Frees tiers, and with them all views of them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_free(tree_tiers* tiers);
 
         /// <summary>
         /// Makes `around`, of `size` bytes, the default.
