@@ -25,7 +25,9 @@
 // parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
 //
 // Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the order in which it
-// is drawn, `tree_lod_table_measure` finds how large the rest must grow. A `tree_scene` of such models says in each frame what is
+// is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh` makes outlines simpler, `tree_lod_plan`
+// says when; `tree_pruned_new` makes a `tree_pruned` of it all, `tree_pruned_make` in one call. `tree_pruned_mesh` is uploaded once,
+// `tree_pruned_level` says which window of it is drawn, with `tree_prune_shader`. A `tree_scene` of such models, `tree_pruned_scene_levels`, says in each frame what is
 // drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own buffers.
 //
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
