@@ -24,11 +24,13 @@
 // find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
 // parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
 //
-// Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the order in which it
-// is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh` makes outlines simpler, `tree_lod_plan`
-// says when; `tree_pruned_new` makes a `tree_pruned` of it all, `tree_pruned_make` in one call. `tree_pruned_mesh` is uploaded once,
-// `tree_pruned_level` says which window of it is drawn, with `tree_prune_shader`. A `tree_scene` of such models, `tree_pruned_scene_levels`, says in each frame what is
-// drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own buffers.
+// Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the
+// order in which it is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh`
+// makes outlines simpler, `tree_lod_plan` says when; `tree_pruned_new` makes a `tree_pruned` of it all,
+// `tree_pruned_make` in one call. `tree_pruned_mesh` is uploaded once, `tree_pruned_level` says which window of it
+// is drawn, with `tree_prune_shader`. A `tree_scene` of such models, `tree_pruned_scene_levels`, says in each
+// frame what is drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own
+// buffers.
 //
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
@@ -7452,10 +7454,10 @@ tree_status tree_pruned_write_glb(const struct tree_pruned *pruned,
                                   const struct tree_glb_options *options,
                                   const struct tree_control *control);
 
-// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file, each
-// a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance has
-// fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL. Free the
-// bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
+// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file,
+// each a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance
+// has fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL.
+// Free the bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
 tree_status tree_pruned_to_glb_levels(const struct tree_pruned *pruned,
                                       const float *lambdas,
                                       size_t n_lambdas,
@@ -7503,8 +7505,8 @@ tree_status tree_pruned_mesh_at(const struct tree_pruned *pruned,
                                 const struct tree_control *control,
                                 struct tree_mesh **mesh);
 
-// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when they are
-// of another model.
+// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when
+// they are of another model.
 tree_status tree_pruned_mesh_of(const struct tree_pruned *pruned,
                                 const struct tree_lod_level *level,
                                 const struct tree_lod_window *windows,
@@ -7512,9 +7514,10 @@ tree_status tree_pruned_mesh_of(const struct tree_pruned *pruned,
                                 const struct tree_control *control,
                                 struct tree_mesh **mesh);
 
-// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for each
-// level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes, which are
-// UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels times parts.
+// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for
+// each level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes,
+// which are UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels
+// times parts.
 tree_status tree_pruned_to_json(const struct tree_pruned *pruned,
                                 const struct tree_lod_level *levels,
                                 size_t n_levels,

@@ -137,10 +137,10 @@ pub unsafe extern "C" fn tree_pruned_write_glb(
     })
 }
 
-/// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file, each
-/// a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance has
-/// fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL. Free the
-/// bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
+/// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file,
+/// each a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance
+/// has fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL.
+/// Free the bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_pruned_to_glb_levels(
     pruned: *const tree_pruned,

@@ -169,8 +169,8 @@ pub unsafe extern "C" fn tree_pruned_mesh_at(
     })
 }
 
-/// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when they are
-/// of another model.
+/// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when
+/// they are of another model.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_pruned_mesh_of(
     pruned: *const tree_pruned,
@@ -218,9 +218,10 @@ unsafe fn levels(
     Ok(levels.iter().enumerate().map(|(i, level)| level.rust(of(i))).collect())
 }
 
-/// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for each
-/// level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes, which are
-/// UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels times parts.
+/// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for
+/// each level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes,
+/// which are UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels
+/// times parts.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_pruned_to_json(
     pruned: *const tree_pruned,
