@@ -24,6 +24,14 @@
 // find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
 // parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
 //
+// Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the
+// order in which it is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh`
+// makes outlines simpler, `tree_lod_plan` says when; `tree_pruned_new` makes a `tree_pruned` of it all,
+// `tree_pruned_make` in one call. `tree_pruned_mesh` is uploaded once, `tree_pruned_level` says which window of it
+// is drawn, with `tree_prune_shader`. A `tree_scene` of such models, `tree_pruned_scene_levels`, says in each
+// frame what is drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own
+// buffers.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -31,8 +39,8 @@
 // * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-//   its kind). Handles keep alive what they are made of. Three kinds change, `tree_photo_session`,
-//   `tree_sketch_session` and `tree_silhouette`: one thread at a time.
+//   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
+//   `tree_sketch_session`, `tree_silhouette`, `tree_scene` and `tree_scene_state`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -343,6 +351,51 @@
 
 // PLY, text or binary.
 #define TREE_MESH_FORMAT_PLY 3
+
+// Samples of a `tree_lod_distance`.
+#define TREE_LOD_DISTANCE_SAMPLES 21
+
+// A connected piece: a card, a leaflet of a compound leaf, a single leaf. The two sides of a doubled card are
+// elements of their own.
+#define TREE_GRAIN_BLADE 0
+
+// A triangle, scaled about the centre of its blade: better pictures still, at the price of cut cards that
+// are seen when one comes near.
+#define TREE_GRAIN_TRIANGLE 1
+
+// A leaf with all its blades, where the mesh tells (its surfaces have anchors), otherwise as
+// `TREE_GRAIN_BLADE`. Nothing is ever half a leaf.
+#define TREE_GRAIN_LEAF 2
+
+// WGSL.
+#define TREE_SHADER_WGSL 0
+
+// GLSL, from version 1.30 (desktop) or 3.00 (ES) on.
+#define TREE_SHADER_GLSL 1
+
+// HLSL, any shader model.
+#define TREE_SHADER_HLSL 2
+
+// Not at all: every tree counts as seen.
+#define TREE_SCENE_OCCLUSION_NONE 0
+
+// From depths the engine drew.
+#define TREE_SCENE_OCCLUSION_DEPTH 1
+
+// From the models' occluders, drawn by the library; ground and houses hide nothing.
+#define TREE_SCENE_OCCLUSION_BUILT_IN 2
+
+// The best for each lambda (Neubert 2012, eq. 7.6).
+#define TREE_LOD_SCALE_BEST 0
+
+// 1 / lambda (Cook et al. 2007).
+#define TREE_LOD_SCALE_COOK 1
+
+// Always 1: leaves keep their size.
+#define TREE_LOD_SCALE_KEPT 2
+
+// That of the field `fixed`.
+#define TREE_LOD_SCALE_FIXED 3
 
 // A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
 #define TREE_LEAF_CARD 0
@@ -992,6 +1045,11 @@ typedef struct tree_attractor tree_attractor;
 // All axes of a skeleton. An axis starts where it leaves another and runs to a tip.
 typedef struct tree_axes tree_axes;
 
+// Which pixels a mesh covers: one bit for each. A bit is set where a triangle covers the middle of the pixel
+// and the texture's alpha there is drawn. (`tree_mask` tells how much of each pixel is covered; this one is
+// for comparing, and fast.)
+typedef struct tree_bits tree_bits;
+
 // The bumps of an outline.
 typedef struct tree_bumps tree_bumps;
 
@@ -1023,6 +1081,10 @@ typedef struct tree_drawing tree_drawing;
 // Drawings of one file.
 typedef struct tree_drawings tree_drawings;
 
+// The elements of a mesh: what is dropped and scaled as one, such as a leaf or a card. There is always at
+// least one.
+typedef struct tree_elements tree_elements;
+
 // The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
 // them in metres, add up to -ln of the transparency seen. Wanted is the x >= 0 with the least
 // |A x - b|^2 + lambda^2 |x / weights|^2.
@@ -1051,6 +1113,9 @@ typedef struct tree_graph_nodes tree_graph_nodes;
 // optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
 typedef struct tree_grid tree_grid;
 
+// A surface around a plant: closed, facing outwards, in several pieces where points are far apart.
+typedef struct tree_hull tree_hull;
+
 // A sketch in space: what was inferred of it.
 typedef struct tree_inferred tree_inferred;
 
@@ -1065,6 +1130,10 @@ typedef struct tree_leaf_outline tree_leaf_outline;
 // Lines of text, for people: warnings, mostly. There may be none.
 typedef struct tree_lines tree_lines;
 
+// Best scale and quality of a model for each share of geometry: rows with rising lambda, the last of which
+// is the full model.
+typedef struct tree_lod_table tree_lod_table;
+
 // What a species looks like: a material for the bark, and a leaf look for each leaf kind.
 typedef struct tree_look tree_look;
 
@@ -1076,6 +1145,10 @@ typedef struct tree_matte tree_matte;
 
 // Surfaces with their materials, and the branches that move in the wind.
 typedef struct tree_mesh tree_mesh;
+
+// A sum of metaballs (Neubert 2012, 7.3.1): every point adds `(1 - (distance / radius)^2)^2` to the places within
+// its radius. 1 or more at each point, 0 far from all.
+typedef struct tree_metaballs tree_metaballs;
 
 // The middle lines of a filled area.
 typedef struct tree_midlines tree_midlines;
@@ -1126,6 +1199,9 @@ typedef struct tree_pool tree_pool;
 // A drawn profile: radius over height, from the ground up.
 typedef struct tree_profile tree_profile;
 
+// A mesh whose foliage can be drawn at any level: windows of its index buffers (Neubert 2012, chapter 7).
+typedef struct tree_pruned tree_pruned;
+
 // A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
 // has y along the straight span of the axis from its start, and r across.
 typedef struct tree_revolved tree_revolved;
@@ -1133,6 +1209,25 @@ typedef struct tree_revolved tree_revolved;
 // Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
 // or the tips of a graph.
 typedef struct tree_rows tree_rows;
+
+// Tree models, and where they stand (Neubert 2012, 7.2.5 and 7.4). Make one `tree_scene_state` for each view of it.
+// In each frame `tree_scene_state_select` finds what is drawn and how finely, and `tree_scene_state_draws` or
+// `tree_scene_state_batches` write it into your own buffers; neither takes memory.
+//
+// It is an object that changes, in `tree_scene_set_instances` alone: a call that comes while that one is at
+// work, or the other way round, is `TREE_ERROR_ORDER`. Any number of threads may select in it at once, each
+// with a state of its own.
+typedef struct tree_scene tree_scene;
+
+// Levels of a pruned model, for a `tree_scene_model`.
+typedef struct tree_scene_levels tree_scene_levels;
+
+// What one view of a scene (a camera, or a cascade of a shadow map) remembers from frame to frame, and all the
+// room that a frame needs.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+// on it is `TREE_ERROR_ORDER`.
+typedef struct tree_scene_state tree_scene_state;
 
 // The triangles of a mesh, welded and sorted into connected components, each of which is wood, a leaf, a
 // body of leaves or nothing. It holds copies of the parts.
@@ -1186,6 +1281,10 @@ typedef struct tree_templates tree_templates;
 
 // A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
 typedef struct tree_texture tree_texture;
+
+// Triangles that elements are drawn with: the full model first, then with fewer and fewer triangles of nearly the
+// same outlines. All are of the model's own vertices.
+typedef struct tree_tiers tree_tiers;
 
 // What particles left behind: traces that join on their way to the base.
 typedef struct tree_traces tree_traces;
@@ -2150,6 +2249,626 @@ typedef struct tree_import_report {
     // what they mean.
     uint64_t notes[TREE_N_NOTES];
 } tree_import_report;
+
+// Share of geometry for each distance: lambda, 0 to 1 and never rising, at the distances 0, 0.01, ... 0.1, 0.19,
+// ... 1 (0 is near and shows the full model, 1 is far), and linear in between.
+typedef struct tree_lod_distance {
+    // Lambda at each of these 21 distances.
+    float lambdas[21];
+} tree_lod_distance;
+
+// What one element is: one of the `TREE_GRAIN_` constants.
+typedef uint32_t tree_grain;
+
+// A view of elements: a row each, in the order of surfaces and triangles.
+typedef struct tree_elements_columns {
+    // `sizeof(tree_elements_columns)`.
+    size_t struct_size;
+    // Number of elements.
+    size_t n_elements;
+    // Surfaces of the mesh that are pruned, rising; all others are always drawn.
+    const uint32_t *surfaces;
+    // Number of these surfaces.
+    size_t n_surfaces;
+    // For each element the surface of the mesh it is on.
+    const uint32_t *surface;
+    // Where the triangles of each element begin in `triangles`, and their number at the end: `n_elements + 1`
+    // rows.
+    const uint32_t *starts;
+    // Triangles of each element: their numbers in its surface.
+    const uint32_t *triangles;
+    // Number of rows of `triangles`.
+    size_t n_triangles;
+    // Three floats for each element: mean of its surface in metres, which it is scaled about.
+    const float *centers;
+    // Three floats for each element: mean normal; zero where it has none (a closed blade, no area).
+    const float *normals;
+    // For each element the area of its triangles in square metres.
+    const float *areas;
+    // For each element the largest distance of a vertex from the mean of its own triangles, in metres.
+    const float *radii;
+} tree_elements_columns;
+
+// Which surface of a field, and how finely. Begin with `tree_hull_params_init`.
+typedef struct tree_hull_params {
+    // `sizeof(tree_hull_params)`.
+    size_t struct_size;
+    // Value of the field on the surface, 0.001 to 0.5. Default 0.05: a lone element gets a ball of 0.88 times
+    // the radius of influence.
+    float iso;
+    // Cells of the grid along the radius of influence, 2 to 16. Default 3. Cost grows with the cube.
+    float detail;
+} tree_hull_params;
+
+// What orders by density and orientation need to know. Begin with `tree_order_params_init`.
+typedef struct tree_order_params {
+    // `sizeof(tree_order_params)`.
+    size_t struct_size;
+    // The hull, for `tree_order_combined` and `tree_hull_of_elements`. NULL, the default: its defaults.
+    const struct tree_hull_params *hull;
+    // Height of the plant in metres, 0 to 1e9. Default 0: measured, as `tree_elements_plant_height` does it.
+    float height;
+    // Radius of influence of an element, as a share of the height, 0.001 to 1. Default 0.05.
+    float radius;
+    // When densities count as uniform and thinning by density ends: at this standard deviation of the
+    // densities of what is left, divided by their mean, 0 (never) to 10 (at once). Default 0.15.
+    float uniform;
+    // Thinning by density ends at this share of the elements at the latest, 0 to 1. Default 0.25.
+    float least;
+    // How much chance is added to priorities, which lie within 0 to 1; 0 (none) to 1. Default 0.05.
+    float randomness;
+    // 0.
+    uint32_t reserved;
+} tree_order_params;
+
+// A view of a hull.
+typedef struct tree_hull_columns {
+    // `sizeof(tree_hull_columns)`.
+    size_t struct_size;
+    // Number of vertices.
+    size_t n_vertices;
+    // Three floats for each vertex: where it is, in metres. Each place is there once.
+    const float *positions;
+    // Three floats for each vertex: unit normal, outwards.
+    const float *normals;
+    // Number of indices: three for each triangle.
+    size_t n_indices;
+    // Vertices of the triangles, counter-clockwise seen from outside.
+    const uint32_t *indices;
+} tree_hull_columns;
+
+// How a camera is placed: one of the `TREE_CAMERA_` constants.
+typedef uint32_t tree_camera;
+
+// How a camera projects: one of the `TREE_LENS_` constants.
+typedef uint32_t tree_lens;
+
+// Size, quality and camera of a picture. Begin with `tree_view_init`.
+typedef struct tree_view {
+    // `sizeof(tree_view)`.
+    size_t struct_size;
+    // Width in pixels, 1 to 16,384. Default 1024.
+    uint32_t width;
+    // Height in pixels, 1 to 16,384. Default 1024.
+    uint32_t height;
+    // Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
+    uint32_t samples;
+    // How the camera is placed. Default `TREE_CAMERA_FRAMED`.
+    tree_camera camera;
+    // How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
+    tree_lens lens;
+    // Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
+    float fov;
+    // Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
+    // quarter turn on +X. Finite; default 0.6.
+    float yaw;
+    // Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
+    // Default 0.09.
+    float pitch;
+    // Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
+    float margin;
+    // Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
+    float lens_height;
+    // Placed: where the camera stands, in metres. Default 0, 0, 0.
+    float eye[3];
+    // Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
+    float target[3];
+    // Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
+    float up[3];
+    // 0.
+    uint32_t reserved;
+} tree_view;
+
+// Size of a mask of bits.
+typedef struct tree_bits_size {
+    // `sizeof(tree_bits_size)`.
+    size_t struct_size;
+    // Width in pixels.
+    uint32_t width;
+    // Height in pixels.
+    uint32_t height;
+    // Words of all rows: what `tree_bits_words` writes.
+    size_t n_words;
+    // Pixels of all rows: what `tree_bits_bytes` writes.
+    size_t n_pixels;
+    // Number of set bits.
+    uint64_t count;
+} tree_bits_size;
+
+// Pixels of a simplified model against those of the full one: of one view, or added up over many.
+typedef struct tree_score {
+    // Covered by both.
+    uint64_t both;
+    // Covered by the simplified model only.
+    uint64_t wrong;
+    // Covered by the full model only.
+    uint64_t missed;
+} tree_score;
+
+// Views around a model, each of which frames all of it. Begin with `tree_around_init`.
+typedef struct tree_around {
+    // `sizeof(tree_around)`.
+    size_t struct_size;
+    // How far the cameras look down in radians, -pi/2 to pi/2, each with all azimuths: every next ring is
+    // turned by a share of the step, so that no two stand above each other. NULL, the default: one ring,
+    // level.
+    const float *pitches;
+    // Number of pitches, at most 64; 0 for the default.
+    size_t n_pitches;
+    // Directions around the trunk for each pitch, evenly spread, 1 to 360. Default 8.
+    uint32_t azimuths;
+    // Width and height of the masks in pixels, 8 to 4096. Default 512.
+    uint32_t size;
+    // Where the first stands, in radians. Default 0. Views for measuring should not be those that an order
+    // was made with.
+    float turn;
+    // Vertical field of view in radians, 0.017 to 2.8, for perspective. 0, the default: parallel projection.
+    float fov;
+} tree_around;
+
+// How the order by coverage is made. Begin with `tree_coverage_params_init`.
+typedef struct tree_coverage_params {
+    // `sizeof(tree_coverage_params)`.
+    size_t struct_size;
+    // Views that are looked at. More hold better for others, at proportional cost. NULL, the default: those of
+    // `tree_around_for_order`.
+    const struct tree_around *around;
+    // Shares of triangles for which the choice is made, falling, more than 0, less than 1. NULL, the default:
+    // 0.5, 0.35, 0.2, 0.1, 0.05, 0.02.
+    const float *stages;
+    // Number of stages, at most 32; 0 for the default.
+    size_t n_stages;
+    // Whether leaves choose the point they grow about; otherwise it is their centre. Default 1.
+    uint32_t pivots;
+    // 0.
+    uint32_t reserved;
+} tree_coverage_params;
+
+// How large a pruned model is.
+typedef struct tree_pruned_totals {
+    // `sizeof(tree_pruned_totals)`.
+    size_t struct_size;
+    // Surfaces that are pruned; all others are drawn whole.
+    size_t n_parts;
+    // Number of tiers.
+    size_t n_tiers;
+    // Number of elements.
+    size_t n_elements;
+    // Triangles of the full foliage.
+    uint64_t n_triangles;
+    // Number of states; neighbours differ in one element.
+    uint64_t n_steps;
+    // Bytes of the foliage's indices in the mesh that came in.
+    uint64_t indices_before;
+    // Bytes of the indices of all tiers.
+    uint64_t indices_after;
+    // Bytes of the foliage's vertices in the mesh that came in.
+    uint64_t vertices_before;
+    // Bytes of the vertices with copies and centres.
+    uint64_t vertices_after;
+    // The least lambda that can be kept: of the state with the fewest elements.
+    float least_lambda;
+    // Lambda of the last state in which all elements are drawn.
+    float lambda_of_all;
+} tree_pruned_totals;
+
+// A view of a surface that is pruned.
+typedef struct tree_pruned_part {
+    // `sizeof(tree_pruned_part)`.
+    size_t struct_size;
+    // Four floats for each vertex of the surface: the point that its element is scaled about, in metres, and the
+    // lambda from which on it is drawn (0: always). A vertex of no element has itself as centre.
+    const float *centers;
+    // Number of vertices.
+    size_t n_vertices;
+    // Number of the surface in the mesh.
+    uint32_t surface;
+    // Mean linear colour of what is seen of the full model: texture times base colour.
+    float mean[3];
+} tree_pruned_part;
+
+// What is drawn of the elements; *ranks* are places in the order, the most important is 0.
+typedef struct tree_lod_cut {
+    // Triangles that are drawn.
+    uint64_t n_triangles;
+    // Tier of the ranks below `fine`.
+    uint32_t tier;
+    // Ranks from here to `end` are drawn with the next tier.
+    uint32_t fine;
+    // Ranks from here on are not drawn.
+    uint32_t end;
+    // 0.
+    uint32_t reserved;
+} tree_lod_cut;
+
+// When levels in a file change. Begin with `tree_lod_screen_init`.
+typedef struct tree_lod_screen {
+    // `sizeof(tree_lod_screen)`.
+    size_t struct_size;
+    // Lambda for each distance, 0 at `near` and 1 at `far`. NULL, the default: that of `tree_lod_distance_cook`.
+    const struct tree_lod_distance *distance;
+    // Distance in metres up to which the full model is wanted, in a field of view of 60 degrees, 0 or more.
+    // Default 10.
+    float near;
+    // Distance from which on the least will do, more than `near`, at most 1e9. Default 500.
+    float far;
+} tree_lod_screen;
+
+// What is drawn for a lambda, and the numbers that the shader needs. Its windows stand in an array of their own.
+typedef struct tree_lod_level {
+    // Share of the foliage's triangles, more than 0, at most 1. No less than what one element needs.
+    float lambda;
+    // Factor on the area of each element.
+    float scale;
+    // Factor on its lengths: the square root of `scale`.
+    float growth;
+    // Factor on the contrast of colours, more than 0, at most 1.
+    float contrast;
+    // Width in lambda over which the last elements fade; 0 where all are drawn.
+    float fade;
+    // 0.
+    uint32_t reserved;
+    // Triangles of the foliage that are drawn.
+    uint64_t n_triangles;
+} tree_lod_level;
+
+// A piece of a surface's index buffer.
+typedef struct tree_lod_window {
+    // Number of the surface.
+    uint32_t surface;
+    // First index.
+    uint32_t first_index;
+    // Number of indices; may be 0.
+    uint32_t index_count;
+} tree_lod_window;
+
+// How a model is pruned. Begin with `tree_prune_params_init`.
+typedef struct tree_prune_params {
+    // `sizeof(tree_prune_params)`.
+    size_t struct_size;
+    // Share of lambda over which the last elements fade, 0 to 1. More is smoother in motion, but shows fewer of the
+    // triangles that are drawn. 0: they pop. Default 0.1.
+    float fade;
+    // 0.
+    uint32_t reserved;
+} tree_prune_params;
+
+// How outlines become simpler. Begin with `tree_tiers_params_init`.
+typedef struct tree_tiers_params {
+    // `sizeof(tree_tiers_params)`.
+    size_t struct_size;
+    // Share of its triangles that an element has in each tier after the first, falling, 0 to 1. Every element keeps
+    // a triangle, or two where a picture with a mask lies on it. NULL, the default: 1/2, 1/4, 1/8, 1/16.
+    const float *shares;
+    // Number of shares, at most 16; 0 for the default.
+    size_t n_shares;
+    // How far lengths of elements may differ, in lengths of a square of the same area, for them to share one answer,
+    // 0 to 1. Default 0.08.
+    float alike;
+    // Largest share of the triangles of the tier before that a tier may have; others are not worth their memory and
+    // are left out. 0 to 1. Default 0.9.
+    float worth;
+} tree_tiers_params;
+
+// Which scale a table is measured with: one of the `TREE_LOD_SCALE_` constants.
+typedef uint32_t tree_lod_scale;
+
+// How a table is measured. Begin with `tree_lod_table_params_init`.
+typedef struct tree_lod_table_params {
+    // `sizeof(tree_lod_table_params)`.
+    size_t struct_size;
+    // From where to look. NULL, the default: 8 azimuths, level, with 256 pixels; fewer and smaller for a large
+    // model, as `tree_around_for_table` says.
+    const struct tree_around *around;
+    // Rows of the table: rising, more than 0, the last 1. NULL, the default: 17 from 0.01 to 1.
+    const float *lambdas;
+    // Number of lambdas, at most 256; 0 for the default.
+    size_t n_lambdas;
+    // Which scale is measured: a `TREE_LOD_SCALE_` constant. Default `TREE_LOD_SCALE_BEST`.
+    tree_lod_scale scale;
+    // `TREE_LOD_SCALE_FIXED`: the scale, a factor on area, 0.01 to 10,000. Default 1.
+    float fixed;
+} tree_lod_table_params;
+
+// Every step from a mesh to a pruned model. Begin with `tree_prune_make_params_init`.
+typedef struct tree_prune_make_params {
+    // `sizeof(tree_prune_make_params)`.
+    size_t struct_size;
+    // Surfaces that are pruned, each once. NULL, the default: they are found, as `tree_elements_of_mesh` does it.
+    const uint32_t *surfaces;
+    // Number of these surfaces; 0 for the default.
+    size_t n_surfaces;
+    // How outlines become simpler. NULL, the default: its defaults.
+    const struct tree_tiers_params *outlines;
+    // How the order is found. NULL, the default: as is right for so many triangles.
+    const struct tree_coverage_params *order;
+    // How scales are measured. NULL, the default: as is right for so many triangles.
+    const struct tree_lod_table_params *table;
+    // How the model is pruned. NULL, the default: its defaults.
+    const struct tree_prune_params *prune;
+    // What an element is: a `TREE_GRAIN_` constant. Default `TREE_GRAIN_BLADE`.
+    tree_grain grain;
+    // 0.
+    uint32_t reserved;
+} tree_prune_make_params;
+
+// What is measured: a model, its elements, in which order they are dropped, and what they are drawn with. Begin with
+// `tree_lod_subject_init`.
+typedef struct tree_lod_subject {
+    // `sizeof(tree_lod_subject)`.
+    size_t struct_size;
+    // The full model. No default: NULL, which is refused.
+    const struct tree_mesh *mesh;
+    // Its elements. No default: NULL, which is refused.
+    const struct tree_elements *elements;
+    // All elements, the most important first, such as `tree_order_coverage` writes them.
+    const uint32_t *order;
+    // Number of rows of `order`: the number of elements.
+    size_t n_order;
+    // Three floats for each element (not rank): the point it is scaled about, in metres. NULL, the default: its
+    // centre.
+    const float *pivots;
+    // Number of pivots: the number of elements, or 0 for the default.
+    size_t n_pivots;
+    // What the elements are drawn with. NULL, the default: the full model alone.
+    const struct tree_tiers *tiers;
+    // Number of elements with which each tier begins, such as `tree_lod_plan` writes them: of the first all, then
+    // never more than before. NULL, the default: each begins with all.
+    const uint32_t *kept;
+    // Number of rows of `kept`: the number of tiers, or 0 for the default.
+    size_t n_kept;
+} tree_lod_subject;
+
+// An ellipsoid along the axes of a model that nothing is seen through.
+typedef struct tree_scene_occluder {
+    // Its centre in metres.
+    float center[3];
+    // Half its size along each axis, more than 0.
+    float radii[3];
+} tree_scene_occluder;
+
+// A window of an index buffer.
+typedef struct tree_scene_draw {
+    // First index.
+    uint32_t first_index;
+    // Number of indices; 0 for a part that is not drawn.
+    uint32_t index_count;
+    // Added to each index.
+    int32_t base_vertex;
+} tree_scene_draw;
+
+// A tree model as a scene draws it. Lengths in metres, in the model's own space. Begin with
+// `tree_scene_model_init`. All is copied into the scene.
+typedef struct tree_scene_model {
+    // `sizeof(tree_scene_model)`.
+    size_t struct_size;
+    // Points on the crown's surface, evenly spread, three floats each, such as `tree_hull_sample` writes them.
+    // NULL, the default: the model is never taken for occluded.
+    const float *samples;
+    // Number of points, at most 64; 32 do well.
+    size_t n_samples;
+    // What hides other trees in the built-in occlusion pass: a few ellipsoids that are opaque for certain, such
+    // as the inner crown and the trunk. NULL, the default: the model hides nothing there.
+    const struct tree_scene_occluder *occluders;
+    // Number of occluders, at most 64.
+    size_t n_occluders;
+    // Lambda for each distance, 0 at `near` and 1 at `far`. NULL, the default: that of `tree_lod_distance_cook`.
+    const struct tree_lod_distance *distance;
+    // For each level the share of the foliage's triangles, rising, more than 0, at most 1. The more levels, the
+    // smoother. No default: NULL, which is refused.
+    const float *lambdas;
+    // For each level the factor on the area of each element, more than 0. NULL, the default: 1.
+    const float *scales;
+    // For each level the width in lambda over which the last elements fade in, 0 (they pop; nothing fades in the full
+    // model) to 1. NULL, the default: 0.
+    const float *fades;
+    // Number of levels, 1 to 1024.
+    size_t n_levels;
+    // What is drawn of each part of the model (bark, leaves, fruit): the parts of the first level, then those of
+    // the next, `n_levels * n_parts` rows. A part that is always drawn whole has the same draw in every level.
+    // No default: NULL, which is refused.
+    const struct tree_scene_draw *draws;
+    // Number of parts, 1 to 64.
+    size_t n_parts;
+    // Centre of a sphere around the whole model, at its largest scale. Default 0, 0, 0.
+    float center[3];
+    // Radius of that sphere, more than 0, at most 100,000. Default 1: set it.
+    float radius;
+    // Distance up to which the full model is drawn, for an instance of scale 1 in a field of view of 60 degrees
+    // from top to bottom; what counts is the size on the screen. 0 or more. Default 10.
+    float near;
+    // Distance from which on the least is drawn, more than `near`. Default 500.
+    float far;
+} tree_scene_model;
+
+// Language of a shader: one of the `TREE_SHADER_` constants.
+typedef uint32_t tree_shader;
+
+// A tree of a scene.
+typedef struct tree_scene_instance {
+    // Which model of the scene it is.
+    uint32_t model;
+    // Where the model's origin stands, in metres, within 1e7 of the origin.
+    float position[3];
+    // How it is turned: a unit quaternion, x, y, z, w. 0, 0, 0, 1 is not at all.
+    float rotation[4];
+    // Factor on its size, 0.001 to 1000.
+    float scale;
+} tree_scene_instance;
+
+// What is needed to draw a scene.
+typedef struct tree_scene_needs {
+    // `sizeof(tree_scene_needs)`.
+    size_t struct_size;
+    // Number of instances: rows of `tree_instance_lod` that always suffice.
+    size_t n_instances;
+    // Rows of `tree_draw_indexed` that always suffice: the parts of all instances.
+    size_t most_draws;
+    // Indices of all instances at their finest level: what is drawn without selection.
+    uint64_t most_indices;
+} tree_scene_needs;
+
+// How an instance was drawn in the last frame.
+typedef struct tree_scene_shown {
+    // Whether it was in view, 1 or 0; if not, all else is 0.
+    uint32_t in_view;
+    // Level of its model.
+    uint32_t level;
+    // Share of the foliage's triangles.
+    float lambda;
+    // Share of the sample points that are seen, 0 to 1.
+    float visible;
+} tree_scene_shown;
+
+// How shares of geometry follow what is seen. Begin with `tree_scene_params_init`.
+typedef struct tree_scene_params {
+    // `sizeof(tree_scene_params)`.
+    size_t struct_size;
+    // Least factor on lambda of a tree that is hidden, 0.001 to 1. Default 0.1.
+    float hidden;
+    // Width of the band in which nothing changes, as a share of lambda, 0 to 1. Default 0.05. Wider: calmer, but
+    // up to so much more is drawn.
+    float band;
+    // Seconds in which lambda comes nearer to its aim by two thirds, 0 (at once) to 60. Default 0.2.
+    float time;
+    // 0.
+    uint32_t reserved;
+} tree_scene_params;
+
+// How it is found out what stands before a tree: one of the `TREE_SCENE_OCCLUSION_` constants.
+typedef uint32_t tree_scene_occlusion;
+
+// One picture that is to be drawn. Begin with `tree_scene_frame_init`.
+//
+// Matrices have 16 floats, column by column, as engines hand them to shaders. A view turns and moves only; the
+// eye looks along -Z of it. A projection is right-handed with depth from 0 to 1: perspective or orthographic, its
+// far end finite or infinite, its depth reversed or not, off centre, upside down (Vulkan).
+typedef struct tree_scene_frame {
+    // `sizeof(tree_scene_frame)`.
+    size_t struct_size;
+    // From the world to the eye's space. No default: zeros, which are refused.
+    float view[16];
+    // From the eye's space to clip space. No default: zeros, which are refused.
+    float projection[16];
+    // Seconds since the last frame, 0 to 1e6. Default 0: no time has passed.
+    float seconds;
+    // Whether the camera has jumped: all shares are then what they should be at once. Default 0.
+    uint32_t cut;
+    // What hides trees: a `TREE_SCENE_OCCLUSION_` constant. Default `TREE_SCENE_OCCLUSION_NONE`. All that follows
+    // is for `TREE_SCENE_OCCLUSION_DEPTH`.
+    tree_scene_occlusion occlusion;
+    // Whether the first row of depths lies at clip y = -w, as in Vulkan and OpenGL; otherwise it lies at +w, as in
+    // Direct3D, Metal and WebGPU. Default 0.
+    uint32_t depth_y_down;
+    // Depth of each pixel from 0 to 1, row by row, of the previous frame or some frames ago. They are not copied.
+    const float *depths;
+    // Number of depths: `depth_width * depth_height`.
+    size_t n_depths;
+    // Pixels in a row, 1 to 32,768. 256 by 144 do.
+    uint32_t depth_width;
+    // Rows, 1 to 32,768.
+    uint32_t depth_height;
+    // The view the depths were drawn with.
+    float depth_view[16];
+    // The projection the depths were drawn with; it tells whether depth is reversed.
+    float depth_projection[16];
+} tree_scene_frame;
+
+// What a frame draws.
+typedef struct tree_scene_report {
+    // `sizeof(tree_scene_report)`.
+    size_t struct_size;
+    // Instances in view.
+    uint64_t drawn;
+    // Instances out of view.
+    uint64_t culled;
+    // Instances in view of which some sample points are hidden. What is so far that it is drawn as coarsely as can
+    // be is not tested, and counts as seen.
+    uint64_t occluded;
+    // Instances in view of which all are.
+    uint64_t hidden;
+    // Indices drawn: what a vertex shader sees at most.
+    uint64_t indices;
+    // Triangles drawn, if all are lists.
+    uint64_t triangles;
+} tree_scene_report;
+
+// Arguments of an indexed indirect draw, laid out as Vulkan, Direct3D 12, WebGPU and Metal take them.
+typedef struct tree_draw_indexed {
+    // Number of indices.
+    uint32_t index_count;
+    // Number of instances, never 0.
+    uint32_t instance_count;
+    // First index.
+    uint32_t first_index;
+    // Added to each index.
+    int32_t base_vertex;
+    // Row of the first instance in the buffer of `tree_instance_lod`.
+    uint32_t first_instance;
+} tree_draw_indexed;
+
+// How an instance is drawn in this frame, 20 bytes: for a storage buffer that vertex shaders read.
+typedef struct tree_instance_lod {
+    // Number of the instance in the scene.
+    uint32_t instance;
+    // Factor on the *length* of each element about its centre.
+    float scale;
+    // Share of the foliage's triangles, 0 to 1. It moves smoothly; the window drawn holds at least as much.
+    float lambda;
+    // Width in lambda of the end of the order that is fading: an element of rank u (0 first, 1 last) has the size
+    // `clamp((lambda - u) / fade, 0, 1)`. 0 where nothing fades: the full model.
+    float fade;
+    // Factor on the contrast of colours that keeps its variance in the picture (Cook et al. 2007).
+    float contrast;
+} tree_instance_lod;
+
+// A share of geometry, its best scale, and how good the model then is.
+typedef struct tree_lod_row {
+    // Share of the foliage's triangles that is drawn, more than 0, at most 1.
+    float lambda;
+    // Factor on the area of each element; lengths grow by its square root.
+    float scale;
+    // Precision over the views that were looked at.
+    float precision;
+    // Recall over them.
+    float recall;
+    // Mean of the quality of the views.
+    float quality;
+} tree_lod_row;
+
+// A view of a tier.
+typedef struct tree_tier_columns {
+    // `sizeof(tree_tier_columns)`.
+    size_t struct_size;
+    // Number of elements.
+    size_t n_elements;
+    // Where the triangles of each element begin, and their number at the end: `n_elements + 1` rows.
+    const uint32_t *starts;
+    // Three vertices of the element's surface for each triangle, in the winding of the model.
+    const uint32_t *triangles;
+    // Number of triangles.
+    size_t n_triangles;
+} tree_tier_columns;
 
 // What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
 // `tree_leaf_names`.
@@ -3971,48 +4690,6 @@ typedef struct tree_particle_stand {
     // 0.
     uint32_t reserved;
 } tree_particle_stand;
-
-// How a camera is placed: one of the `TREE_CAMERA_` constants.
-typedef uint32_t tree_camera;
-
-// How a camera projects: one of the `TREE_LENS_` constants.
-typedef uint32_t tree_lens;
-
-// Size, quality and camera of a picture. Begin with `tree_view_init`.
-typedef struct tree_view {
-    // `sizeof(tree_view)`.
-    size_t struct_size;
-    // Width in pixels, 1 to 16,384. Default 1024.
-    uint32_t width;
-    // Height in pixels, 1 to 16,384. Default 1024.
-    uint32_t height;
-    // Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
-    uint32_t samples;
-    // How the camera is placed. Default `TREE_CAMERA_FRAMED`.
-    tree_camera camera;
-    // How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
-    tree_lens lens;
-    // Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
-    float fov;
-    // Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
-    // quarter turn on +X. Finite; default 0.6.
-    float yaw;
-    // Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
-    // Default 0.09.
-    float pitch;
-    // Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
-    float margin;
-    // Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
-    float lens_height;
-    // Placed: where the camera stands, in metres. Default 0, 0, 0.
-    float eye[3];
-    // Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
-    float target[3];
-    // Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
-    float up[3];
-    // 0.
-    uint32_t reserved;
-} tree_view;
 
 // A scribble over a photograph. Begin with `tree_trimap_stroke_init`.
 typedef struct tree_trimap_stroke {
@@ -6411,6 +7088,818 @@ tree_status tree_mesh_from_bytes(tree_mesh_format format,
                                  const struct tree_control *control,
                                  struct tree_import_report *report,
                                  struct tree_mesh **mesh);
+
+// `(1 - d)^2` (Cook et al. 2007).
+tree_status tree_lod_distance_cook(struct tree_lod_distance *distance);
+
+// The least lambda of a measured model that is as good as asked for: a quality of `near` at distance 0, falling
+// linearly to `far` at distance 1; each 0 to 1, both the same for one that is asked for everywhere.
+tree_status tree_lod_distance_for_quality(const struct tree_lod_table *table,
+                                          float near,
+                                          float far,
+                                          struct tree_lod_distance *distance);
+
+// The least lambda at which the model of `table` is as good as the one of `cook` is at `(1 - d)^2`: the same
+// pictures with less geometry. `cook` is measured with `tree_order_stochastic` and `TREE_LOD_SCALE_COOK`.
+tree_status tree_lod_distance_parity(const struct tree_lod_table *table,
+                                     const struct tree_lod_table *cook,
+                                     struct tree_lod_distance *distance);
+
+// One of your own samples, at the distances of `tree_lod_distance_places`: `TREE_LOD_DISTANCE_SAMPLES` numbers,
+// each 0 to 1. A sample above the one before is lowered to it, for geometry must not grow with distance.
+tree_status tree_lod_distance_from_samples(const float *lambdas,
+                                           size_t n_lambdas,
+                                           struct tree_lod_distance *distance);
+
+// Writes the distances that are sampled, `TREE_LOD_DISTANCE_SAMPLES` of them.
+tree_status tree_lod_distance_places(float *places, size_t capacity);
+
+// Lambda at a distance `d`, which is brought into 0 to 1; NaN is far. `TREE_ERROR_PARAMETER` when a sample is not
+// within 0 to 1.
+tree_status tree_lod_distance_lambda(const struct tree_lod_distance *distance,
+                                     float d,
+                                     float *lambda);
+
+// Divides the foliage of a mesh into elements. `surfaces` names the `n_surfaces` surfaces that may be pruned,
+// each once. Without any (NULL, 0) they are found: those with anchors of leaves, and where there are none, as
+// in imported meshes, those whose material is alpha-tested, has two sides or is named after leaves. `grain`
+// is a `TREE_GRAIN_` constant; blades are a good choice. `control` may be NULL; `triangles` of its limits caps
+// the triangles. Free the elements with `tree_elements_free`.
+//
+// `TREE_ERROR_INVALID` when there is no foliage, or a surface that was named does not exist or is named
+// twice.
+tree_status tree_elements_of_mesh(const struct tree_mesh *mesh,
+                                  const uint32_t *surfaces,
+                                  size_t n_surfaces,
+                                  tree_grain grain,
+                                  const struct tree_control *control,
+                                  struct tree_elements **elements);
+
+// Elements of your own, which are copied: each a row of the columns, as `tree_elements_view` gives them. `mesh` is what
+// they are elements of. `control` may be NULL; `triangles` of its limits caps elements and triangles. Free the
+// elements with `tree_elements_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+// `n_triangles`, when the mesh lacks a surface or a triangle, or a centre is not finite.
+tree_status tree_elements_from_columns(const struct tree_mesh *mesh,
+                                       const struct tree_elements_columns *columns,
+                                       const struct tree_control *control,
+                                       struct tree_elements **elements);
+
+// Views elements. Set `columns->struct_size` first.
+tree_status tree_elements_view(const struct tree_elements *elements,
+                               struct tree_elements_columns *columns);
+
+// Height in metres of the plant the elements belong to: from the ground at y = 0, where trees are based, to the
+// highest centre. Of a model that is not based there (something lies below, or all is higher than two crown
+// heights) the height of the crown. `TREE_ERROR_INVALID` when all elements are one point.
+tree_status tree_elements_plant_height(const struct tree_elements *elements,
+                                       float *metres);
+
+// Frees elements, and with them all views of them.
+tree_status tree_elements_free(struct tree_elements *elements);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_hull_params_init(struct tree_hull_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_hull_params_check(const struct tree_hull_params *params);
+
+// The surface of a field of metaballs. `params` and `control` may be NULL; `voxels` and `triangles` of its limits
+// cap the grid and the surface. Free the hull with `tree_hull_free`. `TREE_ERROR_INVALID` when the points stand so
+// far from the origin that the numbers do not resolve the grid.
+tree_status tree_hull_of_metaballs(const struct tree_metaballs *metaballs,
+                                   const struct tree_hull_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_hull **hull);
+
+// The hull of a plant, as `tree_order_combined` makes it: `tree_metaballs_of_elements` and `tree_hull_of_metaballs`
+// in one, with `height`, `radius` and `hull` of `params`. `params` and `control` may be NULL. Free the hull with
+// `tree_hull_free`.
+tree_status tree_hull_of_elements(const struct tree_elements *elements,
+                                  const struct tree_order_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_hull **hull);
+
+// Views a hull. Set `columns->struct_size` first.
+tree_status tree_hull_view(const struct tree_hull *hull, struct tree_hull_columns *columns);
+
+// A mesh of one surface, for looking at the hull. Free it with `tree_mesh_free`.
+tree_status tree_hull_mesh(const struct tree_hull *hull, struct tree_mesh **mesh);
+
+// Chooses `n_samples` places evenly by area: for the visibility of a model in a `tree_scene`, for example.
+// `positions` and `normals` (unit, outwards) have room for `capacity` and `normals_capacity` floats, at least
+// `3 * n_samples` each. `control` may be NULL; `nodes` of its limits caps the samples.
+tree_status tree_hull_sample(const struct tree_hull *hull,
+                             size_t n_samples,
+                             uint64_t seed,
+                             const struct tree_control *control,
+                             float *positions,
+                             size_t capacity,
+                             float *normals,
+                             size_t normals_capacity);
+
+// The place of the surface that is nearest to each of `n_points` points, three floats each in metres, or another
+// that is at most a hundredth farther from it, and the unit normal there. For a point that is not finite, or too
+// far off (1e18 m) to tell, both are zero. `positions` and `normals` have room for `capacity` and
+// `normals_capacity` floats, at least `3 * n_points` each. `control` may be NULL; `nodes` of its limits caps the
+// points.
+tree_status tree_hull_nearest(const struct tree_hull *hull,
+                              const float *points,
+                              size_t n_points,
+                              const struct tree_control *control,
+                              float *positions,
+                              size_t capacity,
+                              float *normals,
+                              size_t normals_capacity);
+
+// Frees a hull, and with it all views of it.
+tree_status tree_hull_free(struct tree_hull *hull);
+
+// The pixels that a mesh covers. Of `view`, which may be NULL for the default, camera and width count; it must
+// be as high as it is wide, 8 to 4096 pixels. `control` may be NULL. Free the mask with `tree_bits_free`.
+tree_status tree_bits_of_mesh(const struct tree_mesh *mesh,
+                              const struct tree_view *view,
+                              const struct tree_control *control,
+                              struct tree_bits **bits);
+
+// Tells how large a mask is, and how many of its bits are set. Set `found->struct_size` first.
+tree_status tree_bits_measure(const struct tree_bits *bits, struct tree_bits_size *found);
+
+// Writes the words of all rows, from top to bottom, each begun in a word of its own: the pixel at x is bit
+// `x % 64` of word `x / 64` of its row. `capacity` is at least `n_words` of `tree_bits_measure`.
+tree_status tree_bits_words(const struct tree_bits *bits,
+                            uint64_t *words,
+                            size_t capacity);
+
+// Writes a byte for each pixel, rows from top to bottom, 255 where it is set. `capacity` is at least
+// `n_pixels` of `tree_bits_measure`.
+tree_status tree_bits_bytes(const struct tree_bits *bits,
+                            uint8_t *bytes,
+                            size_t capacity);
+
+// Counts the pixels of `bits`, of a simplified model, against those of the `full` one. Masks of different sizes
+// are compared where they overlap from the top left, by whole words.
+tree_status tree_bits_score(const struct tree_bits *bits,
+                            const struct tree_bits *full,
+                            struct tree_score *score);
+
+// Frees a mask.
+tree_status tree_bits_free(struct tree_bits *bits);
+
+// The field of `n_points` points, three floats each in metres, with `radius` metres of influence, 1e-9 to
+// 1e9. `control` may be NULL; `nodes` of its limits caps the points. Free it with `tree_metaballs_free`.
+// `TREE_ERROR_INVALID` when there are no points, `TREE_ERROR_PARAMETER` when a number is out of range.
+tree_status tree_metaballs_new(const float *points,
+                               size_t n_points,
+                               float radius,
+                               const struct tree_control *control,
+                               struct tree_metaballs **metaballs);
+
+// The field of the centres of all elements that have area. `radius` is a share of `height`, the height of the
+// plant in metres; 0 for the height that `tree_elements_plant_height` measures. `control` may be NULL. Free it
+// with `tree_metaballs_free`. `TREE_ERROR_INVALID` when no element has area.
+tree_status tree_metaballs_of_elements(const struct tree_elements *elements,
+                                       float radius,
+                                       float height,
+                                       const struct tree_control *control,
+                                       struct tree_metaballs **metaballs);
+
+// Radius of influence in metres.
+tree_status tree_metaballs_radius(const struct tree_metaballs *metaballs, float *radius);
+
+// Number of points.
+tree_status tree_metaballs_n_points(const struct tree_metaballs *metaballs, size_t *n_points);
+
+// The box around the points: its lower corner, then its upper one, in metres.
+tree_status tree_metaballs_bounds(const struct tree_metaballs *metaballs, float (*min_max)[6]);
+
+// The field at `n_points` points, three floats each in metres; 0 for a point that is not finite. `values` has
+// room for `capacity` numbers, at least `n_points`. `control` may be NULL; `nodes` of its limits caps the
+// points.
+tree_status tree_metaballs_values(const struct tree_metaballs *metaballs,
+                                  const float *points,
+                                  size_t n_points,
+                                  const struct tree_control *control,
+                                  float *values,
+                                  size_t capacity);
+
+// Where the field grows fastest, and how fast per metre, three floats for each of the `n_points` points; zero
+// outside. `gradients` has room for `capacity` floats, at least `3 * n_points`. Else as `tree_metaballs_values`.
+tree_status tree_metaballs_gradients(const struct tree_metaballs *metaballs,
+                                     const float *points,
+                                     size_t n_points,
+                                     const struct tree_control *control,
+                                     float *gradients,
+                                     size_t capacity);
+
+// Frees a field. Hulls that were made of it stay.
+tree_status tree_metaballs_free(struct tree_metaballs *metaballs);
+
+// Makes an order that has nothing to do with place, size, direction or colour: a shuffle (Cook et al. 2007).
+// `order` has room for `capacity` numbers, at least one for each element; as of all orders, row k is the k-th
+// most important element, and the first rows are drawn.
+tree_status tree_order_stochastic(const struct tree_elements *elements,
+                                  uint64_t seed,
+                                  uint32_t *order,
+                                  size_t capacity);
+
+// Makes an order of which every beginning is evenly spread over the ground, by the golden section (Neubert 2012,
+// 6.3.2, "drop and resize"). There is no chance in it. `order` as for `tree_order_stochastic`.
+tree_status tree_order_golden(const struct tree_elements *elements,
+                              uint32_t *order,
+                              size_t capacity);
+
+// Makes an order in which elements of dense places go first, until all places are about as dense; the rest is
+// stochastic (Neubert 2012, 7.3.2). `params` and `control` may be NULL; `order` as for `tree_order_stochastic`.
+// `TREE_ERROR_INVALID` when no element has area.
+tree_status tree_order_density(const struct tree_elements *elements,
+                               const struct tree_order_params *params,
+                               uint64_t seed,
+                               const struct tree_control *control,
+                               uint32_t *order,
+                               size_t capacity);
+
+// Makes an order in which elements that do not lie along the hull go first (Neubert 2012, 7.3.3), with
+// `params->randomness`. `params` and `control` may be NULL; `order` as for `tree_order_stochastic`.
+tree_status tree_order_orientation(const struct tree_elements *elements,
+                                   const struct tree_hull *hull,
+                                   const struct tree_order_params *params,
+                                   uint64_t seed,
+                                   const struct tree_control *control,
+                                   uint32_t *order,
+                                   size_t capacity);
+
+// Makes the order by density and orientation together (Neubert 2012, eq. 7.8). It makes field and hull itself.
+// `params` and `control` may be NULL; `order` as for `tree_order_stochastic`. `TREE_ERROR_INVALID` when no element
+// has area.
+tree_status tree_order_combined(const struct tree_elements *elements,
+                                const struct tree_order_params *params,
+                                uint64_t seed,
+                                const struct tree_control *control,
+                                uint32_t *order,
+                                size_t capacity);
+
+// Makes the order that keeps the pixels covered: elements are drawn from many sides, and those come first that
+// together make the best quality. Where leaves have grown, each chooses the point that it grows about. The best
+// order of all, and the one that takes longest: some ten drawings of the foliage in every view.
+//
+// Elements are drawn as in tier `tier` of `tiers`: 0 is the full model, and NULL, with 0, has no other. For leaves of
+// many triangles take one of about four triangles each: a quarter of the time, and nearly the same order.
+//
+// `params` and `control` may be NULL. `order` as for `tree_order_stochastic`; `pivots`, three floats for each
+// element (not rank) in metres, has room for `pivots_capacity` floats, at least three for each element.
+// `TREE_ERROR_INVALID` when the elements or tiers are not of this mesh, `TREE_ERROR_PARAMETER` when there is no such
+// tier.
+tree_status tree_order_coverage(const struct tree_mesh *mesh,
+                                const struct tree_elements *elements,
+                                const struct tree_tiers *tiers,
+                                size_t tier,
+                                const struct tree_coverage_params *params,
+                                const struct tree_control *control,
+                                uint32_t *order,
+                                size_t capacity,
+                                float *pivots,
+                                size_t pivots_capacity);
+
+// Checks that an order of `n_order` rows has each of `n_elements` elements once; `TREE_ERROR_INVALID` names the
+// first row at fault.
+tree_status tree_order_check(const uint32_t *order,
+                             size_t n_order,
+                             size_t n_elements);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_order_params_init(struct tree_order_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_order_params_check(const struct tree_order_params *params);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_coverage_params_init(struct tree_coverage_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_coverage_params_check(const struct tree_coverage_params *params);
+
+// Tells how large a model is, and the ends of its lambdas. Set `totals->struct_size` first.
+tree_status tree_pruned_measure(const struct tree_pruned *pruned,
+                                struct tree_pruned_totals *totals);
+
+// The mesh to upload, nothing copied. Its foliage must be drawn by windows, for its index buffers hold leaves several
+// times. Free it with `tree_mesh_free`; it keeps the model alive.
+tree_status tree_pruned_mesh(const struct tree_pruned *pruned,
+                             struct tree_mesh **mesh);
+
+// Views part `number`, rising with the surfaces. Set `part->struct_size` first. `TREE_ERROR_PARAMETER` when there is
+// no such part.
+tree_status tree_pruned_part_view(const struct tree_pruned *pruned,
+                                  size_t number,
+                                  struct tree_pruned_part *part);
+
+// The scale for each lambda, a table of its own. Free it with `tree_lod_table_free`.
+tree_status tree_pruned_table(const struct tree_pruned *pruned, struct tree_lod_table **table);
+
+// Writes the number of elements with which each tier begins. `kept` has room for `capacity` numbers, at least one for
+// each tier.
+tree_status tree_pruned_kept(const struct tree_pruned *pruned,
+                             uint32_t *kept,
+                             size_t capacity);
+
+// The most elements that fit `lambda`, 0 to 1, of the full foliage's triangles: at least one, even if it has more.
+tree_status tree_pruned_cut(const struct tree_pruned *pruned,
+                            float lambda,
+                            struct tree_lod_cut *cut);
+
+// A state, counted from the full model, 0, down; from `n_steps` on it is the last.
+tree_status tree_pruned_step(const struct tree_pruned *pruned,
+                             uint64_t step,
+                             struct tree_lod_cut *cut);
+
+// The least lambda for which so many triangles may be drawn; 1 for more than there are.
+tree_status tree_pruned_lambda_of(const struct tree_pruned *pruned,
+                                  uint64_t n_triangles,
+                                  float *lambda);
+
+// Lambda from which on an element is drawn: 0 for those that always are, 1 for ranks that do not exist.
+tree_status tree_pruned_lambda_of_rank(const struct tree_pruned *pruned,
+                                       uint32_t rank,
+                                       float *lambda);
+
+// Frees a model, and with it all views of its parts. Meshes made of it stay.
+tree_status tree_pruned_free(struct tree_pruned *pruned);
+
+// Makes `screen`, of `size` bytes, the default.
+tree_status tree_lod_screen_init(struct tree_lod_screen *screen, size_t size);
+
+// Checks every field of `screen`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_lod_screen_check(const struct tree_lod_screen *screen);
+
+// Share of the screen's height, 0 to 1, that something of `size` metres has where lambda has fallen to `lambda`.
+tree_status tree_lod_screen_coverage(const struct tree_lod_screen *screen,
+                                     float lambda,
+                                     float size,
+                                     float *coverage);
+
+// A model as a GLB file in memory, for engines that draw windows: foliage with all tiers in its index buffers, and an
+// attribute `_TREE_CENTER` of 4 floats a vertex, as in `tree_pruned_part`. The levels go beside it, as
+// `tree_pruned_to_json`. Programs that draw all of it draw leaves several times. `options` and `control` may be NULL,
+// as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for `quantize`: shaders
+// need positions in metres.
+tree_status tree_pruned_to_glb(const struct tree_pruned *pruned,
+                               const struct tree_glb_options *options,
+                               const struct tree_control *control,
+                               struct tree_bytes **bytes);
+
+// As `tree_pruned_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_pruned_write_glb(const struct tree_pruned *pruned,
+                                  const char *path,
+                                  size_t path_len,
+                                  const struct tree_glb_options *options,
+                                  const struct tree_control *control);
+
+// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file,
+// each a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance
+// has fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL.
+// Free the bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
+tree_status tree_pruned_to_glb_levels(const struct tree_pruned *pruned,
+                                      const float *lambdas,
+                                      size_t n_lambdas,
+                                      const struct tree_lod_screen *screen,
+                                      const struct tree_glb_options *options,
+                                      const struct tree_control *control,
+                                      struct tree_bytes **bytes);
+
+// As `tree_pruned_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_pruned_write_glb_levels(const struct tree_pruned *pruned,
+                                         const float *lambdas,
+                                         size_t n_lambdas,
+                                         const struct tree_lod_screen *screen,
+                                         const char *path,
+                                         size_t path_len,
+                                         const struct tree_glb_options *options,
+                                         const struct tree_control *control);
+
+// What is drawn for `lambda`, 0 to 1: at most so much of the full foliage, but at least one element. `windows` has
+// room for `capacity` of them, at least `n_parts` of `tree_pruned_measure`: one for each part, in their order. It is
+// quick enough for every frame.
+tree_status tree_pruned_level(const struct tree_pruned *pruned,
+                              float lambda,
+                              struct tree_lod_level *level,
+                              struct tree_lod_window *windows,
+                              size_t capacity);
+
+// `n` levels, 2 to 1024, with rising lambda: from the first of the table to the full model, in equal ratios. `levels`
+// has room for `levels_capacity` of them, at least `n`; `windows` for `windows_capacity`, at least `n` times the
+// parts: those of the first level, then those of the next. `n_levels` says how many there are: fewer than `n` where
+// the table begins at 1.
+tree_status tree_pruned_levels(const struct tree_pruned *pruned,
+                               size_t n,
+                               struct tree_lod_level *levels,
+                               size_t levels_capacity,
+                               struct tree_lod_window *windows,
+                               size_t windows_capacity,
+                               size_t *n_levels);
+
+// The level for `lambda`, 0 to 1, as a plain mesh, wood included: elements scaled as the shader does, what is not
+// drawn left out. Nothing fades in it. Free it with `tree_mesh_free`. `control` may be NULL; of it only threads
+// matter, and a cancellation before the work begins.
+tree_status tree_pruned_mesh_at(const struct tree_pruned *pruned,
+                                float lambda,
+                                const struct tree_control *control,
+                                struct tree_mesh **mesh);
+
+// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when
+// they are of another model.
+tree_status tree_pruned_mesh_of(const struct tree_pruned *pruned,
+                                const struct tree_lod_level *level,
+                                const struct tree_lod_window *windows,
+                                size_t n_windows,
+                                const struct tree_control *control,
+                                struct tree_mesh **mesh);
+
+// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for
+// each level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes,
+// which are UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels
+// times parts.
+tree_status tree_pruned_to_json(const struct tree_pruned *pruned,
+                                const struct tree_lod_level *levels,
+                                size_t n_levels,
+                                const struct tree_lod_window *windows,
+                                size_t n_windows,
+                                struct tree_bytes **bytes);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_prune_params_init(struct tree_prune_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_prune_params_check(const struct tree_prune_params *params);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_prune_make_params_init(struct tree_prune_make_params *params, size_t size);
+
+// Makes a pruned model of a mesh, all steps in one call: elements, tiers, order by coverage, plan, table and model.
+// Some seconds for half a million triangles. `params` and `control` may be NULL; `triangles` of its limits caps those
+// of all tiers together. Free the model with `tree_pruned_free`. `TREE_ERROR_INVALID` when there is no foliage.
+tree_status tree_pruned_make(const struct tree_mesh *mesh,
+                             const struct tree_prune_make_params *params,
+                             const struct tree_control *control,
+                             struct tree_pruned **pruned);
+
+// Makes a pruned model of what its steps have made: the subject with its order, pivots, tiers and plan, and `table`
+// with the scale for each lambda. Surfaces of foliage keep their vertices and columns, their index buffers hold the
+// triangles of all tiers; vertices that several elements share are doubled, and such a surface loses its anchors.
+// `params` and `control` may be NULL. Free the model with `tree_pruned_free`.
+//
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together, or pivots are not finite;
+// `TREE_ERROR_PARAMETER` for foliage further than 1000 km from the origin, or a `kept` that rises.
+tree_status tree_pruned_new(const struct tree_lod_subject *subject,
+                            const struct tree_lod_table *table,
+                            const struct tree_prune_params *params,
+                            const struct tree_control *control,
+                            struct tree_pruned **pruned);
+
+// The model for a scene, with `n` levels, 2 to 1024, as `tree_pruned_levels` makes them: a draw for every surface,
+// wood included, all surfaces one after another in one vertex buffer and one index buffer. `distance` says how lambda
+// falls, NULL for that of `tree_lod_distance_cook`. Free the levels with `tree_scene_levels_free`.
+//
+// `TREE_ERROR_INVALID` when the model has more than 64 surfaces, or one buffer cannot hold them.
+tree_status tree_pruned_scene_levels(const struct tree_pruned *pruned,
+                                     size_t n,
+                                     const struct tree_lod_distance *distance,
+                                     struct tree_scene_levels **levels);
+
+// Makes `model` one of these levels, with sphere and distance; points for occlusion, occluders, `near` and `far` are
+// left at their defaults, for you to set. Set `model->struct_size` first. It borrows from the levels: make the scene
+// before they are freed.
+tree_status tree_scene_levels_model(const struct tree_scene_levels *levels,
+                                    struct tree_scene_model *model);
+
+// Frees levels; no model may point at them any more.
+tree_status tree_scene_levels_free(struct tree_scene_levels *levels);
+
+// The functions `tree_prune_position` and `tree_prune_color` for a shader: text to be put into your own. It tells
+// what they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+tree_status tree_prune_shader(tree_shader language,
+                              struct tree_str *text);
+
+// Where a shader draws a vertex: `vertex`, three floats, moved from the centre of its element by `growth` (a factor on
+// length), and towards it where the element fades. `center_rank` is four floats of `tree_pruned_part.centers`, the
+// rest is of a level. For shaders of your own, and for checking them.
+tree_status tree_prune_position(const float *vertex,
+                                const float *center_rank,
+                                float growth,
+                                float lambda,
+                                float fade,
+                                float (*drawn)[3]);
+
+// The linear colour that a shader gives a leaf, before light: `rgb`, three floats, with its contrast lowered, so that
+// few large leaves look no more mottled than many small ones. `mean` is that of the part.
+tree_status tree_prune_color(const float *rgb,
+                             const float *mean,
+                             float contrast,
+                             float (*drawn)[3]);
+
+// Scale after Cook et al. (2007): `1 / lambda`, a factor on area, so that the summed area stays. `lambda` is a
+// share of geometry, more than 0; of 0 and less the scale is that of the smallest number.
+tree_status tree_lod_cook_scale(float lambda,
+                                float *scale);
+
+// Share of geometry after Cook et al. (2007), `(1 - d)^2`, for a distance `d`, which is brought into 0 to 1.
+tree_status tree_lod_cook_lambda(float d,
+                                 float *lambda);
+
+// Share of geometry by size on the screen (Cook et al. 2007; Neubert 2012, 6.3.2): 1 where the bounding box is
+// `full` pixels large or more, a half at `h * full`, and so on. `pixels` is its size now, 0 to 1e9; `full` 0.001 to
+// 1e9, `h` 0.001 to 0.999: `TREE_ERROR_PARAMETER` outside.
+tree_status tree_lod_size_lambda(float pixels,
+                                 float full,
+                                 float h,
+                                 float *lambda);
+
+// Factor on *length* of `k` elements left of `n` (Deussen and Lintermann 2004; Neubert 2012, eq. 6.4 with the sign
+// set right): `w * sqrt(n / k) + (1 - w)`, `w` from 0 (nothing grows) to 1 (area is kept). `TREE_ERROR_PARAMETER`
+// for another `w`, or a `k` outside 1 to `n`.
+tree_status tree_lod_drop_and_resize(uint32_t n,
+                                     uint32_t k,
+                                     float w,
+                                     float *growth);
+
+// Factor on the contrast of colours that keeps its variance in the picture (Cook et al. 2007) when a share of
+// `lambda` of the elements is drawn, each `scale` times as large in area: `1 / (scale * sqrt(lambda))`, at most 1.
+tree_status tree_lod_contrast(float lambda,
+                              float scale,
+                              float *contrast);
+
+// What a score is worth (Neubert 2012, eq. 7.3 to 7.7). `precision` is the share of the simplified model's pixels
+// that are right, `recall` the share of the full model's pixels that are there, both 0 to 1, and 1 when there
+// are none. `quality` is `1 - sqrt((1 - precision)^2 + (1 - recall)^2)`: 1 is perfect, 0 and less is useless.
+tree_status tree_score_quality(const struct tree_score *score,
+                               double *precision,
+                               double *recall,
+                               double *quality);
+
+// Mean of the qualities of several views: what a table says of a model. 0 of none.
+tree_status tree_score_mean_quality(const struct tree_score *scores,
+                                    size_t n_scores,
+                                    double *quality);
+
+// Scores of a simplified mesh against the full one, one for each view; both are framed as the full one is.
+// `around`, NULL for the default, says from where to look; `scores` has room for `capacity` scores, at least
+// `tree_around_n_views`. `control` may be NULL; `pixels` of its limits caps those of all views.
+tree_status tree_mesh_score(const struct tree_mesh *simplified,
+                            const struct tree_mesh *full,
+                            const struct tree_around *around,
+                            const struct tree_control *control,
+                            struct tree_score *scores,
+                            size_t capacity);
+
+// Makes a scene of `n_models` models and `n_instances` instances, which are copied and numbered as they come.
+// `control` may be NULL; `nodes` of its limits caps the instances. Free the scene with `tree_scene_free`. The text
+// of an error names the first model or instance that is not right: `TREE_ERROR_INVALID`.
+tree_status tree_scene_new(const struct tree_scene_model *models,
+                           size_t n_models,
+                           const struct tree_scene_instance *instances,
+                           size_t n_instances,
+                           const struct tree_control *control,
+                           struct tree_scene **scene);
+
+// Moves instances, or gives them other models: those from number `first` on become the `n_instances` given, all of
+// them, or on an error none. Between frames: what was selected before holds the old ones. They keep their
+// place in the order of drawing; when most move far, a new scene is faster to look through.
+tree_status tree_scene_set_instances(struct tree_scene *scene,
+                                     size_t first,
+                                     const struct tree_scene_instance *instances,
+                                     size_t n_instances);
+
+// Tells how large a scene is, and how large the buffers for it must be. Set `needs->struct_size` first.
+tree_status tree_scene_measure(const struct tree_scene *scene,
+                               struct tree_scene_needs *needs);
+
+// Frees a scene.
+tree_status tree_scene_free(struct tree_scene *scene);
+
+// Makes a state for one view of `scene`, or of another scene with as many instances and the same models: 32 bytes for
+// each instance, and 144 KiB. `control` may be NULL; `nodes` of its limits caps the instances. It does not keep the
+// scene alive. Free it with `tree_scene_state_free`.
+tree_status tree_scene_state_new(const struct tree_scene *scene,
+                                 const struct tree_control *control,
+                                 struct tree_scene_state **state);
+
+// Number of the instances that were in view in the last frame: rows of `tree_instance_lod` that it needs.
+tree_status tree_scene_state_n_drawn(const struct tree_scene_state *state,
+                                     size_t *n_drawn);
+
+// How an instance of `scene` was drawn in the last frame; not in view when there is no such instance.
+tree_status tree_scene_state_shown(const struct tree_scene_state *state,
+                                   const struct tree_scene *scene,
+                                   size_t instance,
+                                   struct tree_scene_shown *shown);
+
+// Frees a state.
+tree_status tree_scene_state_free(struct tree_scene_state *state);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_scene_params_init(struct tree_scene_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_scene_params_check(const struct tree_scene_params *params);
+
+// Makes `frame`, of `size` bytes, the default: its matrices must be set.
+tree_status tree_scene_frame_init(struct tree_scene_frame *frame, size_t size);
+
+// Checks a camera, two matrices as in `tree_scene_frame`, and tells whether near things have the greater depth, 1 or
+// 0. `TREE_ERROR_PARAMETER` names the matrix that is none of a camera.
+tree_status tree_scene_eye_check(const float *view,
+                                 const float *projection,
+                                 uint32_t *is_reversed);
+
+// Finds what of `scene` is in view, and how finely it is drawn. `state` keeps it for `tree_scene_state_draws` and
+// `tree_scene_state_batches`. `params` may be NULL for the defaults, `report` when it is not wanted. It takes about 100 ns
+// for each instance in view, and no memory.
+//
+// `TREE_ERROR_PARAMETER` for matrices that are no camera and numbers out of range, `TREE_ERROR_INVALID` for a depth
+// buffer of the wrong size and for a state of another scene. The state is left as it was then.
+tree_status tree_scene_state_select(struct tree_scene_state *state,
+                                    const struct tree_scene *scene,
+                                    const struct tree_scene_frame *frame,
+                                    const struct tree_scene_params *params,
+                                    struct tree_scene_report *report);
+
+// Makes `model`, of `size` bytes, the default: a sphere of 1 m without levels, which are to be set.
+tree_status tree_scene_model_init(struct tree_scene_model *model, size_t size);
+
+// Checks every number of `model`; the text of an error tells what is at fault and what would be right.
+tree_status tree_scene_model_check(const struct tree_scene_model *model);
+
+// Writes a draw for each part of each instance in view, and a row for each instance: for multi-draw indirect. Draws
+// of an instance follow one another; parts without indices are left out. `draws` and `rows` have room for
+// `draws_capacity` and `rows_capacity` of them; `tree_scene_measure` says how many always suffice. `n_draws` and
+// `n_rows` say how many were written. It takes no memory.
+//
+// `TREE_ERROR_BUFFER` when a buffer is too small; its text says how many are needed, and nothing is written then.
+// Buffers may be mapped memory of a graphics processor: they are written once, in order, and not read.
+tree_status tree_scene_state_draws(const struct tree_scene_state *state,
+                                   const struct tree_scene *scene,
+                                   struct tree_draw_indexed *draws,
+                                   size_t draws_capacity,
+                                   struct tree_instance_lod *rows,
+                                   size_t rows_capacity,
+                                   size_t *n_draws,
+                                   size_t *n_rows);
+
+// As `tree_scene_state_draws`, with one draw for each part of all instances of the same model at the same level: fewer
+// draws, of many instances each. Rows are not written in order.
+tree_status tree_scene_state_batches(struct tree_scene_state *state,
+                                     const struct tree_scene *scene,
+                                     struct tree_draw_indexed *draws,
+                                     size_t draws_capacity,
+                                     struct tree_instance_lod *rows,
+                                     size_t rows_capacity,
+                                     size_t *n_draws,
+                                     size_t *n_rows);
+
+// Makes `subject`, of `size` bytes, the default: its mesh, elements and order must be set.
+tree_status tree_lod_subject_init(struct tree_lod_subject *subject, size_t size);
+
+// Scores of a pruned model against the full one, one for each view: with a share of `lambda` of the
+// foliage's triangles, 0 to 1, and elements grown to `scale` times their area, 0.01 to 10,000 (lengths grow by
+// its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
+// scores, at least `tree_around_n_views`. `control` may be NULL.
+//
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
+// `TREE_ERROR_PARAMETER` names what is out of range.
+tree_status tree_lod_subject_score(const struct tree_lod_subject *subject,
+                                   float lambda,
+                                   float scale,
+                                   const struct tree_around *around,
+                                   const struct tree_control *control,
+                                   struct tree_score *scores,
+                                   size_t capacity);
+
+// Finds when outlines should become simpler, and when elements should go: writes the number of elements with which
+// each tier should begin, for `kept` of a subject. Tiers that are better left out begin with one. `kept` has room
+// for `capacity` numbers, at least one for each tier of the subject (1 where it has none); what the subject has as
+// `kept` is not looked at. It takes about as long as a table for each tier. `control` may be NULL.
+//
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together.
+tree_status tree_lod_plan(const struct tree_lod_subject *subject,
+                          const struct tree_control *control,
+                          uint32_t *kept,
+                          size_t capacity);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_lod_table_params_init(struct tree_lod_table_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range, and lambdas
+// that do not rise to 1 are `TREE_ERROR_INVALID`.
+tree_status tree_lod_table_params_check(const struct tree_lod_table_params *params);
+
+// A table of `n_rows` rows, which are copied: of a model that was measured before. Free it with
+// `tree_lod_table_free`. `TREE_ERROR_INVALID` when there are no rows, when lambda does not rise, leaves 0 to 1
+// or does not end at 1, or when a number is not finite or a scale not positive; its text names the row.
+tree_status tree_lod_table_from_rows(const struct tree_lod_row *rows,
+                                     size_t n_rows,
+                                     struct tree_lod_table **table);
+
+// Measures a table: for every lambda the pruned model is drawn into masks from all sides, at several scales,
+// and compared with the full one; the scale of best mean quality is kept. It takes about ten drawings of
+// lambda times the triangles for each lambda and view. `params` and `control` may be NULL. Free the table
+// with `tree_lod_table_free`.
+//
+// `TREE_ERROR_INVALID` when the parts of the subject do not belong together; see
+// `tree_lod_table_params_check` for the rest.
+tree_status tree_lod_table_measure(const struct tree_lod_subject *subject,
+                                   const struct tree_lod_table_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_lod_table **table);
+
+// The rows of a table. They stay for as long as the table does.
+tree_status tree_lod_table_rows(const struct tree_lod_table *table,
+                                const struct tree_lod_row **rows,
+                                size_t *n_rows);
+
+// The row for a lambda, interpolated linearly; lambda is brought into the range of the table.
+tree_status tree_lod_table_at(const struct tree_lod_table *table,
+                              float lambda,
+                              struct tree_lod_row *row);
+
+// The least lambda from which on the quality is at least `quality`; 1 when only the full model is so good.
+tree_status tree_lod_table_lambda_for(const struct tree_lod_table *table,
+                                      float quality,
+                                      float *lambda);
+
+// Frees a table, and with it all views of it.
+tree_status tree_lod_table_free(struct tree_lod_table *table);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_tiers_params_init(struct tree_tiers_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_tiers_params_check(const struct tree_tiers_params *params);
+
+// Makes the tiers of a model: its elements, and the same with fewer and fewer triangles. No element has more
+// triangles in a later tier than in an earlier one. It takes 5 to 10 ms for each distinct shape of 16 triangles.
+// `params` and `control` may be NULL; `triangles` of its limits caps those of all tiers together. Free the tiers
+// with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of this mesh.
+tree_status tree_tiers_of_mesh(const struct tree_mesh *mesh,
+                               const struct tree_elements *elements,
+                               const struct tree_tiers_params *params,
+                               const struct tree_control *control,
+                               struct tree_tiers **tiers);
+
+// The full model as the only tier. Free it with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of
+// this mesh.
+tree_status tree_tiers_full(const struct tree_mesh *mesh,
+                            const struct tree_elements *elements,
+                            struct tree_tiers **tiers);
+
+// Tiers of your own, which are copied: the finest first, each as `tree_tiers_view` gives it. `mesh` and `elements` are
+// what they are tiers of. `control` may be NULL; `triangles` of its limits caps the triangles of each. Free the tiers
+// with `tree_tiers_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+// `n_triangles`, has no row for each element and one more, or a surface lacks a vertex.
+tree_status tree_tiers_from_columns(const struct tree_mesh *mesh,
+                                    const struct tree_elements *elements,
+                                    const struct tree_tier_columns *columns,
+                                    size_t n_columns,
+                                    const struct tree_control *control,
+                                    struct tree_tiers **tiers);
+
+// Number of tiers, at least 1.
+tree_status tree_tiers_count(const struct tree_tiers *tiers, size_t *n_tiers);
+
+// Views tier `tier`; 0 is the full model. Set `columns->struct_size` first. `TREE_ERROR_PARAMETER` when there is no
+// such tier.
+tree_status tree_tiers_view(const struct tree_tiers *tiers,
+                            size_t tier,
+                            struct tree_tier_columns *columns);
+
+// Frees tiers, and with them all views of them.
+tree_status tree_tiers_free(struct tree_tiers *tiers);
+
+// Makes `around`, of `size` bytes, the default.
+tree_status tree_around_init(struct tree_around *around, size_t size);
+
+// Makes `around`, of `size` bytes, the views from which `tree_order_coverage` looks at a model whose foliage has
+// so many triangles: 12 azimuths at pitches of 0 and 0.35 with 256 pixels, and fewer and smaller ones for a
+// large model. Its pitches are never freed.
+tree_status tree_around_for_order(struct tree_around *around,
+                                  size_t size,
+                                  size_t n_triangles);
+
+// Makes `around`, of `size` bytes, the views from which `tree_lod_table_measure` looks at a model whose foliage
+// has so many triangles: 8 azimuths, level, with 256 pixels, and fewer and smaller ones for a large model.
+tree_status tree_around_for_table(struct tree_around *around,
+                                  size_t size,
+                                  size_t n_triangles);
+
+// Checks every number of `around`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_around_check(const struct tree_around *around);
+
+// Number of the views: azimuths times pitches.
+tree_status tree_around_n_views(const struct tree_around *around, size_t *n_views);
+
+// View `number` (0 is the first), for pictures and masks from there: a framed camera, as wide and high as the
+// masks. Set `view->struct_size` first. `TREE_ERROR_PARAMETER` when there is no such view.
+tree_status tree_around_view(const struct tree_around *around,
+                             size_t number,
+                             struct tree_view *view);
 
 // Makes a look of the built-in bark and leaf textures that the species names; NULL is an oak.
 // `TREE_ERROR_UNKNOWN_NAME` for a name that is not built in: dress such species with `tree_look_plain`

@@ -394,6 +394,7 @@ class Aligned;
 class Arranged;
 class Attractor;
 class Axes;
+class Bits;
 class Bumps;
 class Bytes;
 class Cancel;
@@ -404,6 +405,7 @@ class Crown;
 class DirectionField;
 class Drawing;
 class Drawings;
+class Elements;
 class Equations;
 class FactorGraph;
 class FoundLeaves;
@@ -412,14 +414,17 @@ class GltfLeaves;
 class Graph;
 class GraphNodes;
 class Grid;
+class Hull;
 class Inferred;
 class LeafModel;
 class LeafOutline;
 class Lines;
+class LodTable;
 class Look;
 class Mask;
 class Matte;
 class Mesh;
+class Metaballs;
 class Midlines;
 class Outline;
 class OutlineDrawing;
@@ -432,8 +437,12 @@ class Pieces;
 class Plan;
 class Pool;
 class Profile;
+class Pruned;
 class Revolved;
 class Rows;
+class Scene;
+class SceneLevels;
+class SceneState;
 class Separation;
 class Silhouette;
 class SilhouetteChange;
@@ -445,6 +454,7 @@ class Strokes;
 class Swc;
 class Templates;
 class Texture;
+class Tiers;
 class Traces;
 class Tree;
 class Trimap;
@@ -457,6 +467,7 @@ struct AlignParams;
 struct AlignReport;
 using AlignWarning = tree_align_warning;
 struct Allocator;
+struct Around;
 struct ArrangedReport;
 using Arrangement = tree_arrangement;
 struct ArrangementNumbers;
@@ -467,6 +478,7 @@ struct AutomaticReport;
 struct AxisColumns;
 using BarkPatches = tree_bark_patches;
 struct BarkStyle;
+struct BitsSize;
 struct Bounds;
 struct BranchInferParams;
 struct BranchMotion;
@@ -487,6 +499,7 @@ struct ColorSamples;
 struct Concentration;
 struct ConventionTraits;
 struct CoverParams;
+struct CoverageParams;
 struct CrossingPairs;
 struct CrownMeasures;
 struct CrownParams;
@@ -501,9 +514,11 @@ struct DifferenceParams;
 struct DirectionFieldColumns;
 struct DisplaceParams;
 using Domain = tree_domain;
+using DrawIndexed = tree_draw_indexed;
 using DrawnRepair = tree_drawn_repair;
 struct DrawnStroke;
 struct DrawnTree;
+struct ElementsColumns;
 struct EquationsColumns;
 struct EraseReport;
 struct FieldParams;
@@ -521,9 +536,12 @@ using GraphArc = tree_graph_arc;
 struct GraphColumns;
 struct GraphNodesColumns;
 struct GridColumns;
+struct HullColumns;
+struct HullParams;
 struct ImportOptions;
 struct ImportReport;
 struct InferredColumns;
+using InstanceLod = tree_instance_lod;
 struct InstancingParams;
 struct InstancingReport;
 struct LeafCard;
@@ -539,6 +557,14 @@ struct Limits;
 struct LinkParams;
 struct LivewireParams;
 struct LivewireReport;
+using LodCut = tree_lod_cut;
+using LodDistance = tree_lod_distance;
+using LodLevel = tree_lod_level;
+using LodRow = tree_lod_row;
+struct LodScreen;
+struct LodSubject;
+struct LodTableParams;
+using LodWindow = tree_lod_window;
 struct MainBranches;
 using Mark = tree_mark;
 struct MaskColumns;
@@ -552,6 +578,7 @@ struct MidlineParams;
 struct NaturalParams;
 struct NaturalReport;
 struct OcclusionParams;
+struct OrderParams;
 struct OutlineBranch;
 struct OutlineCloseParams;
 struct OutlineColumns;
@@ -585,8 +612,22 @@ struct PlyOptions;
 struct PoolOptions;
 struct ProfileColumns;
 struct ProfileOptions;
+struct PruneMakeParams;
+struct PruneParams;
+struct PrunedPart;
+struct PrunedTotals;
 struct RadiusRule;
 struct RevolvedFrame;
+using SceneDraw = tree_scene_draw;
+struct SceneFrame;
+using SceneInstance = tree_scene_instance;
+struct SceneModel;
+struct SceneNeeds;
+using SceneOccluder = tree_scene_occluder;
+struct SceneParams;
+struct SceneReport;
+using SceneShown = tree_scene_shown;
+using Score = tree_score;
 struct ScreenParams;
 struct SeedParams;
 struct SelectParams;
@@ -640,6 +681,8 @@ struct TemplateParams;
 struct TemplateSide;
 struct TemplateView;
 struct TexturePixels;
+struct TierColumns;
+struct TiersParams;
 struct Topology;
 struct TracesColumns;
 struct TrimapColumns;
@@ -663,6 +706,15 @@ struct AlignReport : tree_align_report {
 
 struct Allocator : tree_allocator {
     Allocator() : tree_allocator{} { struct_size = sizeof *this; }
+};
+
+struct Around : tree_around {
+    Around() : tree_around{} { tree_around_init(this, sizeof(tree_around)); }
+    static Around for_order(size_t n_triangles);
+    static Around for_table(size_t n_triangles);
+    bool check() const;
+    size_t n_views() const;
+    View view(size_t number) const;
 };
 
 struct ArrangedReport : tree_arranged_report {
@@ -695,6 +747,10 @@ struct AxisColumns : tree_axis_columns {
 
 struct BarkStyle : tree_bark_style {
     BarkStyle() : tree_bark_style{} { tree_bark_style_init(this, sizeof(tree_bark_style)); }
+};
+
+struct BitsSize : tree_bits_size {
+    BitsSize() : tree_bits_size{} { struct_size = sizeof *this; }
 };
 
 struct Bounds : tree_bounds {
@@ -764,6 +820,11 @@ struct CoverParams : tree_cover_params {
     CoverParams() : tree_cover_params{} { tree_cover_params_init(this, sizeof(tree_cover_params)); }
 };
 
+struct CoverageParams : tree_coverage_params {
+    CoverageParams() : tree_coverage_params{} { tree_coverage_params_init(this, sizeof(tree_coverage_params)); }
+    bool check() const;
+};
+
 struct CrossingPairs : tree_crossing_pairs {
     CrossingPairs() : tree_crossing_pairs{} { struct_size = sizeof *this; }
 };
@@ -816,6 +877,10 @@ struct DrawnStroke : tree_drawn_stroke {
 
 struct DrawnTree : tree_drawn_tree {
     DrawnTree() : tree_drawn_tree{} { struct_size = sizeof *this; }
+};
+
+struct ElementsColumns : tree_elements_columns {
+    ElementsColumns() : tree_elements_columns{} { struct_size = sizeof *this; }
 };
 
 struct EquationsColumns : tree_equations_columns {
@@ -887,6 +952,15 @@ struct GraphNodesColumns : tree_graph_nodes_columns {
 
 struct GridColumns : tree_grid_columns {
     GridColumns() : tree_grid_columns{} { struct_size = sizeof *this; }
+};
+
+struct HullColumns : tree_hull_columns {
+    HullColumns() : tree_hull_columns{} { struct_size = sizeof *this; }
+};
+
+struct HullParams : tree_hull_params {
+    HullParams() : tree_hull_params{} { tree_hull_params_init(this, sizeof(tree_hull_params)); }
+    bool check() const;
 };
 
 struct ImportOptions : tree_import_options {
@@ -971,6 +1045,22 @@ struct LivewireReport : tree_livewire_report {
     LivewireReport() : tree_livewire_report{} { struct_size = sizeof *this; }
 };
 
+struct LodScreen : tree_lod_screen {
+    LodScreen() : tree_lod_screen{} { tree_lod_screen_init(this, sizeof(tree_lod_screen)); }
+    bool check() const;
+    float coverage(float lambda, float size) const;
+};
+
+struct LodSubject : tree_lod_subject {
+    LodSubject() : tree_lod_subject{} { tree_lod_subject_init(this, sizeof(tree_lod_subject)); }
+    bool score(float lambda, float scale, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const;
+};
+
+struct LodTableParams : tree_lod_table_params {
+    LodTableParams() : tree_lod_table_params{} { tree_lod_table_params_init(this, sizeof(tree_lod_table_params)); }
+    bool check() const;
+};
+
 struct MainBranches : tree_main_branches {
     MainBranches() : tree_main_branches{} { tree_main_branches_init(this, sizeof(tree_main_branches)); }
     bool check() const;
@@ -1020,6 +1110,11 @@ struct NaturalReport : tree_natural_report {
 
 struct OcclusionParams : tree_occlusion_params {
     OcclusionParams() : tree_occlusion_params{} { tree_occlusion_params_init(this, sizeof(tree_occlusion_params)); }
+};
+
+struct OrderParams : tree_order_params {
+    OrderParams() : tree_order_params{} { tree_order_params_init(this, sizeof(tree_order_params)); }
+    bool check() const;
 };
 
 struct OutlineBranch : tree_outline_branch {
@@ -1157,6 +1252,23 @@ struct ProfileOptions : tree_profile_options {
     ProfileOptions() : tree_profile_options{} { tree_profile_options_init(this, sizeof(tree_profile_options)); }
 };
 
+struct PruneMakeParams : tree_prune_make_params {
+    PruneMakeParams() : tree_prune_make_params{} { tree_prune_make_params_init(this, sizeof(tree_prune_make_params)); }
+};
+
+struct PruneParams : tree_prune_params {
+    PruneParams() : tree_prune_params{} { tree_prune_params_init(this, sizeof(tree_prune_params)); }
+    bool check() const;
+};
+
+struct PrunedPart : tree_pruned_part {
+    PrunedPart() : tree_pruned_part{} { struct_size = sizeof *this; }
+};
+
+struct PrunedTotals : tree_pruned_totals {
+    PrunedTotals() : tree_pruned_totals{} { struct_size = sizeof *this; }
+};
+
 struct RadiusRule : tree_radius_rule {
     RadiusRule() : tree_radius_rule{} { tree_radius_rule_init(this, sizeof(tree_radius_rule)); }
     bool check() const;
@@ -1164,6 +1276,28 @@ struct RadiusRule : tree_radius_rule {
 
 struct RevolvedFrame : tree_revolved_frame {
     RevolvedFrame() : tree_revolved_frame{} { struct_size = sizeof *this; }
+};
+
+struct SceneFrame : tree_scene_frame {
+    SceneFrame() : tree_scene_frame{} { tree_scene_frame_init(this, sizeof(tree_scene_frame)); }
+};
+
+struct SceneModel : tree_scene_model {
+    SceneModel() : tree_scene_model{} { tree_scene_model_init(this, sizeof(tree_scene_model)); }
+    bool check() const;
+};
+
+struct SceneNeeds : tree_scene_needs {
+    SceneNeeds() : tree_scene_needs{} { struct_size = sizeof *this; }
+};
+
+struct SceneParams : tree_scene_params {
+    SceneParams() : tree_scene_params{} { tree_scene_params_init(this, sizeof(tree_scene_params)); }
+    bool check() const;
+};
+
+struct SceneReport : tree_scene_report {
+    SceneReport() : tree_scene_report{} { struct_size = sizeof *this; }
 };
 
 struct ScreenParams : tree_screen_params {
@@ -1353,6 +1487,15 @@ struct TexturePixels : tree_texture_pixels {
     TexturePixels() : tree_texture_pixels{} { struct_size = sizeof *this; }
 };
 
+struct TierColumns : tree_tier_columns {
+    TierColumns() : tree_tier_columns{} { struct_size = sizeof *this; }
+};
+
+struct TiersParams : tree_tiers_params {
+    TiersParams() : tree_tiers_params{} { tree_tiers_params_init(this, sizeof(tree_tiers_params)); }
+    bool check() const;
+};
+
 struct Topology : tree_topology {
     Topology() : tree_topology{} { struct_size = sizeof *this; }
 };
@@ -1439,6 +1582,18 @@ public:
     using Object::Object;
     AxisColumns view() const &;
     AxisColumns view() const && = delete;
+};
+
+class Bits : public detail::Object<tree_bits, tree_bits_free> {
+public:
+    using Object::Object;
+    static Bits of_mesh(const Mesh &mesh, Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr);
+    BitsSize measure() const;
+    std::vector<uint64_t> words() const;
+    bool words(Span<uint64_t> words) const;
+    std::vector<uint8_t> bytes() const;
+    bool bytes(Span<uint8_t> bytes) const;
+    tree_score score(const Bits &full) const;
 };
 
 class Bumps : public detail::Object<tree_bumps, tree_bumps_free> {
@@ -1542,6 +1697,26 @@ public:
     Drawing at(size_t index) const;
 };
 
+class Elements : public detail::Object<tree_elements, tree_elements_free> {
+public:
+    using Object::Object;
+    static Elements of_mesh(const Mesh &mesh, Span<const uint32_t> surfaces, tree_grain grain, Ref<tree_control> control = nullptr);
+    static Elements from_columns(const Mesh &mesh, Ref<tree_elements_columns> columns, Ref<tree_control> control = nullptr);
+    ElementsColumns view() const &;
+    ElementsColumns view() const && = delete;
+    float plant_height() const;
+    std::vector<uint32_t> order_stochastic(uint64_t seed) const;
+    bool order_stochastic(uint64_t seed, Span<uint32_t> order) const;
+    std::vector<uint32_t> order_golden() const;
+    bool order_golden(Span<uint32_t> order) const;
+    std::vector<uint32_t> order_density(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    bool order_density(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control, Span<uint32_t> order) const;
+    std::vector<uint32_t> order_orientation(const Hull &hull, Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    bool order_orientation(const Hull &hull, Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control, Span<uint32_t> order) const;
+    std::vector<uint32_t> order_combined(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    bool order_combined(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control, Span<uint32_t> order) const;
+};
+
 class Equations : public detail::Object<tree_equations, tree_equations_free> {
 public:
     using Object::Object;
@@ -1624,6 +1799,20 @@ public:
     bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
 };
 
+class Hull : public detail::Object<tree_hull, tree_hull_free> {
+public:
+    using Object::Object;
+    static Hull of_metaballs(const Metaballs &metaballs, Ref<tree_hull_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Hull of_elements(const Elements &elements, Ref<tree_order_params> params = nullptr, Ref<tree_control> control = nullptr);
+    HullColumns view() const &;
+    HullColumns view() const && = delete;
+    Mesh mesh() const;
+    std::tuple<std::vector<float>, std::vector<float>> sample(size_t n_samples, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    bool sample(size_t n_samples, uint64_t seed, Ref<tree_control> control, Span<float> positions, Span<float> normals) const;
+    std::tuple<std::vector<float>, std::vector<float>> nearest(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> positions, Span<float> normals) const;
+};
+
 class Inferred : public detail::Object<tree_inferred, tree_inferred_free> {
 public:
     using Object::Object;
@@ -1655,6 +1844,19 @@ public:
     using Object::Object;
     Span<const tree_str> view() const &;
     Span<const tree_str> view() const && = delete;
+};
+
+class LodTable : public detail::Object<tree_lod_table, tree_lod_table_free> {
+public:
+    using Object::Object;
+    tree_lod_distance lod_distance_for_quality(float near, float far) const;
+    tree_lod_distance lod_distance_parity(const LodTable &cook) const;
+    static LodTable from_rows(Span<const tree_lod_row> rows);
+    static LodTable measure(Ref<tree_lod_subject> subject = nullptr, Ref<tree_lod_table_params> params = nullptr, Ref<tree_control> control = nullptr);
+    Span<const tree_lod_row> rows() const &;
+    Span<const tree_lod_row> rows() const && = delete;
+    tree_lod_row at(float lambda) const;
+    float lambda_for(float quality) const;
 };
 
 class Look : public detail::Object<tree_look, tree_look_free> {
@@ -1730,6 +1932,9 @@ public:
     Bytes to_ply(Ref<tree_ply_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     static Mesh read(std::string_view path, Ref<tree_import_options> options = nullptr, Ref<tree_control> control = nullptr, tree_import_report *report = nullptr);
     static Mesh from_bytes(tree_mesh_format format, Span<const uint8_t> data, Span<const uint8_t> mtl = {}, Ref<tree_control> control = nullptr, tree_import_report *report = nullptr);
+    std::tuple<std::vector<uint32_t>, std::vector<float>> order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params, Ref<tree_control> control, Span<uint32_t> order, Span<float> pivots) const;
+    bool score(const Mesh &full, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const;
     Span<const tree_wind_branch> branches() const &;
     Span<const tree_wind_branch> branches() const && = delete;
     static Mesh build(const Tree &tree, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr, tree_mesh_report *report = nullptr);
@@ -1759,6 +1964,20 @@ public:
     Mask render_mask(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
     Picture render_silhouette(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
     Tree skeletonize_mesh(Span<const tree_hint> hints = {}, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr) const;
+};
+
+class Metaballs : public detail::Object<tree_metaballs, tree_metaballs_free> {
+public:
+    using Object::Object;
+    static Metaballs make(Span<const float> points, float radius, Ref<tree_control> control = nullptr);
+    static Metaballs of_elements(const Elements &elements, float radius, float height, Ref<tree_control> control = nullptr);
+    float radius() const;
+    size_t n_points() const;
+    std::array<float, 6> bounds() const;
+    std::vector<float> values(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool values(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
+    std::vector<float> gradients(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool gradients(Span<const float> points, Ref<tree_control> control, Span<float> gradients) const;
 };
 
 class Midlines : public detail::Object<tree_midlines, tree_midlines_free> {
@@ -1965,6 +2184,36 @@ public:
     Volume volume(const Floats<3> &base) const;
 };
 
+class Pruned : public detail::Object<tree_pruned, tree_pruned_free> {
+public:
+    using Object::Object;
+    PrunedTotals measure() const;
+    Mesh mesh() const;
+    PrunedPart part_view(size_t number) const &;
+    PrunedPart part_view(size_t number) const && = delete;
+    LodTable table() const;
+    std::vector<uint32_t> kept() const;
+    bool kept(Span<uint32_t> kept) const;
+    tree_lod_cut cut(float lambda) const;
+    tree_lod_cut step(uint64_t step) const;
+    float lambda_of(uint64_t n_triangles) const;
+    float lambda_of_rank(uint32_t rank) const;
+    Bytes to_glb(Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb(std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    Bytes to_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen = nullptr, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    std::tuple<tree_lod_level, std::vector<tree_lod_window>> level(float lambda) const;
+    tree_lod_level level(float lambda, Span<tree_lod_window> windows) const;
+    std::tuple<std::vector<tree_lod_level>, std::vector<tree_lod_window>, size_t> levels(size_t n) const;
+    size_t levels(size_t n, Span<tree_lod_level> levels, Span<tree_lod_window> windows) const;
+    Mesh mesh_at(float lambda, Ref<tree_control> control = nullptr) const;
+    Mesh mesh_of(const tree_lod_level &level, Span<const tree_lod_window> windows, Ref<tree_control> control = nullptr) const;
+    Bytes to_json(Span<const tree_lod_level> levels, Span<const tree_lod_window> windows) const;
+    static Pruned make(const Mesh &mesh, Ref<tree_prune_make_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Pruned make(Ref<tree_lod_subject> subject, const LodTable &table, Ref<tree_prune_params> params = nullptr, Ref<tree_control> control = nullptr);
+    SceneLevels scene_levels(size_t n, const tree_lod_distance &distance) const;
+};
+
 class Revolved : public detail::Object<tree_revolved, tree_revolved_free> {
 public:
     using Object::Object;
@@ -1985,6 +2234,33 @@ public:
     using Object::Object;
     Span<const uint32_t> view() const &;
     Span<const uint32_t> view() const && = delete;
+};
+
+class Scene : public detail::Object<tree_scene, tree_scene_free> {
+public:
+    using Object::Object;
+    static Scene make(Span<const tree_scene_model> models, Span<const tree_scene_instance> instances, Ref<tree_control> control = nullptr);
+    bool set_instances(size_t first, Span<const tree_scene_instance> instances) const;
+    SceneNeeds measure() const;
+    static bool eye_check(const Floats<16> &view, const Floats<16> &projection);
+};
+
+class SceneLevels : public detail::Object<tree_scene_levels, tree_scene_levels_free> {
+public:
+    using Object::Object;
+    SceneModel model() const &;
+    SceneModel model() const && = delete;
+};
+
+class SceneState : public detail::Object<tree_scene_state, tree_scene_state_free> {
+public:
+    using Object::Object;
+    static SceneState make(const Scene &scene, Ref<tree_control> control = nullptr);
+    size_t n_drawn() const;
+    tree_scene_shown shown(const Scene &scene, size_t instance) const;
+    SceneReport select(const Scene &scene, Ref<tree_scene_frame> frame, Ref<tree_scene_params> params = nullptr) const;
+    std::tuple<size_t, size_t> draws(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const;
+    std::tuple<size_t, size_t> batches(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const;
 };
 
 class Separation : public detail::Object<tree_separation, tree_separation_free> {
@@ -2189,6 +2465,17 @@ public:
     bool write_png(std::string_view path) const;
 };
 
+class Tiers : public detail::Object<tree_tiers, tree_tiers_free> {
+public:
+    using Object::Object;
+    static Tiers of_mesh(const Mesh &mesh, const Elements &elements, Ref<tree_tiers_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Tiers full(const Mesh &mesh, const Elements &elements);
+    static Tiers from_columns(const Mesh &mesh, const Elements &elements, Span<const tree_tier_columns> columns, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    TierColumns view(size_t tier) const &;
+    TierColumns view(size_t tier) const && = delete;
+};
+
 class Traces : public detail::Object<tree_traces, tree_traces_free> {
 public:
     using Object::Object;
@@ -2325,6 +2612,23 @@ bool gltf_write_glb(Span<const tree_gltf_level> levels, std::string_view path, R
 Bytes gltf_to_glb(Span<const tree_gltf_level> levels, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
 bool gltf_write_files(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
 std::string_view note_text(tree_note note);
+tree_lod_distance lod_distance_cook();
+tree_lod_distance lod_distance_from_samples(Span<const float> lambdas);
+std::vector<float> lod_distance_places();
+bool lod_distance_places(Span<float> places);
+float lod_distance_lambda(const tree_lod_distance &distance, float d);
+bool order_check(Span<const uint32_t> order, size_t n_elements);
+std::string_view prune_shader(tree_shader language);
+std::array<float, 3> prune_position(const Floats<3> &vertex, const Floats<4> &center_rank, float growth, float lambda, float fade);
+std::array<float, 3> prune_color(const Floats<3> &rgb, const Floats<3> &mean, float contrast);
+float lod_cook_scale(float lambda);
+float lod_cook_lambda(float d);
+float lod_size_lambda(float pixels, float full, float h);
+float lod_drop_and_resize(uint32_t n, uint32_t k, float w);
+float lod_contrast(float lambda, float scale);
+std::tuple<double, double, double> score_quality(const tree_score &score);
+double score_mean_quality(Span<const tree_score> scores);
+bool lod_plan(Ref<tree_lod_subject> subject, Ref<tree_control> control, Span<uint32_t> kept);
 BarkStyle bark_style_of(std::string_view name);
 LeafShape leaf_shape_of(std::string_view name);
 Span<const tree_str> bark_names();
@@ -2790,6 +3094,571 @@ inline Mesh Mesh::from_bytes(tree_mesh_format format, Span<const uint8_t> data, 
     Mesh mesh;
     detail::done(tree_mesh_from_bytes(format, data.data(), data.size(), mtl.data(), mtl.size(), control, report, mesh.place()), control);
     return mesh;
+}
+inline tree_lod_distance lod_distance_cook() {
+    tree_lod_distance distance{};
+    detail::done(tree_lod_distance_cook(&distance));
+    return distance;
+}
+inline tree_lod_distance LodTable::lod_distance_for_quality(float near, float far) const {
+    tree_lod_distance distance{};
+    detail::done(tree_lod_distance_for_quality(get(), near, far, &distance));
+    return distance;
+}
+inline tree_lod_distance LodTable::lod_distance_parity(const LodTable &cook) const {
+    tree_lod_distance distance{};
+    detail::done(tree_lod_distance_parity(get(), cook.get(), &distance));
+    return distance;
+}
+inline tree_lod_distance lod_distance_from_samples(Span<const float> lambdas) {
+    tree_lod_distance distance{};
+    detail::done(tree_lod_distance_from_samples(lambdas.data(), lambdas.size(), &distance));
+    return distance;
+}
+inline std::vector<float> lod_distance_places() {
+    std::vector<float> places(TREE_LOD_DISTANCE_SAMPLES);
+    if (!(detail::done(tree_lod_distance_places(places.data(), places.size())))) { places.clear(); }
+    return places;
+}
+inline bool lod_distance_places(Span<float> places) {
+    return detail::done(tree_lod_distance_places(places.data(), places.size()));
+}
+inline float lod_distance_lambda(const tree_lod_distance &distance, float d) {
+    float lambda{};
+    detail::done(tree_lod_distance_lambda(&distance, d, &lambda));
+    return lambda;
+}
+inline Elements Elements::of_mesh(const Mesh &mesh, Span<const uint32_t> surfaces, tree_grain grain, Ref<tree_control> control) {
+    Elements elements;
+    detail::done(tree_elements_of_mesh(mesh.get(), surfaces.data(), surfaces.size(), grain, control, elements.place()), control);
+    return elements;
+}
+inline Elements Elements::from_columns(const Mesh &mesh, Ref<tree_elements_columns> columns, Ref<tree_control> control) {
+    Elements elements;
+    detail::done(tree_elements_from_columns(mesh.get(), columns, control, elements.place()), control);
+    return elements;
+}
+inline ElementsColumns Elements::view() const & {
+    ElementsColumns columns;
+    if (!(detail::done(tree_elements_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline float Elements::plant_height() const {
+    float metres{};
+    detail::done(tree_elements_plant_height(get(), &metres));
+    return metres;
+}
+inline bool HullParams::check() const {
+    return detail::done(tree_hull_params_check(this));
+}
+inline Hull Hull::of_metaballs(const Metaballs &metaballs, Ref<tree_hull_params> params, Ref<tree_control> control) {
+    Hull hull;
+    detail::done(tree_hull_of_metaballs(metaballs.get(), params, control, hull.place()), control);
+    return hull;
+}
+inline Hull Hull::of_elements(const Elements &elements, Ref<tree_order_params> params, Ref<tree_control> control) {
+    Hull hull;
+    detail::done(tree_hull_of_elements(elements.get(), params, control, hull.place()), control);
+    return hull;
+}
+inline HullColumns Hull::view() const & {
+    HullColumns columns;
+    if (!(detail::done(tree_hull_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Mesh Hull::mesh() const {
+    Mesh mesh;
+    detail::done(tree_hull_mesh(get(), mesh.place()));
+    return mesh;
+}
+inline std::tuple<std::vector<float>, std::vector<float>> Hull::sample(size_t n_samples, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<float> positions(3 * n_samples);
+    std::vector<float> normals(3 * n_samples);
+    if (!(detail::done(tree_hull_sample(get(), n_samples, seed, control, positions.data(), positions.size(), normals.data(), normals.size()), control))) { positions.clear(); normals.clear(); }
+    return {std::move(positions), std::move(normals)};
+}
+inline bool Hull::sample(size_t n_samples, uint64_t seed, Ref<tree_control> control, Span<float> positions, Span<float> normals) const {
+    return detail::done(tree_hull_sample(get(), n_samples, seed, control, positions.data(), positions.size(), normals.data(), normals.size()), control);
+}
+inline std::tuple<std::vector<float>, std::vector<float>> Hull::nearest(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> positions(points.size());
+    std::vector<float> normals(points.size());
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_hull_nearest(get(), points.data(), points.size() / 3, control, positions.data(), positions.size(), normals.data(), normals.size()), control))) { positions.clear(); normals.clear(); }
+    return {std::move(positions), std::move(normals)};
+}
+inline bool Hull::nearest(Span<const float> points, Ref<tree_control> control, Span<float> positions, Span<float> normals) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_hull_nearest(get(), points.data(), points.size() / 3, control, positions.data(), positions.size(), normals.data(), normals.size()), control);
+}
+inline Bits Bits::of_mesh(const Mesh &mesh, Ref<tree_view> view, Ref<tree_control> control) {
+    Bits bits;
+    detail::done(tree_bits_of_mesh(mesh.get(), view, control, bits.place()), control);
+    return bits;
+}
+inline BitsSize Bits::measure() const {
+    BitsSize found;
+    if (!(detail::done(tree_bits_measure(get(), &found)))) { found.struct_size = 0; }
+    return found;
+}
+inline std::vector<uint64_t> Bits::words() const {
+    std::vector<uint64_t> words(measure().n_words);
+    if (!(detail::done(tree_bits_words(get(), words.data(), words.size())))) { words.clear(); }
+    return words;
+}
+inline bool Bits::words(Span<uint64_t> words) const {
+    return detail::done(tree_bits_words(get(), words.data(), words.size()));
+}
+inline std::vector<uint8_t> Bits::bytes() const {
+    std::vector<uint8_t> bytes(measure().n_pixels);
+    if (!(detail::done(tree_bits_bytes(get(), bytes.data(), bytes.size())))) { bytes.clear(); }
+    return bytes;
+}
+inline bool Bits::bytes(Span<uint8_t> bytes) const {
+    return detail::done(tree_bits_bytes(get(), bytes.data(), bytes.size()));
+}
+inline tree_score Bits::score(const Bits &full) const {
+    tree_score score{};
+    detail::done(tree_bits_score(get(), full.get(), &score));
+    return score;
+}
+inline Metaballs Metaballs::make(Span<const float> points, float radius, Ref<tree_control> control) {
+    Metaballs metaballs;
+    static_cast<void>(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_metaballs_new(points.data(), points.size() / 3, radius, control, metaballs.place()), control));
+    return metaballs;
+}
+inline Metaballs Metaballs::of_elements(const Elements &elements, float radius, float height, Ref<tree_control> control) {
+    Metaballs metaballs;
+    detail::done(tree_metaballs_of_elements(elements.get(), radius, height, control, metaballs.place()), control);
+    return metaballs;
+}
+inline float Metaballs::radius() const {
+    float radius{};
+    detail::done(tree_metaballs_radius(get(), &radius));
+    return radius;
+}
+inline size_t Metaballs::n_points() const {
+    size_t n_points{};
+    detail::done(tree_metaballs_n_points(get(), &n_points));
+    return n_points;
+}
+inline std::array<float, 6> Metaballs::bounds() const {
+    std::array<float, 6> min_max{};
+    detail::done(tree_metaballs_bounds(get(), reinterpret_cast<float(*)[6]>(min_max.data())));
+    return min_max;
+}
+inline std::vector<float> Metaballs::values(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> values(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_metaballs_values(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control))) { values.clear(); }
+    return values;
+}
+inline bool Metaballs::values(Span<const float> points, Ref<tree_control> control, Span<float> values) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_metaballs_values(get(), points.data(), points.size() / 3, control, values.data(), values.size()), control);
+}
+inline std::vector<float> Metaballs::gradients(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> gradients(points.size());
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_metaballs_gradients(get(), points.data(), points.size() / 3, control, gradients.data(), gradients.size()), control))) { gradients.clear(); }
+    return gradients;
+}
+inline bool Metaballs::gradients(Span<const float> points, Ref<tree_control> control, Span<float> gradients) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_metaballs_gradients(get(), points.data(), points.size() / 3, control, gradients.data(), gradients.size()), control);
+}
+inline std::vector<uint32_t> Elements::order_stochastic(uint64_t seed) const {
+    std::vector<uint32_t> order(view().n_elements);
+    if (!(detail::done(tree_order_stochastic(get(), seed, order.data(), order.size())))) { order.clear(); }
+    return order;
+}
+inline bool Elements::order_stochastic(uint64_t seed, Span<uint32_t> order) const {
+    return detail::done(tree_order_stochastic(get(), seed, order.data(), order.size()));
+}
+inline std::vector<uint32_t> Elements::order_golden() const {
+    std::vector<uint32_t> order(view().n_elements);
+    if (!(detail::done(tree_order_golden(get(), order.data(), order.size())))) { order.clear(); }
+    return order;
+}
+inline bool Elements::order_golden(Span<uint32_t> order) const {
+    return detail::done(tree_order_golden(get(), order.data(), order.size()));
+}
+inline std::vector<uint32_t> Elements::order_density(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<uint32_t> order(view().n_elements);
+    if (!(detail::done(tree_order_density(get(), params, seed, control, order.data(), order.size()), control))) { order.clear(); }
+    return order;
+}
+inline bool Elements::order_density(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control, Span<uint32_t> order) const {
+    return detail::done(tree_order_density(get(), params, seed, control, order.data(), order.size()), control);
+}
+inline std::vector<uint32_t> Elements::order_orientation(const Hull &hull, Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<uint32_t> order(view().n_elements);
+    if (!(detail::done(tree_order_orientation(get(), hull.get(), params, seed, control, order.data(), order.size()), control))) { order.clear(); }
+    return order;
+}
+inline bool Elements::order_orientation(const Hull &hull, Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control, Span<uint32_t> order) const {
+    return detail::done(tree_order_orientation(get(), hull.get(), params, seed, control, order.data(), order.size()), control);
+}
+inline std::vector<uint32_t> Elements::order_combined(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control) const {
+    std::vector<uint32_t> order(view().n_elements);
+    if (!(detail::done(tree_order_combined(get(), params, seed, control, order.data(), order.size()), control))) { order.clear(); }
+    return order;
+}
+inline bool Elements::order_combined(Ref<tree_order_params> params, uint64_t seed, Ref<tree_control> control, Span<uint32_t> order) const {
+    return detail::done(tree_order_combined(get(), params, seed, control, order.data(), order.size()), control);
+}
+inline std::tuple<std::vector<uint32_t>, std::vector<float>> Mesh::order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params, Ref<tree_control> control) const {
+    std::vector<uint32_t> order(elements.view().n_elements);
+    std::vector<float> pivots(3 * elements.view().n_elements);
+    if (!(detail::expect(tiers.fits(), TREE_ERROR_NULL, "tiers: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_order_coverage(get(), elements.get(), tiers, tier, params, control, order.data(), order.size(), pivots.data(), pivots.size()), control))) { order.clear(); pivots.clear(); }
+    return {std::move(order), std::move(pivots)};
+}
+inline bool Mesh::order_coverage(const Elements &elements, Maybe<tree_tiers> tiers, size_t tier, Ref<tree_coverage_params> params, Ref<tree_control> control, Span<uint32_t> order, Span<float> pivots) const {
+    return detail::expect(tiers.fits(), TREE_ERROR_NULL, "tiers: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_order_coverage(get(), elements.get(), tiers, tier, params, control, order.data(), order.size(), pivots.data(), pivots.size()), control);
+}
+inline bool order_check(Span<const uint32_t> order, size_t n_elements) {
+    return detail::done(tree_order_check(order.data(), order.size(), n_elements));
+}
+inline bool OrderParams::check() const {
+    return detail::done(tree_order_params_check(this));
+}
+inline bool CoverageParams::check() const {
+    return detail::done(tree_coverage_params_check(this));
+}
+inline PrunedTotals Pruned::measure() const {
+    PrunedTotals totals;
+    if (!(detail::done(tree_pruned_measure(get(), &totals)))) { totals.struct_size = 0; }
+    return totals;
+}
+inline Mesh Pruned::mesh() const {
+    Mesh mesh;
+    detail::done(tree_pruned_mesh(get(), mesh.place()));
+    return mesh;
+}
+inline PrunedPart Pruned::part_view(size_t number) const & {
+    PrunedPart part;
+    if (!(detail::done(tree_pruned_part_view(get(), number, &part)))) { part.struct_size = 0; }
+    return part;
+}
+inline LodTable Pruned::table() const {
+    LodTable table;
+    detail::done(tree_pruned_table(get(), table.place()));
+    return table;
+}
+inline std::vector<uint32_t> Pruned::kept() const {
+    std::vector<uint32_t> kept(measure().n_tiers);
+    if (!(detail::done(tree_pruned_kept(get(), kept.data(), kept.size())))) { kept.clear(); }
+    return kept;
+}
+inline bool Pruned::kept(Span<uint32_t> kept) const {
+    return detail::done(tree_pruned_kept(get(), kept.data(), kept.size()));
+}
+inline tree_lod_cut Pruned::cut(float lambda) const {
+    tree_lod_cut cut{};
+    detail::done(tree_pruned_cut(get(), lambda, &cut));
+    return cut;
+}
+inline tree_lod_cut Pruned::step(uint64_t step) const {
+    tree_lod_cut cut{};
+    detail::done(tree_pruned_step(get(), step, &cut));
+    return cut;
+}
+inline float Pruned::lambda_of(uint64_t n_triangles) const {
+    float lambda{};
+    detail::done(tree_pruned_lambda_of(get(), n_triangles, &lambda));
+    return lambda;
+}
+inline float Pruned::lambda_of_rank(uint32_t rank) const {
+    float lambda{};
+    detail::done(tree_pruned_lambda_of_rank(get(), rank, &lambda));
+    return lambda;
+}
+inline bool LodScreen::check() const {
+    return detail::done(tree_lod_screen_check(this));
+}
+inline float LodScreen::coverage(float lambda, float size) const {
+    float coverage{};
+    detail::done(tree_lod_screen_coverage(this, lambda, size, &coverage));
+    return coverage;
+}
+inline Bytes Pruned::to_glb(Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_pruned_to_glb(get(), options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool Pruned::write_glb(std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_pruned_write_glb(get(), path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline Bytes Pruned::to_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_pruned_to_glb_levels(get(), lambdas.data(), lambdas.size(), screen, options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool Pruned::write_glb_levels(Span<const float> lambdas, Ref<tree_lod_screen> screen, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_pruned_write_glb_levels(get(), lambdas.data(), lambdas.size(), screen, path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline std::tuple<tree_lod_level, std::vector<tree_lod_window>> Pruned::level(float lambda) const {
+    tree_lod_level level{};
+    std::vector<tree_lod_window> windows(measure().n_parts);
+    if (!(detail::done(tree_pruned_level(get(), lambda, &level, windows.data(), windows.size())))) { windows.clear(); }
+    return {std::move(level), std::move(windows)};
+}
+inline tree_lod_level Pruned::level(float lambda, Span<tree_lod_window> windows) const {
+    tree_lod_level level{};
+    detail::done(tree_pruned_level(get(), lambda, &level, windows.data(), windows.size()));
+    return level;
+}
+inline std::tuple<std::vector<tree_lod_level>, std::vector<tree_lod_window>, size_t> Pruned::levels(size_t n) const {
+    std::vector<tree_lod_level> levels(n);
+    std::vector<tree_lod_window> windows(n * measure().n_parts);
+    size_t n_levels{};
+    if (!(detail::done(tree_pruned_levels(get(), n, levels.data(), levels.size(), windows.data(), windows.size(), &n_levels)))) { levels.clear(); windows.clear(); }
+    levels.resize(n_levels);
+    windows.resize(n_levels * measure().n_parts);
+    return {std::move(levels), std::move(windows), std::move(n_levels)};
+}
+inline size_t Pruned::levels(size_t n, Span<tree_lod_level> levels, Span<tree_lod_window> windows) const {
+    size_t n_levels{};
+    detail::done(tree_pruned_levels(get(), n, levels.data(), levels.size(), windows.data(), windows.size(), &n_levels));
+    return n_levels;
+}
+inline Mesh Pruned::mesh_at(float lambda, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_pruned_mesh_at(get(), lambda, control, mesh.place()), control);
+    return mesh;
+}
+inline Mesh Pruned::mesh_of(const tree_lod_level &level, Span<const tree_lod_window> windows, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_pruned_mesh_of(get(), &level, windows.data(), windows.size(), control, mesh.place()), control);
+    return mesh;
+}
+inline Bytes Pruned::to_json(Span<const tree_lod_level> levels, Span<const tree_lod_window> windows) const {
+    Bytes bytes;
+    detail::done(tree_pruned_to_json(get(), levels.data(), levels.size(), windows.data(), windows.size(), bytes.place()));
+    return bytes;
+}
+inline bool PruneParams::check() const {
+    return detail::done(tree_prune_params_check(this));
+}
+inline Pruned Pruned::make(const Mesh &mesh, Ref<tree_prune_make_params> params, Ref<tree_control> control) {
+    Pruned pruned;
+    detail::done(tree_pruned_make(mesh.get(), params, control, pruned.place()), control);
+    return pruned;
+}
+inline Pruned Pruned::make(Ref<tree_lod_subject> subject, const LodTable &table, Ref<tree_prune_params> params, Ref<tree_control> control) {
+    Pruned pruned;
+    detail::done(tree_pruned_new(subject, table.get(), params, control, pruned.place()), control);
+    return pruned;
+}
+inline SceneLevels Pruned::scene_levels(size_t n, const tree_lod_distance &distance) const {
+    SceneLevels levels;
+    detail::done(tree_pruned_scene_levels(get(), n, &distance, levels.place()));
+    return levels;
+}
+inline SceneModel SceneLevels::model() const & {
+    SceneModel model;
+    if (!(detail::done(tree_scene_levels_model(get(), &model)))) { model.struct_size = 0; }
+    return model;
+}
+inline std::string_view prune_shader(tree_shader language) {
+    tree_str text{};
+    detail::done(tree_prune_shader(language, &text));
+    return detail::text(text);
+}
+inline std::array<float, 3> prune_position(const Floats<3> &vertex, const Floats<4> &center_rank, float growth, float lambda, float fade) {
+    std::array<float, 3> drawn{};
+    detail::done(tree_prune_position(vertex, center_rank, growth, lambda, fade, reinterpret_cast<float(*)[3]>(drawn.data())));
+    return drawn;
+}
+inline std::array<float, 3> prune_color(const Floats<3> &rgb, const Floats<3> &mean, float contrast) {
+    std::array<float, 3> drawn{};
+    detail::done(tree_prune_color(rgb, mean, contrast, reinterpret_cast<float(*)[3]>(drawn.data())));
+    return drawn;
+}
+inline float lod_cook_scale(float lambda) {
+    float scale{};
+    detail::done(tree_lod_cook_scale(lambda, &scale));
+    return scale;
+}
+inline float lod_cook_lambda(float d) {
+    float lambda{};
+    detail::done(tree_lod_cook_lambda(d, &lambda));
+    return lambda;
+}
+inline float lod_size_lambda(float pixels, float full, float h) {
+    float lambda{};
+    detail::done(tree_lod_size_lambda(pixels, full, h, &lambda));
+    return lambda;
+}
+inline float lod_drop_and_resize(uint32_t n, uint32_t k, float w) {
+    float growth{};
+    detail::done(tree_lod_drop_and_resize(n, k, w, &growth));
+    return growth;
+}
+inline float lod_contrast(float lambda, float scale) {
+    float contrast{};
+    detail::done(tree_lod_contrast(lambda, scale, &contrast));
+    return contrast;
+}
+inline std::tuple<double, double, double> score_quality(const tree_score &score) {
+    double precision{};
+    double recall{};
+    double quality{};
+    detail::done(tree_score_quality(&score, &precision, &recall, &quality));
+    return {std::move(precision), std::move(recall), std::move(quality)};
+}
+inline double score_mean_quality(Span<const tree_score> scores) {
+    double quality{};
+    detail::done(tree_score_mean_quality(scores.data(), scores.size(), &quality));
+    return quality;
+}
+inline bool Mesh::score(const Mesh &full, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const {
+    return detail::done(tree_mesh_score(get(), full.get(), around, control, scores.data(), scores.size()), control);
+}
+inline Scene Scene::make(Span<const tree_scene_model> models, Span<const tree_scene_instance> instances, Ref<tree_control> control) {
+    Scene scene;
+    detail::done(tree_scene_new(models.data(), models.size(), instances.data(), instances.size(), control, scene.place()), control);
+    return scene;
+}
+inline bool Scene::set_instances(size_t first, Span<const tree_scene_instance> instances) const {
+    return detail::done(tree_scene_set_instances(get(), first, instances.data(), instances.size()));
+}
+inline SceneNeeds Scene::measure() const {
+    SceneNeeds needs;
+    if (!(detail::done(tree_scene_measure(get(), &needs)))) { needs.struct_size = 0; }
+    return needs;
+}
+inline SceneState SceneState::make(const Scene &scene, Ref<tree_control> control) {
+    SceneState state;
+    detail::done(tree_scene_state_new(scene.get(), control, state.place()), control);
+    return state;
+}
+inline size_t SceneState::n_drawn() const {
+    size_t n_drawn{};
+    detail::done(tree_scene_state_n_drawn(get(), &n_drawn));
+    return n_drawn;
+}
+inline tree_scene_shown SceneState::shown(const Scene &scene, size_t instance) const {
+    tree_scene_shown shown{};
+    detail::done(tree_scene_state_shown(get(), scene.get(), instance, &shown));
+    return shown;
+}
+inline bool SceneParams::check() const {
+    return detail::done(tree_scene_params_check(this));
+}
+inline bool Scene::eye_check(const Floats<16> &view, const Floats<16> &projection) {
+    uint32_t is_reversed = 0;
+    detail::done(tree_scene_eye_check(view, projection, &is_reversed));
+    return is_reversed != 0;
+}
+inline SceneReport SceneState::select(const Scene &scene, Ref<tree_scene_frame> frame, Ref<tree_scene_params> params) const {
+    SceneReport report;
+    if (!(detail::done(tree_scene_state_select(get(), scene.get(), frame, params, &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline bool SceneModel::check() const {
+    return detail::done(tree_scene_model_check(this));
+}
+inline std::tuple<size_t, size_t> SceneState::draws(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const {
+    size_t n_draws{};
+    size_t n_rows{};
+    detail::done(tree_scene_state_draws(get(), scene.get(), draws.data(), draws.size(), rows.data(), rows.size(), &n_draws, &n_rows));
+    return {std::move(n_draws), std::move(n_rows)};
+}
+inline std::tuple<size_t, size_t> SceneState::batches(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const {
+    size_t n_draws{};
+    size_t n_rows{};
+    detail::done(tree_scene_state_batches(get(), scene.get(), draws.data(), draws.size(), rows.data(), rows.size(), &n_draws, &n_rows));
+    return {std::move(n_draws), std::move(n_rows)};
+}
+inline bool LodSubject::score(float lambda, float scale, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const {
+    return detail::done(tree_lod_subject_score(this, lambda, scale, around, control, scores.data(), scores.size()), control);
+}
+inline bool lod_plan(Ref<tree_lod_subject> subject, Ref<tree_control> control, Span<uint32_t> kept) {
+    return detail::done(tree_lod_plan(subject, control, kept.data(), kept.size()), control);
+}
+inline bool LodTableParams::check() const {
+    return detail::done(tree_lod_table_params_check(this));
+}
+inline LodTable LodTable::from_rows(Span<const tree_lod_row> rows) {
+    LodTable table;
+    detail::done(tree_lod_table_from_rows(rows.data(), rows.size(), table.place()));
+    return table;
+}
+inline LodTable LodTable::measure(Ref<tree_lod_subject> subject, Ref<tree_lod_table_params> params, Ref<tree_control> control) {
+    LodTable table;
+    detail::done(tree_lod_table_measure(subject, params, control, table.place()), control);
+    return table;
+}
+inline Span<const tree_lod_row> LodTable::rows() const & {
+    const tree_lod_row *rows = nullptr;
+    size_t n_rows = 0;
+    detail::done(tree_lod_table_rows(get(), &rows, &n_rows));
+    return Span<const tree_lod_row>(rows, n_rows);
+}
+inline tree_lod_row LodTable::at(float lambda) const {
+    tree_lod_row row{};
+    detail::done(tree_lod_table_at(get(), lambda, &row));
+    return row;
+}
+inline float LodTable::lambda_for(float quality) const {
+    float lambda{};
+    detail::done(tree_lod_table_lambda_for(get(), quality, &lambda));
+    return lambda;
+}
+inline bool TiersParams::check() const {
+    return detail::done(tree_tiers_params_check(this));
+}
+inline Tiers Tiers::of_mesh(const Mesh &mesh, const Elements &elements, Ref<tree_tiers_params> params, Ref<tree_control> control) {
+    Tiers tiers;
+    detail::done(tree_tiers_of_mesh(mesh.get(), elements.get(), params, control, tiers.place()), control);
+    return tiers;
+}
+inline Tiers Tiers::full(const Mesh &mesh, const Elements &elements) {
+    Tiers tiers;
+    detail::done(tree_tiers_full(mesh.get(), elements.get(), tiers.place()));
+    return tiers;
+}
+inline Tiers Tiers::from_columns(const Mesh &mesh, const Elements &elements, Span<const tree_tier_columns> columns, Ref<tree_control> control) {
+    Tiers tiers;
+    detail::done(tree_tiers_from_columns(mesh.get(), elements.get(), columns.data(), columns.size(), control, tiers.place()), control);
+    return tiers;
+}
+inline size_t Tiers::count() const {
+    size_t n_tiers{};
+    detail::done(tree_tiers_count(get(), &n_tiers));
+    return n_tiers;
+}
+inline TierColumns Tiers::view(size_t tier) const & {
+    TierColumns columns;
+    if (!(detail::done(tree_tiers_view(get(), tier, &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Around Around::for_order(size_t n_triangles) {
+    Around around;
+    if (!(detail::done(tree_around_for_order(&around, sizeof(tree_around), n_triangles)))) { around.struct_size = 0; }
+    return around;
+}
+inline Around Around::for_table(size_t n_triangles) {
+    Around around;
+    if (!(detail::done(tree_around_for_table(&around, sizeof(tree_around), n_triangles)))) { around.struct_size = 0; }
+    return around;
+}
+inline bool Around::check() const {
+    return detail::done(tree_around_check(this));
+}
+inline size_t Around::n_views() const {
+    size_t n_views{};
+    detail::done(tree_around_n_views(this, &n_views));
+    return n_views;
+}
+inline View Around::view(size_t number) const {
+    View view;
+    if (!(detail::done(tree_around_view(this, number, &view)))) { view.struct_size = 0; }
+    return view;
 }
 inline Look Look::built_in(Ref<tree_species> species) {
     Look look;

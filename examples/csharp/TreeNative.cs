@@ -35,6 +35,13 @@ namespace TreeFamily.Native
     public struct tree_axes { }
 
     /// <summary>
+    /// Which pixels a mesh covers: one bit for each. A bit is set where a triangle covers the middle of the pixel
+    /// and the texture's alpha there is drawn. (`tree_mask` tells how much of each pixel is covered; this one is
+    /// for comparing, and fast.)
+    /// </summary>
+    public struct tree_bits { }
+
+    /// <summary>
     /// The bumps of an outline.
     /// </summary>
     public struct tree_bumps { }
@@ -86,6 +93,12 @@ namespace TreeFamily.Native
     public struct tree_drawings { }
 
     /// <summary>
+    /// The elements of a mesh: what is dropped and scaled as one, such as a leaf or a card. There is always at
+    /// least one.
+    /// </summary>
+    public struct tree_elements { }
+
+    /// <summary>
     /// The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
     /// them in metres, add up to -ln of the transparency seen. Wanted is the x &gt;= 0 with the least
     /// |A x - b|^2 + lambda^2 |x / weights|^2.
@@ -130,6 +143,11 @@ namespace TreeFamily.Native
     public struct tree_grid { }
 
     /// <summary>
+    /// A surface around a plant: closed, facing outwards, in several pieces where points are far apart.
+    /// </summary>
+    public struct tree_hull { }
+
+    /// <summary>
     /// A sketch in space: what was inferred of it.
     /// </summary>
     public struct tree_inferred { }
@@ -152,6 +170,12 @@ namespace TreeFamily.Native
     public struct tree_lines { }
 
     /// <summary>
+    /// Best scale and quality of a model for each share of geometry: rows with rising lambda, the last of which
+    /// is the full model.
+    /// </summary>
+    public struct tree_lod_table { }
+
+    /// <summary>
     /// What a species looks like: a material for the bark, and a leaf look for each leaf kind.
     /// </summary>
     public struct tree_look { }
@@ -170,6 +194,12 @@ namespace TreeFamily.Native
     /// Surfaces with their materials, and the branches that move in the wind.
     /// </summary>
     public struct tree_mesh { }
+
+    /// <summary>
+    /// A sum of metaballs (Neubert 2012, 7.3.1): every point adds `(1 - (distance / radius)^2)^2` to the places within
+    /// its radius. 1 or more at each point, 0 far from all.
+    /// </summary>
+    public struct tree_metaballs { }
 
     /// <summary>
     /// The middle lines of a filled area.
@@ -245,6 +275,11 @@ namespace TreeFamily.Native
     public struct tree_profile { }
 
     /// <summary>
+    /// A mesh whose foliage can be drawn at any level: windows of its index buffers (Neubert 2012, chapter 7).
+    /// </summary>
+    public struct tree_pruned { }
+
+    /// <summary>
     /// A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
     /// has y along the straight span of the axis from its start, and r across.
     /// </summary>
@@ -255,6 +290,31 @@ namespace TreeFamily.Native
     /// or the tips of a graph.
     /// </summary>
     public struct tree_rows { }
+
+    /// <summary>
+    /// Tree models, and where they stand (Neubert 2012, 7.2.5 and 7.4). Make one `tree_scene_state` for each view of it.
+    /// In each frame `tree_scene_state_select` finds what is drawn and how finely, and `tree_scene_state_draws` or
+    /// `tree_scene_state_batches` write it into your own buffers; neither takes memory.
+    ///
+    /// It is an object that changes, in `tree_scene_set_instances` alone: a call that comes while that one is at
+    /// work, or the other way round, is `TREE_ERROR_ORDER`. Any number of threads may select in it at once, each
+    /// with a state of its own.
+    /// </summary>
+    public struct tree_scene { }
+
+    /// <summary>
+    /// Levels of a pruned model, for a `tree_scene_model`.
+    /// </summary>
+    public struct tree_scene_levels { }
+
+    /// <summary>
+    /// What one view of a scene (a camera, or a cascade of a shadow map) remembers from frame to frame, and all the
+    /// room that a frame needs.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+    /// on it is `TREE_ERROR_ORDER`.
+    /// </summary>
+    public struct tree_scene_state { }
 
     /// <summary>
     /// The triangles of a mesh, welded and sorted into connected components, each of which is wood, a leaf, a
@@ -330,6 +390,12 @@ namespace TreeFamily.Native
     /// A picture, shared by materials and meshes: RGBA, 8 bits, sRGB, straight alpha.
     /// </summary>
     public struct tree_texture { }
+
+    /// <summary>
+    /// Triangles that elements are drawn with: the full model first, then with fewer and fewer triangles of nearly the
+    /// same outlines. All are of the model's own vertices.
+    /// </summary>
+    public struct tree_tiers { }
 
     /// <summary>
     /// What particles left behind: traces that join on their way to the base.
@@ -2091,6 +2157,1172 @@ namespace TreeFamily.Native
         /// what they mean.
         /// </summary>
         public fixed ulong notes[18];
+    }
+
+    /// <summary>
+    /// Share of geometry for each distance: lambda, 0 to 1 and never rising, at the distances 0, 0.01, ... 0.1, 0.19,
+    /// ... 1 (0 is near and shows the full model, 1 is far), and linear in between.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_distance
+    {
+        /// <summary>
+        /// Lambda at each of these 21 distances.
+        /// </summary>
+        public fixed float lambdas[21];
+    }
+
+    /// <summary>
+    /// A view of elements: a row each, in the order of surfaces and triangles.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_elements_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_elements_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of elements.
+        /// </summary>
+        public UIntPtr n_elements;
+        /// <summary>
+        /// Surfaces of the mesh that are pruned, rising; all others are always drawn.
+        /// </summary>
+        public uint* surfaces;
+        /// <summary>
+        /// Number of these surfaces.
+        /// </summary>
+        public UIntPtr n_surfaces;
+        /// <summary>
+        /// For each element the surface of the mesh it is on.
+        /// </summary>
+        public uint* surface;
+        /// <summary>
+        /// Where the triangles of each element begin in `triangles`, and their number at the end: `n_elements + 1`
+        /// rows.
+        /// </summary>
+        public uint* starts;
+        /// <summary>
+        /// Triangles of each element: their numbers in its surface.
+        /// </summary>
+        public uint* triangles;
+        /// <summary>
+        /// Number of rows of `triangles`.
+        /// </summary>
+        public UIntPtr n_triangles;
+        /// <summary>
+        /// Three floats for each element: mean of its surface in metres, which it is scaled about.
+        /// </summary>
+        public float* centers;
+        /// <summary>
+        /// Three floats for each element: mean normal; zero where it has none (a closed blade, no area).
+        /// </summary>
+        public float* normals;
+        /// <summary>
+        /// For each element the area of its triangles in square metres.
+        /// </summary>
+        public float* areas;
+        /// <summary>
+        /// For each element the largest distance of a vertex from the mean of its own triangles, in metres.
+        /// </summary>
+        public float* radii;
+    }
+
+    /// <summary>
+    /// Which surface of a field, and how finely. Begin with `tree_hull_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_hull_params
+    {
+        /// <summary>
+        /// `sizeof(tree_hull_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Value of the field on the surface, 0.001 to 0.5. Default 0.05: a lone element gets a ball of 0.88 times
+        /// the radius of influence.
+        /// </summary>
+        public float iso;
+        /// <summary>
+        /// Cells of the grid along the radius of influence, 2 to 16. Default 3. Cost grows with the cube.
+        /// </summary>
+        public float detail;
+    }
+
+    /// <summary>
+    /// What orders by density and orientation need to know. Begin with `tree_order_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_order_params
+    {
+        /// <summary>
+        /// `sizeof(tree_order_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The hull, for `tree_order_combined` and `tree_hull_of_elements`. NULL, the default: its defaults.
+        /// </summary>
+        public tree_hull_params* hull;
+        /// <summary>
+        /// Height of the plant in metres, 0 to 1e9. Default 0: measured, as `tree_elements_plant_height` does it.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Radius of influence of an element, as a share of the height, 0.001 to 1. Default 0.05.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// When densities count as uniform and thinning by density ends: at this standard deviation of the
+        /// densities of what is left, divided by their mean, 0 (never) to 10 (at once). Default 0.15.
+        /// </summary>
+        public float uniform;
+        /// <summary>
+        /// Thinning by density ends at this share of the elements at the latest, 0 to 1. Default 0.25.
+        /// </summary>
+        public float least;
+        /// <summary>
+        /// How much chance is added to priorities, which lie within 0 to 1; 0 (none) to 1. Default 0.05.
+        /// </summary>
+        public float randomness;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of a hull.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_hull_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_hull_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Three floats for each vertex: where it is, in metres. Each place is there once.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Three floats for each vertex: unit normal, outwards.
+        /// </summary>
+        public float* normals;
+        /// <summary>
+        /// Number of indices: three for each triangle.
+        /// </summary>
+        public UIntPtr n_indices;
+        /// <summary>
+        /// Vertices of the triangles, counter-clockwise seen from outside.
+        /// </summary>
+        public uint* indices;
+    }
+
+    /// <summary>
+    /// Size, quality and camera of a picture. Begin with `tree_view_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_view
+    {
+        /// <summary>
+        /// `sizeof(tree_view)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels, 1 to 16,384. Default 1024.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels, 1 to 16,384. Default 1024.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
+        /// </summary>
+        public uint samples;
+        /// <summary>
+        /// How the camera is placed. Default `TREE_CAMERA_FRAMED`.
+        /// </summary>
+        public uint camera; // tree_camera
+        /// <summary>
+        /// How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
+        /// </summary>
+        public uint lens; // tree_lens
+        /// <summary>
+        /// Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
+        /// quarter turn on +X. Finite; default 0.6.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
+        /// Default 0.09.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
+        /// </summary>
+        public float margin;
+        /// <summary>
+        /// Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
+        /// </summary>
+        public float lens_height;
+        /// <summary>
+        /// Placed: where the camera stands, in metres. Default 0, 0, 0.
+        /// </summary>
+        public fixed float eye[3];
+        /// <summary>
+        /// Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
+        /// </summary>
+        public fixed float target[3];
+        /// <summary>
+        /// Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
+        /// </summary>
+        public fixed float up[3];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Size of a mask of bits.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_bits_size
+    {
+        /// <summary>
+        /// `sizeof(tree_bits_size)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Words of all rows: what `tree_bits_words` writes.
+        /// </summary>
+        public UIntPtr n_words;
+        /// <summary>
+        /// Pixels of all rows: what `tree_bits_bytes` writes.
+        /// </summary>
+        public UIntPtr n_pixels;
+        /// <summary>
+        /// Number of set bits.
+        /// </summary>
+        public ulong count;
+    }
+
+    /// <summary>
+    /// Pixels of a simplified model against those of the full one: of one view, or added up over many.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_score
+    {
+        /// <summary>
+        /// Covered by both.
+        /// </summary>
+        public ulong both;
+        /// <summary>
+        /// Covered by the simplified model only.
+        /// </summary>
+        public ulong wrong;
+        /// <summary>
+        /// Covered by the full model only.
+        /// </summary>
+        public ulong missed;
+    }
+
+    /// <summary>
+    /// Views around a model, each of which frames all of it. Begin with `tree_around_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_around
+    {
+        /// <summary>
+        /// `sizeof(tree_around)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How far the cameras look down in radians, -pi/2 to pi/2, each with all azimuths: every next ring is
+        /// turned by a share of the step, so that no two stand above each other. NULL, the default: one ring,
+        /// level.
+        /// </summary>
+        public float* pitches;
+        /// <summary>
+        /// Number of pitches, at most 64; 0 for the default.
+        /// </summary>
+        public UIntPtr n_pitches;
+        /// <summary>
+        /// Directions around the trunk for each pitch, evenly spread, 1 to 360. Default 8.
+        /// </summary>
+        public uint azimuths;
+        /// <summary>
+        /// Width and height of the masks in pixels, 8 to 4096. Default 512.
+        /// </summary>
+        public uint size;
+        /// <summary>
+        /// Where the first stands, in radians. Default 0. Views for measuring should not be those that an order
+        /// was made with.
+        /// </summary>
+        public float turn;
+        /// <summary>
+        /// Vertical field of view in radians, 0.017 to 2.8, for perspective. 0, the default: parallel projection.
+        /// </summary>
+        public float fov;
+    }
+
+    /// <summary>
+    /// How the order by coverage is made. Begin with `tree_coverage_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_coverage_params
+    {
+        /// <summary>
+        /// `sizeof(tree_coverage_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Views that are looked at. More hold better for others, at proportional cost. NULL, the default: those of
+        /// `tree_around_for_order`.
+        /// </summary>
+        public tree_around* around;
+        /// <summary>
+        /// Shares of triangles for which the choice is made, falling, more than 0, less than 1. NULL, the default:
+        /// 0.5, 0.35, 0.2, 0.1, 0.05, 0.02.
+        /// </summary>
+        public float* stages;
+        /// <summary>
+        /// Number of stages, at most 32; 0 for the default.
+        /// </summary>
+        public UIntPtr n_stages;
+        /// <summary>
+        /// Whether leaves choose the point they grow about; otherwise it is their centre. Default 1.
+        /// </summary>
+        public uint pivots;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How large a pruned model is.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pruned_totals
+    {
+        /// <summary>
+        /// `sizeof(tree_pruned_totals)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Surfaces that are pruned; all others are drawn whole.
+        /// </summary>
+        public UIntPtr n_parts;
+        /// <summary>
+        /// Number of tiers.
+        /// </summary>
+        public UIntPtr n_tiers;
+        /// <summary>
+        /// Number of elements.
+        /// </summary>
+        public UIntPtr n_elements;
+        /// <summary>
+        /// Triangles of the full foliage.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Number of states; neighbours differ in one element.
+        /// </summary>
+        public ulong n_steps;
+        /// <summary>
+        /// Bytes of the foliage's indices in the mesh that came in.
+        /// </summary>
+        public ulong indices_before;
+        /// <summary>
+        /// Bytes of the indices of all tiers.
+        /// </summary>
+        public ulong indices_after;
+        /// <summary>
+        /// Bytes of the foliage's vertices in the mesh that came in.
+        /// </summary>
+        public ulong vertices_before;
+        /// <summary>
+        /// Bytes of the vertices with copies and centres.
+        /// </summary>
+        public ulong vertices_after;
+        /// <summary>
+        /// The least lambda that can be kept: of the state with the fewest elements.
+        /// </summary>
+        public float least_lambda;
+        /// <summary>
+        /// Lambda of the last state in which all elements are drawn.
+        /// </summary>
+        public float lambda_of_all;
+    }
+
+    /// <summary>
+    /// A view of a surface that is pruned.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pruned_part
+    {
+        /// <summary>
+        /// `sizeof(tree_pruned_part)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Four floats for each vertex of the surface: the point that its element is scaled about, in metres, and the
+        /// lambda from which on it is drawn (0: always). A vertex of no element has itself as centre.
+        /// </summary>
+        public float* centers;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Number of the surface in the mesh.
+        /// </summary>
+        public uint surface;
+        /// <summary>
+        /// Mean linear colour of what is seen of the full model: texture times base colour.
+        /// </summary>
+        public fixed float mean[3];
+    }
+
+    /// <summary>
+    /// What is drawn of the elements; *ranks* are places in the order, the most important is 0.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_cut
+    {
+        /// <summary>
+        /// Triangles that are drawn.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Tier of the ranks below `fine`.
+        /// </summary>
+        public uint tier;
+        /// <summary>
+        /// Ranks from here to `end` are drawn with the next tier.
+        /// </summary>
+        public uint fine;
+        /// <summary>
+        /// Ranks from here on are not drawn.
+        /// </summary>
+        public uint end;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// When levels in a file change. Begin with `tree_lod_screen_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_screen
+    {
+        /// <summary>
+        /// `sizeof(tree_lod_screen)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Lambda for each distance, 0 at `near` and 1 at `far`. NULL, the default: that of `tree_lod_distance_cook`.
+        /// </summary>
+        public tree_lod_distance* distance;
+        /// <summary>
+        /// Distance in metres up to which the full model is wanted, in a field of view of 60 degrees, 0 or more.
+        /// Default 10.
+        /// </summary>
+        public float near;
+        /// <summary>
+        /// Distance from which on the least will do, more than `near`, at most 1e9. Default 500.
+        /// </summary>
+        public float far;
+    }
+
+    /// <summary>
+    /// What is drawn for a lambda, and the numbers that the shader needs. Its windows stand in an array of their own.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_level
+    {
+        /// <summary>
+        /// Share of the foliage's triangles, more than 0, at most 1. No less than what one element needs.
+        /// </summary>
+        public float lambda;
+        /// <summary>
+        /// Factor on the area of each element.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// Factor on its lengths: the square root of `scale`.
+        /// </summary>
+        public float growth;
+        /// <summary>
+        /// Factor on the contrast of colours, more than 0, at most 1.
+        /// </summary>
+        public float contrast;
+        /// <summary>
+        /// Width in lambda over which the last elements fade; 0 where all are drawn.
+        /// </summary>
+        public float fade;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+        /// <summary>
+        /// Triangles of the foliage that are drawn.
+        /// </summary>
+        public ulong n_triangles;
+    }
+
+    /// <summary>
+    /// A piece of a surface's index buffer.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_window
+    {
+        /// <summary>
+        /// Number of the surface.
+        /// </summary>
+        public uint surface;
+        /// <summary>
+        /// First index.
+        /// </summary>
+        public uint first_index;
+        /// <summary>
+        /// Number of indices; may be 0.
+        /// </summary>
+        public uint index_count;
+    }
+
+    /// <summary>
+    /// How a model is pruned. Begin with `tree_prune_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_prune_params
+    {
+        /// <summary>
+        /// `sizeof(tree_prune_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Share of lambda over which the last elements fade, 0 to 1. More is smoother in motion, but shows fewer of the
+        /// triangles that are drawn. 0: they pop. Default 0.1.
+        /// </summary>
+        public float fade;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How outlines become simpler. Begin with `tree_tiers_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_tiers_params
+    {
+        /// <summary>
+        /// `sizeof(tree_tiers_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Share of its triangles that an element has in each tier after the first, falling, 0 to 1. Every element keeps
+        /// a triangle, or two where a picture with a mask lies on it. NULL, the default: 1/2, 1/4, 1/8, 1/16.
+        /// </summary>
+        public float* shares;
+        /// <summary>
+        /// Number of shares, at most 16; 0 for the default.
+        /// </summary>
+        public UIntPtr n_shares;
+        /// <summary>
+        /// How far lengths of elements may differ, in lengths of a square of the same area, for them to share one answer,
+        /// 0 to 1. Default 0.08.
+        /// </summary>
+        public float alike;
+        /// <summary>
+        /// Largest share of the triangles of the tier before that a tier may have; others are not worth their memory and
+        /// are left out. 0 to 1. Default 0.9.
+        /// </summary>
+        public float worth;
+    }
+
+    /// <summary>
+    /// How a table is measured. Begin with `tree_lod_table_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_table_params
+    {
+        /// <summary>
+        /// `sizeof(tree_lod_table_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// From where to look. NULL, the default: 8 azimuths, level, with 256 pixels; fewer and smaller for a large
+        /// model, as `tree_around_for_table` says.
+        /// </summary>
+        public tree_around* around;
+        /// <summary>
+        /// Rows of the table: rising, more than 0, the last 1. NULL, the default: 17 from 0.01 to 1.
+        /// </summary>
+        public float* lambdas;
+        /// <summary>
+        /// Number of lambdas, at most 256; 0 for the default.
+        /// </summary>
+        public UIntPtr n_lambdas;
+        /// <summary>
+        /// Which scale is measured: a `TREE_LOD_SCALE_` constant. Default `TREE_LOD_SCALE_BEST`.
+        /// </summary>
+        public uint scale; // tree_lod_scale
+        /// <summary>
+        /// `TREE_LOD_SCALE_FIXED`: the scale, a factor on area, 0.01 to 10,000. Default 1.
+        /// </summary>
+        public float @fixed;
+    }
+
+    /// <summary>
+    /// Every step from a mesh to a pruned model. Begin with `tree_prune_make_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_prune_make_params
+    {
+        /// <summary>
+        /// `sizeof(tree_prune_make_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Surfaces that are pruned, each once. NULL, the default: they are found, as `tree_elements_of_mesh` does it.
+        /// </summary>
+        public uint* surfaces;
+        /// <summary>
+        /// Number of these surfaces; 0 for the default.
+        /// </summary>
+        public UIntPtr n_surfaces;
+        /// <summary>
+        /// How outlines become simpler. NULL, the default: its defaults.
+        /// </summary>
+        public tree_tiers_params* outlines;
+        /// <summary>
+        /// How the order is found. NULL, the default: as is right for so many triangles.
+        /// </summary>
+        public tree_coverage_params* order;
+        /// <summary>
+        /// How scales are measured. NULL, the default: as is right for so many triangles.
+        /// </summary>
+        public tree_lod_table_params* table;
+        /// <summary>
+        /// How the model is pruned. NULL, the default: its defaults.
+        /// </summary>
+        public tree_prune_params* prune;
+        /// <summary>
+        /// What an element is: a `TREE_GRAIN_` constant. Default `TREE_GRAIN_BLADE`.
+        /// </summary>
+        public uint grain; // tree_grain
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What is measured: a model, its elements, in which order they are dropped, and what they are drawn with. Begin with
+    /// `tree_lod_subject_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_subject
+    {
+        /// <summary>
+        /// `sizeof(tree_lod_subject)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The full model. No default: NULL, which is refused.
+        /// </summary>
+        public tree_mesh* mesh;
+        /// <summary>
+        /// Its elements. No default: NULL, which is refused.
+        /// </summary>
+        public tree_elements* elements;
+        /// <summary>
+        /// All elements, the most important first, such as `tree_order_coverage` writes them.
+        /// </summary>
+        public uint* order;
+        /// <summary>
+        /// Number of rows of `order`: the number of elements.
+        /// </summary>
+        public UIntPtr n_order;
+        /// <summary>
+        /// Three floats for each element (not rank): the point it is scaled about, in metres. NULL, the default: its
+        /// centre.
+        /// </summary>
+        public float* pivots;
+        /// <summary>
+        /// Number of pivots: the number of elements, or 0 for the default.
+        /// </summary>
+        public UIntPtr n_pivots;
+        /// <summary>
+        /// What the elements are drawn with. NULL, the default: the full model alone.
+        /// </summary>
+        public tree_tiers* tiers;
+        /// <summary>
+        /// Number of elements with which each tier begins, such as `tree_lod_plan` writes them: of the first all, then
+        /// never more than before. NULL, the default: each begins with all.
+        /// </summary>
+        public uint* kept;
+        /// <summary>
+        /// Number of rows of `kept`: the number of tiers, or 0 for the default.
+        /// </summary>
+        public UIntPtr n_kept;
+    }
+
+    /// <summary>
+    /// An ellipsoid along the axes of a model that nothing is seen through.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_occluder
+    {
+        /// <summary>
+        /// Its centre in metres.
+        /// </summary>
+        public fixed float center[3];
+        /// <summary>
+        /// Half its size along each axis, more than 0.
+        /// </summary>
+        public fixed float radii[3];
+    }
+
+    /// <summary>
+    /// A window of an index buffer.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_draw
+    {
+        /// <summary>
+        /// First index.
+        /// </summary>
+        public uint first_index;
+        /// <summary>
+        /// Number of indices; 0 for a part that is not drawn.
+        /// </summary>
+        public uint index_count;
+        /// <summary>
+        /// Added to each index.
+        /// </summary>
+        public int base_vertex;
+    }
+
+    /// <summary>
+    /// A tree model as a scene draws it. Lengths in metres, in the model's own space. Begin with
+    /// `tree_scene_model_init`. All is copied into the scene.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_model
+    {
+        /// <summary>
+        /// `sizeof(tree_scene_model)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Points on the crown's surface, evenly spread, three floats each, such as `tree_hull_sample` writes them.
+        /// NULL, the default: the model is never taken for occluded.
+        /// </summary>
+        public float* samples;
+        /// <summary>
+        /// Number of points, at most 64; 32 do well.
+        /// </summary>
+        public UIntPtr n_samples;
+        /// <summary>
+        /// What hides other trees in the built-in occlusion pass: a few ellipsoids that are opaque for certain, such
+        /// as the inner crown and the trunk. NULL, the default: the model hides nothing there.
+        /// </summary>
+        public tree_scene_occluder* occluders;
+        /// <summary>
+        /// Number of occluders, at most 64.
+        /// </summary>
+        public UIntPtr n_occluders;
+        /// <summary>
+        /// Lambda for each distance, 0 at `near` and 1 at `far`. NULL, the default: that of `tree_lod_distance_cook`.
+        /// </summary>
+        public tree_lod_distance* distance;
+        /// <summary>
+        /// For each level the share of the foliage's triangles, rising, more than 0, at most 1. The more levels, the
+        /// smoother. No default: NULL, which is refused.
+        /// </summary>
+        public float* lambdas;
+        /// <summary>
+        /// For each level the factor on the area of each element, more than 0. NULL, the default: 1.
+        /// </summary>
+        public float* scales;
+        /// <summary>
+        /// For each level the width in lambda over which the last elements fade in, 0 (they pop; nothing fades in the full
+        /// model) to 1. NULL, the default: 0.
+        /// </summary>
+        public float* fades;
+        /// <summary>
+        /// Number of levels, 1 to 1024.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// What is drawn of each part of the model (bark, leaves, fruit): the parts of the first level, then those of
+        /// the next, `n_levels * n_parts` rows. A part that is always drawn whole has the same draw in every level.
+        /// No default: NULL, which is refused.
+        /// </summary>
+        public tree_scene_draw* draws;
+        /// <summary>
+        /// Number of parts, 1 to 64.
+        /// </summary>
+        public UIntPtr n_parts;
+        /// <summary>
+        /// Centre of a sphere around the whole model, at its largest scale. Default 0, 0, 0.
+        /// </summary>
+        public fixed float center[3];
+        /// <summary>
+        /// Radius of that sphere, more than 0, at most 100,000. Default 1: set it.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Distance up to which the full model is drawn, for an instance of scale 1 in a field of view of 60 degrees
+        /// from top to bottom; what counts is the size on the screen. 0 or more. Default 10.
+        /// </summary>
+        public float near;
+        /// <summary>
+        /// Distance from which on the least is drawn, more than `near`. Default 500.
+        /// </summary>
+        public float far;
+    }
+
+    /// <summary>
+    /// A tree of a scene.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_instance
+    {
+        /// <summary>
+        /// Which model of the scene it is.
+        /// </summary>
+        public uint model;
+        /// <summary>
+        /// Where the model's origin stands, in metres, within 1e7 of the origin.
+        /// </summary>
+        public fixed float position[3];
+        /// <summary>
+        /// How it is turned: a unit quaternion, x, y, z, w. 0, 0, 0, 1 is not at all.
+        /// </summary>
+        public fixed float rotation[4];
+        /// <summary>
+        /// Factor on its size, 0.001 to 1000.
+        /// </summary>
+        public float scale;
+    }
+
+    /// <summary>
+    /// What is needed to draw a scene.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_needs
+    {
+        /// <summary>
+        /// `sizeof(tree_scene_needs)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of instances: rows of `tree_instance_lod` that always suffice.
+        /// </summary>
+        public UIntPtr n_instances;
+        /// <summary>
+        /// Rows of `tree_draw_indexed` that always suffice: the parts of all instances.
+        /// </summary>
+        public UIntPtr most_draws;
+        /// <summary>
+        /// Indices of all instances at their finest level: what is drawn without selection.
+        /// </summary>
+        public ulong most_indices;
+    }
+
+    /// <summary>
+    /// How an instance was drawn in the last frame.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_shown
+    {
+        /// <summary>
+        /// Whether it was in view, 1 or 0; if not, all else is 0.
+        /// </summary>
+        public uint in_view;
+        /// <summary>
+        /// Level of its model.
+        /// </summary>
+        public uint level;
+        /// <summary>
+        /// Share of the foliage's triangles.
+        /// </summary>
+        public float lambda;
+        /// <summary>
+        /// Share of the sample points that are seen, 0 to 1.
+        /// </summary>
+        public float visible;
+    }
+
+    /// <summary>
+    /// How shares of geometry follow what is seen. Begin with `tree_scene_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_params
+    {
+        /// <summary>
+        /// `sizeof(tree_scene_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Least factor on lambda of a tree that is hidden, 0.001 to 1. Default 0.1.
+        /// </summary>
+        public float hidden;
+        /// <summary>
+        /// Width of the band in which nothing changes, as a share of lambda, 0 to 1. Default 0.05. Wider: calmer, but
+        /// up to so much more is drawn.
+        /// </summary>
+        public float band;
+        /// <summary>
+        /// Seconds in which lambda comes nearer to its aim by two thirds, 0 (at once) to 60. Default 0.2.
+        /// </summary>
+        public float time;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// One picture that is to be drawn. Begin with `tree_scene_frame_init`.
+    ///
+    /// Matrices have 16 floats, column by column, as engines hand them to shaders. A view turns and moves only; the
+    /// eye looks along -Z of it. A projection is right-handed with depth from 0 to 1: perspective or orthographic, its
+    /// far end finite or infinite, its depth reversed or not, off centre, upside down (Vulkan).
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_frame
+    {
+        /// <summary>
+        /// `sizeof(tree_scene_frame)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// From the world to the eye's space. No default: zeros, which are refused.
+        /// </summary>
+        public fixed float view[16];
+        /// <summary>
+        /// From the eye's space to clip space. No default: zeros, which are refused.
+        /// </summary>
+        public fixed float projection[16];
+        /// <summary>
+        /// Seconds since the last frame, 0 to 1e6. Default 0: no time has passed.
+        /// </summary>
+        public float seconds;
+        /// <summary>
+        /// Whether the camera has jumped: all shares are then what they should be at once. Default 0.
+        /// </summary>
+        public uint cut;
+        /// <summary>
+        /// What hides trees: a `TREE_SCENE_OCCLUSION_` constant. Default `TREE_SCENE_OCCLUSION_NONE`. All that follows
+        /// is for `TREE_SCENE_OCCLUSION_DEPTH`.
+        /// </summary>
+        public uint occlusion; // tree_scene_occlusion
+        /// <summary>
+        /// Whether the first row of depths lies at clip y = -w, as in Vulkan and OpenGL; otherwise it lies at +w, as in
+        /// Direct3D, Metal and WebGPU. Default 0.
+        /// </summary>
+        public uint depth_y_down;
+        /// <summary>
+        /// Depth of each pixel from 0 to 1, row by row, of the previous frame or some frames ago. They are not copied.
+        /// </summary>
+        public float* depths;
+        /// <summary>
+        /// Number of depths: `depth_width * depth_height`.
+        /// </summary>
+        public UIntPtr n_depths;
+        /// <summary>
+        /// Pixels in a row, 1 to 32,768. 256 by 144 do.
+        /// </summary>
+        public uint depth_width;
+        /// <summary>
+        /// Rows, 1 to 32,768.
+        /// </summary>
+        public uint depth_height;
+        /// <summary>
+        /// The view the depths were drawn with.
+        /// </summary>
+        public fixed float depth_view[16];
+        /// <summary>
+        /// The projection the depths were drawn with; it tells whether depth is reversed.
+        /// </summary>
+        public fixed float depth_projection[16];
+    }
+
+    /// <summary>
+    /// What a frame draws.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scene_report
+    {
+        /// <summary>
+        /// `sizeof(tree_scene_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Instances in view.
+        /// </summary>
+        public ulong drawn;
+        /// <summary>
+        /// Instances out of view.
+        /// </summary>
+        public ulong culled;
+        /// <summary>
+        /// Instances in view of which some sample points are hidden. What is so far that it is drawn as coarsely as can
+        /// be is not tested, and counts as seen.
+        /// </summary>
+        public ulong occluded;
+        /// <summary>
+        /// Instances in view of which all are.
+        /// </summary>
+        public ulong hidden;
+        /// <summary>
+        /// Indices drawn: what a vertex shader sees at most.
+        /// </summary>
+        public ulong indices;
+        /// <summary>
+        /// Triangles drawn, if all are lists.
+        /// </summary>
+        public ulong triangles;
+    }
+
+    /// <summary>
+    /// Arguments of an indexed indirect draw, laid out as Vulkan, Direct3D 12, WebGPU and Metal take them.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_draw_indexed
+    {
+        /// <summary>
+        /// Number of indices.
+        /// </summary>
+        public uint index_count;
+        /// <summary>
+        /// Number of instances, never 0.
+        /// </summary>
+        public uint instance_count;
+        /// <summary>
+        /// First index.
+        /// </summary>
+        public uint first_index;
+        /// <summary>
+        /// Added to each index.
+        /// </summary>
+        public int base_vertex;
+        /// <summary>
+        /// Row of the first instance in the buffer of `tree_instance_lod`.
+        /// </summary>
+        public uint first_instance;
+    }
+
+    /// <summary>
+    /// How an instance is drawn in this frame, 20 bytes: for a storage buffer that vertex shaders read.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_instance_lod
+    {
+        /// <summary>
+        /// Number of the instance in the scene.
+        /// </summary>
+        public uint instance;
+        /// <summary>
+        /// Factor on the *length* of each element about its centre.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// Share of the foliage's triangles, 0 to 1. It moves smoothly; the window drawn holds at least as much.
+        /// </summary>
+        public float lambda;
+        /// <summary>
+        /// Width in lambda of the end of the order that is fading: an element of rank u (0 first, 1 last) has the size
+        /// `clamp((lambda - u) / fade, 0, 1)`. 0 where nothing fades: the full model.
+        /// </summary>
+        public float fade;
+        /// <summary>
+        /// Factor on the contrast of colours that keeps its variance in the picture (Cook et al. 2007).
+        /// </summary>
+        public float contrast;
+    }
+
+    /// <summary>
+    /// A share of geometry, its best scale, and how good the model then is.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lod_row
+    {
+        /// <summary>
+        /// Share of the foliage's triangles that is drawn, more than 0, at most 1.
+        /// </summary>
+        public float lambda;
+        /// <summary>
+        /// Factor on the area of each element; lengths grow by its square root.
+        /// </summary>
+        public float scale;
+        /// <summary>
+        /// Precision over the views that were looked at.
+        /// </summary>
+        public float precision;
+        /// <summary>
+        /// Recall over them.
+        /// </summary>
+        public float recall;
+        /// <summary>
+        /// Mean of the quality of the views.
+        /// </summary>
+        public float quality;
+    }
+
+    /// <summary>
+    /// A view of a tier.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_tier_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_tier_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of elements.
+        /// </summary>
+        public UIntPtr n_elements;
+        /// <summary>
+        /// Where the triangles of each element begin, and their number at the end: `n_elements + 1` rows.
+        /// </summary>
+        public uint* starts;
+        /// <summary>
+        /// Three vertices of the element's surface for each triangle, in the winding of the model.
+        /// </summary>
+        public uint* triangles;
+        /// <summary>
+        /// Number of triangles.
+        /// </summary>
+        public UIntPtr n_triangles;
     }
 
     /// <summary>
@@ -5488,76 +6720,6 @@ namespace TreeFamily.Native
         /// Height of the picture in metres, at the target.
         /// </summary>
         public float height;
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
-    }
-
-    /// <summary>
-    /// Size, quality and camera of a picture. Begin with `tree_view_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_view
-    {
-        /// <summary>
-        /// `sizeof(tree_view)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Width in pixels, 1 to 16,384. Default 1024.
-        /// </summary>
-        public uint width;
-        /// <summary>
-        /// Height in pixels, 1 to 16,384. Default 1024.
-        /// </summary>
-        public uint height;
-        /// <summary>
-        /// Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
-        /// </summary>
-        public uint samples;
-        /// <summary>
-        /// How the camera is placed. Default `TREE_CAMERA_FRAMED`.
-        /// </summary>
-        public uint camera; // tree_camera
-        /// <summary>
-        /// How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
-        /// </summary>
-        public uint lens; // tree_lens
-        /// <summary>
-        /// Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
-        /// </summary>
-        public float fov;
-        /// <summary>
-        /// Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
-        /// quarter turn on +X. Finite; default 0.6.
-        /// </summary>
-        public float yaw;
-        /// <summary>
-        /// Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
-        /// Default 0.09.
-        /// </summary>
-        public float pitch;
-        /// <summary>
-        /// Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
-        /// </summary>
-        public float margin;
-        /// <summary>
-        /// Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
-        /// </summary>
-        public float lens_height;
-        /// <summary>
-        /// Placed: where the camera stands, in metres. Default 0, 0, 0.
-        /// </summary>
-        public fixed float eye[3];
-        /// <summary>
-        /// Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
-        /// </summary>
-        public fixed float target[3];
-        /// <summary>
-        /// Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
-        /// </summary>
-        public fixed float up[3];
         /// <summary>
         /// 0.
         /// </summary>
@@ -9011,6 +10173,14 @@ namespace TreeFamily.Native
         /// find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
         /// parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
         ///
+        /// Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the
+        /// order in which it is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh`
+        /// makes outlines simpler, `tree_lod_plan` says when; `tree_pruned_new` makes a `tree_pruned` of it all,
+        /// `tree_pruned_make` in one call. `tree_pruned_mesh` is uploaded once, `tree_pruned_level` says which window of it
+        /// is drawn, with `tree_prune_shader`. A `tree_scene` of such models, `tree_pruned_scene_levels`, says in each
+        /// frame what is drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own
+        /// buffers.
+        ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
         /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -9018,8 +10188,8 @@ namespace TreeFamily.Native
         /// * Handles (`tree_mesh *` and so on) are made by the library, never change after that, may be read
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
-        /// its kind). Handles keep alive what they are made of. Three kinds change, `tree_photo_session`,
-        /// `tree_sketch_session` and `tree_silhouette`: one thread at a time.
+        /// its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
+        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene` and `tree_scene_state`: one thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -9500,6 +10670,79 @@ namespace TreeFamily.Native
         /// PLY, text or binary.
         /// </summary>
         public const int TREE_MESH_FORMAT_PLY = 3;
+
+        /// <summary>
+        /// Samples of a `tree_lod_distance`.
+        /// </summary>
+        public const int TREE_LOD_DISTANCE_SAMPLES = 21;
+
+        /// <summary>
+        /// A connected piece: a card, a leaflet of a compound leaf, a single leaf. The two sides of a doubled card are
+        /// elements of their own.
+        /// </summary>
+        public const int TREE_GRAIN_BLADE = 0;
+
+        /// <summary>
+        /// A triangle, scaled about the centre of its blade: better pictures still, at the price of cut cards that
+        /// are seen when one comes near.
+        /// </summary>
+        public const int TREE_GRAIN_TRIANGLE = 1;
+
+        /// <summary>
+        /// A leaf with all its blades, where the mesh tells (its surfaces have anchors), otherwise as
+        /// `TREE_GRAIN_BLADE`. Nothing is ever half a leaf.
+        /// </summary>
+        public const int TREE_GRAIN_LEAF = 2;
+
+        /// <summary>
+        /// WGSL.
+        /// </summary>
+        public const int TREE_SHADER_WGSL = 0;
+
+        /// <summary>
+        /// GLSL, from version 1.30 (desktop) or 3.00 (ES) on.
+        /// </summary>
+        public const int TREE_SHADER_GLSL = 1;
+
+        /// <summary>
+        /// HLSL, any shader model.
+        /// </summary>
+        public const int TREE_SHADER_HLSL = 2;
+
+        /// <summary>
+        /// Not at all: every tree counts as seen.
+        /// </summary>
+        public const int TREE_SCENE_OCCLUSION_NONE = 0;
+
+        /// <summary>
+        /// From depths the engine drew.
+        /// </summary>
+        public const int TREE_SCENE_OCCLUSION_DEPTH = 1;
+
+        /// <summary>
+        /// From the models' occluders, drawn by the library; ground and houses hide nothing.
+        /// </summary>
+        public const int TREE_SCENE_OCCLUSION_BUILT_IN = 2;
+
+        /// <summary>
+        /// The best for each lambda (Neubert 2012, eq. 7.6).
+        /// </summary>
+        public const int TREE_LOD_SCALE_BEST = 0;
+
+        /// <summary>
+        /// 1 / lambda (Cook et al. 2007).
+        /// </summary>
+        public const int TREE_LOD_SCALE_COOK = 1;
+
+        /// <summary>
+        /// Always 1: leaves keep their size.
+        /// </summary>
+        public const int TREE_LOD_SCALE_KEPT = 2;
+
+        /// <summary>
+        /// That of the field `fixed`.
+        /// </summary>
+        public const int TREE_LOD_SCALE_FIXED = 3;
 
         /// <summary>
         /// A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
@@ -11222,6 +12465,930 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_from_bytes(uint format, byte* data, UIntPtr len, byte* mtl, UIntPtr mtl_len, tree_control* control, tree_import_report* report, tree_mesh** mesh);
+
+        /// <summary>
+        /// `(1 - d)^2` (Cook et al. 2007).
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_distance_cook(tree_lod_distance* distance);
+
+        /// <summary>
+        /// The least lambda of a measured model that is as good as asked for: a quality of `near` at distance 0, falling
+        /// linearly to `far` at distance 1; each 0 to 1, both the same for one that is asked for everywhere.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_distance_for_quality(tree_lod_table* table, float near, float far, tree_lod_distance* distance);
+
+        /// <summary>
+        /// The least lambda at which the model of `table` is as good as the one of `cook` is at `(1 - d)^2`: the same
+        /// pictures with less geometry. `cook` is measured with `tree_order_stochastic` and `TREE_LOD_SCALE_COOK`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_distance_parity(tree_lod_table* table, tree_lod_table* cook, tree_lod_distance* distance);
+
+        /// <summary>
+        /// One of your own samples, at the distances of `tree_lod_distance_places`: `TREE_LOD_DISTANCE_SAMPLES` numbers,
+        /// each 0 to 1. A sample above the one before is lowered to it, for geometry must not grow with distance.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_distance_from_samples(float* lambdas, UIntPtr n_lambdas, tree_lod_distance* distance);
+
+        /// <summary>
+        /// Writes the distances that are sampled, `TREE_LOD_DISTANCE_SAMPLES` of them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_distance_places(float* places, UIntPtr capacity);
+
+        /// <summary>
+        /// Lambda at a distance `d`, which is brought into 0 to 1; NaN is far. `TREE_ERROR_PARAMETER` when a sample is not
+        /// within 0 to 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_distance_lambda(tree_lod_distance* distance, float d, float* lambda);
+
+        /// <summary>
+        /// Divides the foliage of a mesh into elements. `surfaces` names the `n_surfaces` surfaces that may be pruned,
+        /// each once. Without any (NULL, 0) they are found: those with anchors of leaves, and where there are none, as
+        /// in imported meshes, those whose material is alpha-tested, has two sides or is named after leaves. `grain`
+        /// is a `TREE_GRAIN_` constant; blades are a good choice. `control` may be NULL; `triangles` of its limits caps
+        /// the triangles. Free the elements with `tree_elements_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when there is no foliage, or a surface that was named does not exist or is named
+        /// twice.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_elements_of_mesh(tree_mesh* mesh, uint* surfaces, UIntPtr n_surfaces, uint grain, tree_control* control, tree_elements** elements);
+
+        /// <summary>
+        /// Elements of your own, which are copied: each a row of the columns, as `tree_elements_view` gives them. `mesh` is what
+        /// they are elements of. `control` may be NULL; `triangles` of its limits caps elements and triangles. Free the
+        /// elements with `tree_elements_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+        /// `n_triangles`, when the mesh lacks a surface or a triangle, or a centre is not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_elements_from_columns(tree_mesh* mesh, tree_elements_columns* columns, tree_control* control, tree_elements** elements);
+
+        /// <summary>
+        /// Views elements. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_elements_view(tree_elements* elements, tree_elements_columns* columns);
+
+        /// <summary>
+        /// Height in metres of the plant the elements belong to: from the ground at y = 0, where trees are based, to the
+        /// highest centre. Of a model that is not based there (something lies below, or all is higher than two crown
+        /// heights) the height of the crown. `TREE_ERROR_INVALID` when all elements are one point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_elements_plant_height(tree_elements* elements, float* metres);
+
+        /// <summary>
+        /// Frees elements, and with them all views of them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_elements_free(tree_elements* elements);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_params_init(tree_hull_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_params_check(tree_hull_params* @params);
+
+        /// <summary>
+        /// The surface of a field of metaballs. `params` and `control` may be NULL; `voxels` and `triangles` of its limits
+        /// cap the grid and the surface. Free the hull with `tree_hull_free`. `TREE_ERROR_INVALID` when the points stand so
+        /// far from the origin that the numbers do not resolve the grid.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_of_metaballs(tree_metaballs* metaballs, tree_hull_params* @params, tree_control* control, tree_hull** hull);
+
+        /// <summary>
+        /// The hull of a plant, as `tree_order_combined` makes it: `tree_metaballs_of_elements` and `tree_hull_of_metaballs`
+        /// in one, with `height`, `radius` and `hull` of `params`. `params` and `control` may be NULL. Free the hull with
+        /// `tree_hull_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_of_elements(tree_elements* elements, tree_order_params* @params, tree_control* control, tree_hull** hull);
+
+        /// <summary>
+        /// Views a hull. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_view(tree_hull* hull, tree_hull_columns* columns);
+
+        /// <summary>
+        /// A mesh of one surface, for looking at the hull. Free it with `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_mesh(tree_hull* hull, tree_mesh** mesh);
+
+        /// <summary>
+        /// Chooses `n_samples` places evenly by area: for the visibility of a model in a `tree_scene`, for example.
+        /// `positions` and `normals` (unit, outwards) have room for `capacity` and `normals_capacity` floats, at least
+        /// `3 * n_samples` each. `control` may be NULL; `nodes` of its limits caps the samples.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_sample(tree_hull* hull, UIntPtr n_samples, ulong seed, tree_control* control, float* positions, UIntPtr capacity, float* normals, UIntPtr normals_capacity);
+
+        /// <summary>
+        /// The place of the surface that is nearest to each of `n_points` points, three floats each in metres, or another
+        /// that is at most a hundredth farther from it, and the unit normal there. For a point that is not finite, or too
+        /// far off (1e18 m) to tell, both are zero. `positions` and `normals` have room for `capacity` and
+        /// `normals_capacity` floats, at least `3 * n_points` each. `control` may be NULL; `nodes` of its limits caps the
+        /// points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_nearest(tree_hull* hull, float* points, UIntPtr n_points, tree_control* control, float* positions, UIntPtr capacity, float* normals, UIntPtr normals_capacity);
+
+        /// <summary>
+        /// Frees a hull, and with it all views of it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hull_free(tree_hull* hull);
+
+        /// <summary>
+        /// The pixels that a mesh covers. Of `view`, which may be NULL for the default, camera and width count; it must
+        /// be as high as it is wide, 8 to 4096 pixels. `control` may be NULL. Free the mask with `tree_bits_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bits_of_mesh(tree_mesh* mesh, tree_view* view, tree_control* control, tree_bits** bits);
+
+        /// <summary>
+        /// Tells how large a mask is, and how many of its bits are set. Set `found-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bits_measure(tree_bits* bits, tree_bits_size* found);
+
+        /// <summary>
+        /// Writes the words of all rows, from top to bottom, each begun in a word of its own: the pixel at x is bit
+        /// `x % 64` of word `x / 64` of its row. `capacity` is at least `n_words` of `tree_bits_measure`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bits_words(tree_bits* bits, ulong* words, UIntPtr capacity);
+
+        /// <summary>
+        /// Writes a byte for each pixel, rows from top to bottom, 255 where it is set. `capacity` is at least
+        /// `n_pixels` of `tree_bits_measure`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bits_bytes(tree_bits* bits, byte* bytes, UIntPtr capacity);
+
+        /// <summary>
+        /// Counts the pixels of `bits`, of a simplified model, against those of the `full` one. Masks of different sizes
+        /// are compared where they overlap from the top left, by whole words.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bits_score(tree_bits* bits, tree_bits* full, tree_score* score);
+
+        /// <summary>
+        /// Frees a mask.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_bits_free(tree_bits* bits);
+
+        /// <summary>
+        /// The field of `n_points` points, three floats each in metres, with `radius` metres of influence, 1e-9 to
+        /// 1e9. `control` may be NULL; `nodes` of its limits caps the points. Free it with `tree_metaballs_free`.
+        /// `TREE_ERROR_INVALID` when there are no points, `TREE_ERROR_PARAMETER` when a number is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_new(float* points, UIntPtr n_points, float radius, tree_control* control, tree_metaballs** metaballs);
+
+        /// <summary>
+        /// The field of the centres of all elements that have area. `radius` is a share of `height`, the height of the
+        /// plant in metres; 0 for the height that `tree_elements_plant_height` measures. `control` may be NULL. Free it
+        /// with `tree_metaballs_free`. `TREE_ERROR_INVALID` when no element has area.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_of_elements(tree_elements* elements, float radius, float height, tree_control* control, tree_metaballs** metaballs);
+
+        /// <summary>
+        /// Radius of influence in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_radius(tree_metaballs* metaballs, float* radius);
+
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_n_points(tree_metaballs* metaballs, UIntPtr* n_points);
+
+        /// <summary>
+        /// The box around the points: its lower corner, then its upper one, in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_bounds(tree_metaballs* metaballs, float* min_max);
+
+        /// <summary>
+        /// The field at `n_points` points, three floats each in metres; 0 for a point that is not finite. `values` has
+        /// room for `capacity` numbers, at least `n_points`. `control` may be NULL; `nodes` of its limits caps the
+        /// points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_values(tree_metaballs* metaballs, float* points, UIntPtr n_points, tree_control* control, float* values, UIntPtr capacity);
+
+        /// <summary>
+        /// Where the field grows fastest, and how fast per metre, three floats for each of the `n_points` points; zero
+        /// outside. `gradients` has room for `capacity` floats, at least `3 * n_points`. Else as `tree_metaballs_values`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_gradients(tree_metaballs* metaballs, float* points, UIntPtr n_points, tree_control* control, float* gradients, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a field. Hulls that were made of it stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metaballs_free(tree_metaballs* metaballs);
+
+        /// <summary>
+        /// Makes an order that has nothing to do with place, size, direction or colour: a shuffle (Cook et al. 2007).
+        /// `order` has room for `capacity` numbers, at least one for each element; as of all orders, row k is the k-th
+        /// most important element, and the first rows are drawn.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_stochastic(tree_elements* elements, ulong seed, uint* order, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes an order of which every beginning is evenly spread over the ground, by the golden section (Neubert 2012,
+        /// 6.3.2, "drop and resize"). There is no chance in it. `order` as for `tree_order_stochastic`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_golden(tree_elements* elements, uint* order, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes an order in which elements of dense places go first, until all places are about as dense; the rest is
+        /// stochastic (Neubert 2012, 7.3.2). `params` and `control` may be NULL; `order` as for `tree_order_stochastic`.
+        /// `TREE_ERROR_INVALID` when no element has area.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_density(tree_elements* elements, tree_order_params* @params, ulong seed, tree_control* control, uint* order, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes an order in which elements that do not lie along the hull go first (Neubert 2012, 7.3.3), with
+        /// `params-&gt;randomness`. `params` and `control` may be NULL; `order` as for `tree_order_stochastic`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_orientation(tree_elements* elements, tree_hull* hull, tree_order_params* @params, ulong seed, tree_control* control, uint* order, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes the order by density and orientation together (Neubert 2012, eq. 7.8). It makes field and hull itself.
+        /// `params` and `control` may be NULL; `order` as for `tree_order_stochastic`. `TREE_ERROR_INVALID` when no element
+        /// has area.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_combined(tree_elements* elements, tree_order_params* @params, ulong seed, tree_control* control, uint* order, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes the order that keeps the pixels covered: elements are drawn from many sides, and those come first that
+        /// together make the best quality. Where leaves have grown, each chooses the point that it grows about. The best
+        /// order of all, and the one that takes longest: some ten drawings of the foliage in every view.
+        ///
+        /// Elements are drawn as in tier `tier` of `tiers`: 0 is the full model, and NULL, with 0, has no other. For leaves of
+        /// many triangles take one of about four triangles each: a quarter of the time, and nearly the same order.
+        ///
+        /// `params` and `control` may be NULL. `order` as for `tree_order_stochastic`; `pivots`, three floats for each
+        /// element (not rank) in metres, has room for `pivots_capacity` floats, at least three for each element.
+        /// `TREE_ERROR_INVALID` when the elements or tiers are not of this mesh, `TREE_ERROR_PARAMETER` when there is no such
+        /// tier.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_coverage(tree_mesh* mesh, tree_elements* elements, tree_tiers* tiers, UIntPtr tier, tree_coverage_params* @params, tree_control* control, uint* order, UIntPtr capacity, float* pivots, UIntPtr pivots_capacity);
+
+        /// <summary>
+        /// Checks that an order of `n_order` rows has each of `n_elements` elements once; `TREE_ERROR_INVALID` names the
+        /// first row at fault.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_check(uint* order, UIntPtr n_order, UIntPtr n_elements);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_params_init(tree_order_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_order_params_check(tree_order_params* @params);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_coverage_params_init(tree_coverage_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_coverage_params_check(tree_coverage_params* @params);
+
+        /// <summary>
+        /// Tells how large a model is, and the ends of its lambdas. Set `totals-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_measure(tree_pruned* pruned, tree_pruned_totals* totals);
+
+        /// <summary>
+        /// The mesh to upload, nothing copied. Its foliage must be drawn by windows, for its index buffers hold leaves several
+        /// times. Free it with `tree_mesh_free`; it keeps the model alive.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_mesh(tree_pruned* pruned, tree_mesh** mesh);
+
+        /// <summary>
+        /// Views part `number`, rising with the surfaces. Set `part-&gt;struct_size` first. `TREE_ERROR_PARAMETER` when there is
+        /// no such part.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_part_view(tree_pruned* pruned, UIntPtr number, tree_pruned_part* part);
+
+        /// <summary>
+        /// The scale for each lambda, a table of its own. Free it with `tree_lod_table_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_table(tree_pruned* pruned, tree_lod_table** table);
+
+        /// <summary>
+        /// Writes the number of elements with which each tier begins. `kept` has room for `capacity` numbers, at least one for
+        /// each tier.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_kept(tree_pruned* pruned, uint* kept, UIntPtr capacity);
+
+        /// <summary>
+        /// The most elements that fit `lambda`, 0 to 1, of the full foliage's triangles: at least one, even if it has more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_cut(tree_pruned* pruned, float lambda, tree_lod_cut* cut);
+
+        /// <summary>
+        /// A state, counted from the full model, 0, down; from `n_steps` on it is the last.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_step(tree_pruned* pruned, ulong step, tree_lod_cut* cut);
+
+        /// <summary>
+        /// The least lambda for which so many triangles may be drawn; 1 for more than there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_lambda_of(tree_pruned* pruned, ulong n_triangles, float* lambda);
+
+        /// <summary>
+        /// Lambda from which on an element is drawn: 0 for those that always are, 1 for ranks that do not exist.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_lambda_of_rank(tree_pruned* pruned, uint rank, float* lambda);
+
+        /// <summary>
+        /// Frees a model, and with it all views of its parts. Meshes made of it stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_free(tree_pruned* pruned);
+
+        /// <summary>
+        /// Makes `screen`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_screen_init(tree_lod_screen* screen, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `screen`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_screen_check(tree_lod_screen* screen);
+
+        /// <summary>
+        /// Share of the screen's height, 0 to 1, that something of `size` metres has where lambda has fallen to `lambda`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_screen_coverage(tree_lod_screen* screen, float lambda, float size, float* coverage);
+
+        /// <summary>
+        /// A model as a GLB file in memory, for engines that draw windows: foliage with all tiers in its index buffers, and an
+        /// attribute `_TREE_CENTER` of 4 floats a vertex, as in `tree_pruned_part`. The levels go beside it, as
+        /// `tree_pruned_to_json`. Programs that draw all of it draw leaves several times. `options` and `control` may be NULL,
+        /// as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for `quantize`: shaders
+        /// need positions in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_to_glb(tree_pruned* pruned, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_pruned_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_write_glb(tree_pruned* pruned, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// Levels for `n_lambdas` falling lambdas, each 0 to 1 and at most 1024 of them, as the `MSFT_lod` of one GLB file,
+        /// each a mesh of its own: for programs without shaders of ours. A level is shown until the lambda of the distance
+        /// has fallen to that of the next one; the last is shown to the end. `screen`, `options` and `control` may be NULL.
+        /// Free the bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no lambdas or they do not fall.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_to_glb_levels(tree_pruned* pruned, float* lambdas, UIntPtr n_lambdas, tree_lod_screen* screen, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_pruned_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_write_glb_levels(tree_pruned* pruned, float* lambdas, UIntPtr n_lambdas, tree_lod_screen* screen, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// What is drawn for `lambda`, 0 to 1: at most so much of the full foliage, but at least one element. `windows` has
+        /// room for `capacity` of them, at least `n_parts` of `tree_pruned_measure`: one for each part, in their order. It is
+        /// quick enough for every frame.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_level(tree_pruned* pruned, float lambda, tree_lod_level* level, tree_lod_window* windows, UIntPtr capacity);
+
+        /// <summary>
+        /// `n` levels, 2 to 1024, with rising lambda: from the first of the table to the full model, in equal ratios. `levels`
+        /// has room for `levels_capacity` of them, at least `n`; `windows` for `windows_capacity`, at least `n` times the
+        /// parts: those of the first level, then those of the next. `n_levels` says how many there are: fewer than `n` where
+        /// the table begins at 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_levels(tree_pruned* pruned, UIntPtr n, tree_lod_level* levels, UIntPtr levels_capacity, tree_lod_window* windows, UIntPtr windows_capacity, UIntPtr* n_levels);
+
+        /// <summary>
+        /// The level for `lambda`, 0 to 1, as a plain mesh, wood included: elements scaled as the shader does, what is not
+        /// drawn left out. Nothing fades in it. Free it with `tree_mesh_free`. `control` may be NULL; of it only threads
+        /// matter, and a cancellation before the work begins.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_mesh_at(tree_pruned* pruned, float lambda, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// As `tree_pruned_mesh_at`, for a level with its `n_windows` windows, which may fade. `TREE_ERROR_INVALID` when
+        /// they are of another model.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_mesh_of(tree_pruned* pruned, tree_lod_level* level, tree_lod_window* windows, UIntPtr n_windows, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// Levels as JSON, to be stored beside the mesh: counts, the surface and colour of each part, the table, and for
+        /// each level its numbers and windows. `levels` and `windows` as `tree_pruned_levels` writes them. Free the bytes,
+        /// which are UTF-8, with `tree_bytes_free`. `TREE_ERROR_PARAMETER` when there are not as many windows as levels
+        /// times parts.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_to_json(tree_pruned* pruned, tree_lod_level* levels, UIntPtr n_levels, tree_lod_window* windows, UIntPtr n_windows, tree_bytes** bytes);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_params_init(tree_prune_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_params_check(tree_prune_params* @params);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_make_params_init(tree_prune_make_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes a pruned model of a mesh, all steps in one call: elements, tiers, order by coverage, plan, table and model.
+        /// Some seconds for half a million triangles. `params` and `control` may be NULL; `triangles` of its limits caps those
+        /// of all tiers together. Free the model with `tree_pruned_free`. `TREE_ERROR_INVALID` when there is no foliage.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_make(tree_mesh* mesh, tree_prune_make_params* @params, tree_control* control, tree_pruned** pruned);
+
+        /// <summary>
+        /// Makes a pruned model of what its steps have made: the subject with its order, pivots, tiers and plan, and `table`
+        /// with the scale for each lambda. Surfaces of foliage keep their vertices and columns, their index buffers hold the
+        /// triangles of all tiers; vertices that several elements share are doubled, and such a surface loses its anchors.
+        /// `params` and `control` may be NULL. Free the model with `tree_pruned_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together, or pivots are not finite;
+        /// `TREE_ERROR_PARAMETER` for foliage further than 1000 km from the origin, or a `kept` that rises.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_new(tree_lod_subject* subject, tree_lod_table* table, tree_prune_params* @params, tree_control* control, tree_pruned** pruned);
+
+        /// <summary>
+        /// The model for a scene, with `n` levels, 2 to 1024, as `tree_pruned_levels` makes them: a draw for every surface,
+        /// wood included, all surfaces one after another in one vertex buffer and one index buffer. `distance` says how lambda
+        /// falls, NULL for that of `tree_lod_distance_cook`. Free the levels with `tree_scene_levels_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when the model has more than 64 surfaces, or one buffer cannot hold them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_pruned_scene_levels(tree_pruned* pruned, UIntPtr n, tree_lod_distance* distance, tree_scene_levels** levels);
+
+        /// <summary>
+        /// Makes `model` one of these levels, with sphere and distance; points for occlusion, occluders, `near` and `far` are
+        /// left at their defaults, for you to set. Set `model-&gt;struct_size` first. It borrows from the levels: make the scene
+        /// before they are freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_levels_model(tree_scene_levels* levels, tree_scene_model* model);
+
+        /// <summary>
+        /// Frees levels; no model may point at them any more.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_levels_free(tree_scene_levels* levels);
+
+        /// <summary>
+        /// The functions `tree_prune_position` and `tree_prune_color` for a shader: text to be put into your own. It tells
+        /// what they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_shader(uint language, tree_str* text);
+
+        /// <summary>
+        /// Where a shader draws a vertex: `vertex`, three floats, moved from the centre of its element by `growth` (a factor on
+        /// length), and towards it where the element fades. `center_rank` is four floats of `tree_pruned_part.centers`, the
+        /// rest is of a level. For shaders of your own, and for checking them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_position(float* vertex, float* center_rank, float growth, float lambda, float fade, float* drawn);
+
+        /// <summary>
+        /// The linear colour that a shader gives a leaf, before light: `rgb`, three floats, with its contrast lowered, so that
+        /// few large leaves look no more mottled than many small ones. `mean` is that of the part.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_prune_color(float* rgb, float* mean, float contrast, float* drawn);
+
+        /// <summary>
+        /// Scale after Cook et al. (2007): `1 / lambda`, a factor on area, so that the summed area stays. `lambda` is a
+        /// share of geometry, more than 0; of 0 and less the scale is that of the smallest number.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_cook_scale(float lambda, float* scale);
+
+        /// <summary>
+        /// Share of geometry after Cook et al. (2007), `(1 - d)^2`, for a distance `d`, which is brought into 0 to 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_cook_lambda(float d, float* lambda);
+
+        /// <summary>
+        /// Share of geometry by size on the screen (Cook et al. 2007; Neubert 2012, 6.3.2): 1 where the bounding box is
+        /// `full` pixels large or more, a half at `h * full`, and so on. `pixels` is its size now, 0 to 1e9; `full` 0.001 to
+        /// 1e9, `h` 0.001 to 0.999: `TREE_ERROR_PARAMETER` outside.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_size_lambda(float pixels, float full, float h, float* lambda);
+
+        /// <summary>
+        /// Factor on *length* of `k` elements left of `n` (Deussen and Lintermann 2004; Neubert 2012, eq. 6.4 with the sign
+        /// set right): `w * sqrt(n / k) + (1 - w)`, `w` from 0 (nothing grows) to 1 (area is kept). `TREE_ERROR_PARAMETER`
+        /// for another `w`, or a `k` outside 1 to `n`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_drop_and_resize(uint n, uint k, float w, float* growth);
+
+        /// <summary>
+        /// Factor on the contrast of colours that keeps its variance in the picture (Cook et al. 2007) when a share of
+        /// `lambda` of the elements is drawn, each `scale` times as large in area: `1 / (scale * sqrt(lambda))`, at most 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_contrast(float lambda, float scale, float* contrast);
+
+        /// <summary>
+        /// What a score is worth (Neubert 2012, eq. 7.3 to 7.7). `precision` is the share of the simplified model's pixels
+        /// that are right, `recall` the share of the full model's pixels that are there, both 0 to 1, and 1 when there
+        /// are none. `quality` is `1 - sqrt((1 - precision)^2 + (1 - recall)^2)`: 1 is perfect, 0 and less is useless.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_score_quality(tree_score* score, double* precision, double* recall, double* quality);
+
+        /// <summary>
+        /// Mean of the qualities of several views: what a table says of a model. 0 of none.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_score_mean_quality(tree_score* scores, UIntPtr n_scores, double* quality);
+
+        /// <summary>
+        /// Scores of a simplified mesh against the full one, one for each view; both are framed as the full one is.
+        /// `around`, NULL for the default, says from where to look; `scores` has room for `capacity` scores, at least
+        /// `tree_around_n_views`. `control` may be NULL; `pixels` of its limits caps those of all views.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_score(tree_mesh* simplified, tree_mesh* full, tree_around* around, tree_control* control, tree_score* scores, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes a scene of `n_models` models and `n_instances` instances, which are copied and numbered as they come.
+        /// `control` may be NULL; `nodes` of its limits caps the instances. Free the scene with `tree_scene_free`. The text
+        /// of an error names the first model or instance that is not right: `TREE_ERROR_INVALID`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_new(tree_scene_model* models, UIntPtr n_models, tree_scene_instance* instances, UIntPtr n_instances, tree_control* control, tree_scene** scene);
+
+        /// <summary>
+        /// Moves instances, or gives them other models: those from number `first` on become the `n_instances` given, all of
+        /// them, or on an error none. Between frames: what was selected before holds the old ones. They keep their
+        /// place in the order of drawing; when most move far, a new scene is faster to look through.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_set_instances(tree_scene* scene, UIntPtr first, tree_scene_instance* instances, UIntPtr n_instances);
+
+        /// <summary>
+        /// Tells how large a scene is, and how large the buffers for it must be. Set `needs-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_measure(tree_scene* scene, tree_scene_needs* needs);
+
+        /// <summary>
+        /// Frees a scene.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_free(tree_scene* scene);
+
+        /// <summary>
+        /// Makes a state for one view of `scene`, or of another scene with as many instances and the same models: 32 bytes for
+        /// each instance, and 144 KiB. `control` may be NULL; `nodes` of its limits caps the instances. It does not keep the
+        /// scene alive. Free it with `tree_scene_state_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_state_new(tree_scene* scene, tree_control* control, tree_scene_state** state);
+
+        /// <summary>
+        /// Number of the instances that were in view in the last frame: rows of `tree_instance_lod` that it needs.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_state_n_drawn(tree_scene_state* state, UIntPtr* n_drawn);
+
+        /// <summary>
+        /// How an instance of `scene` was drawn in the last frame; not in view when there is no such instance.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_state_shown(tree_scene_state* state, tree_scene* scene, UIntPtr instance, tree_scene_shown* shown);
+
+        /// <summary>
+        /// Frees a state.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_state_free(tree_scene_state* state);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_params_init(tree_scene_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_params_check(tree_scene_params* @params);
+
+        /// <summary>
+        /// Makes `frame`, of `size` bytes, the default: its matrices must be set.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_frame_init(tree_scene_frame* frame, UIntPtr size);
+
+        /// <summary>
+        /// Checks a camera, two matrices as in `tree_scene_frame`, and tells whether near things have the greater depth, 1 or
+        /// 0. `TREE_ERROR_PARAMETER` names the matrix that is none of a camera.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_eye_check(float* view, float* projection, uint* is_reversed);
+
+        /// <summary>
+        /// Finds what of `scene` is in view, and how finely it is drawn. `state` keeps it for `tree_scene_state_draws` and
+        /// `tree_scene_state_batches`. `params` may be NULL for the defaults, `report` when it is not wanted. It takes about 100 ns
+        /// for each instance in view, and no memory.
+        ///
+        /// `TREE_ERROR_PARAMETER` for matrices that are no camera and numbers out of range, `TREE_ERROR_INVALID` for a depth
+        /// buffer of the wrong size and for a state of another scene. The state is left as it was then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_state_select(tree_scene_state* state, tree_scene* scene, tree_scene_frame* frame, tree_scene_params* @params, tree_scene_report* report);
+
+        /// <summary>
+        /// Makes `model`, of `size` bytes, the default: a sphere of 1 m without levels, which are to be set.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_model_init(tree_scene_model* model, UIntPtr size);
+
+        /// <summary>
+        /// Checks every number of `model`; the text of an error tells what is at fault and what would be right.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_model_check(tree_scene_model* model);
+
+        /// <summary>
+        /// Writes a draw for each part of each instance in view, and a row for each instance: for multi-draw indirect. Draws
+        /// of an instance follow one another; parts without indices are left out. `draws` and `rows` have room for
+        /// `draws_capacity` and `rows_capacity` of them; `tree_scene_measure` says how many always suffice. `n_draws` and
+        /// `n_rows` say how many were written. It takes no memory.
+        ///
+        /// `TREE_ERROR_BUFFER` when a buffer is too small; its text says how many are needed, and nothing is written then.
+        /// Buffers may be mapped memory of a graphics processor: they are written once, in order, and not read.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_state_draws(tree_scene_state* state, tree_scene* scene, tree_draw_indexed* draws, UIntPtr draws_capacity, tree_instance_lod* rows, UIntPtr rows_capacity, UIntPtr* n_draws, UIntPtr* n_rows);
+
+        /// <summary>
+        /// As `tree_scene_state_draws`, with one draw for each part of all instances of the same model at the same level: fewer
+        /// draws, of many instances each. Rows are not written in order.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scene_state_batches(tree_scene_state* state, tree_scene* scene, tree_draw_indexed* draws, UIntPtr draws_capacity, tree_instance_lod* rows, UIntPtr rows_capacity, UIntPtr* n_draws, UIntPtr* n_rows);
+
+        /// <summary>
+        /// Makes `subject`, of `size` bytes, the default: its mesh, elements and order must be set.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_subject_init(tree_lod_subject* subject, UIntPtr size);
+
+        /// <summary>
+        /// Scores of a pruned model against the full one, one for each view: with a share of `lambda` of the
+        /// foliage's triangles, 0 to 1, and elements grown to `scale` times their area, 0.01 to 10,000 (lengths grow by
+        /// its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
+        /// scores, at least `tree_around_n_views`. `control` may be NULL.
+        ///
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
+        /// `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_subject_score(tree_lod_subject* subject, float lambda, float scale, tree_around* around, tree_control* control, tree_score* scores, UIntPtr capacity);
+
+        /// <summary>
+        /// Finds when outlines should become simpler, and when elements should go: writes the number of elements with which
+        /// each tier should begin, for `kept` of a subject. Tiers that are better left out begin with one. `kept` has room
+        /// for `capacity` numbers, at least one for each tier of the subject (1 where it has none); what the subject has as
+        /// `kept` is not looked at. It takes about as long as a table for each tier. `control` may be NULL.
+        ///
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_plan(tree_lod_subject* subject, tree_control* control, uint* kept, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_params_init(tree_lod_table_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range, and lambdas
+        /// that do not rise to 1 are `TREE_ERROR_INVALID`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_params_check(tree_lod_table_params* @params);
+
+        /// <summary>
+        /// A table of `n_rows` rows, which are copied: of a model that was measured before. Free it with
+        /// `tree_lod_table_free`. `TREE_ERROR_INVALID` when there are no rows, when lambda does not rise, leaves 0 to 1
+        /// or does not end at 1, or when a number is not finite or a scale not positive; its text names the row.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_from_rows(tree_lod_row* rows, UIntPtr n_rows, tree_lod_table** table);
+
+        /// <summary>
+        /// Measures a table: for every lambda the pruned model is drawn into masks from all sides, at several scales,
+        /// and compared with the full one; the scale of best mean quality is kept. It takes about ten drawings of
+        /// lambda times the triangles for each lambda and view. `params` and `control` may be NULL. Free the table
+        /// with `tree_lod_table_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together; see
+        /// `tree_lod_table_params_check` for the rest.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_measure(tree_lod_subject* subject, tree_lod_table_params* @params, tree_control* control, tree_lod_table** table);
+
+        /// <summary>
+        /// The rows of a table. They stay for as long as the table does.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_rows(tree_lod_table* table, tree_lod_row** rows, UIntPtr* n_rows);
+
+        /// <summary>
+        /// The row for a lambda, interpolated linearly; lambda is brought into the range of the table.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_at(tree_lod_table* table, float lambda, tree_lod_row* row);
+
+        /// <summary>
+        /// The least lambda from which on the quality is at least `quality`; 1 when only the full model is so good.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_lambda_for(tree_lod_table* table, float quality, float* lambda);
+
+        /// <summary>
+        /// Frees a table, and with it all views of it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lod_table_free(tree_lod_table* table);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_params_init(tree_tiers_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_params_check(tree_tiers_params* @params);
+
+        /// <summary>
+        /// Makes the tiers of a model: its elements, and the same with fewer and fewer triangles. No element has more
+        /// triangles in a later tier than in an earlier one. It takes 5 to 10 ms for each distinct shape of 16 triangles.
+        /// `params` and `control` may be NULL; `triangles` of its limits caps those of all tiers together. Free the tiers
+        /// with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of this mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_of_mesh(tree_mesh* mesh, tree_elements* elements, tree_tiers_params* @params, tree_control* control, tree_tiers** tiers);
+
+        /// <summary>
+        /// The full model as the only tier. Free it with `tree_tiers_free`. `TREE_ERROR_INVALID` when the elements are not of
+        /// this mesh.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_full(tree_mesh* mesh, tree_elements* elements, tree_tiers** tiers);
+
+        /// <summary>
+        /// Tiers of your own, which are copied: the finest first, each as `tree_tiers_view` gives it. `mesh` and `elements` are
+        /// what they are tiers of. `control` may be NULL; `triangles` of its limits caps the triangles of each. Free the tiers
+        /// with `tree_tiers_free`. `TREE_ERROR_INVALID` when there are none, when `starts` does not rise from 0 to
+        /// `n_triangles`, has no row for each element and one more, or a surface lacks a vertex.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_from_columns(tree_mesh* mesh, tree_elements* elements, tree_tier_columns* columns, UIntPtr n_columns, tree_control* control, tree_tiers** tiers);
+
+        /// <summary>
+        /// Number of tiers, at least 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_count(tree_tiers* tiers, UIntPtr* n_tiers);
+
+        /// <summary>
+        /// Views tier `tier`; 0 is the full model. Set `columns-&gt;struct_size` first. `TREE_ERROR_PARAMETER` when there is no
+        /// such tier.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_view(tree_tiers* tiers, UIntPtr tier, tree_tier_columns* columns);
+
+        /// <summary>
+        /// Frees tiers, and with them all views of them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tiers_free(tree_tiers* tiers);
+
+        /// <summary>
+        /// Makes `around`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_around_init(tree_around* around, UIntPtr size);
+
+        /// <summary>
+        /// Makes `around`, of `size` bytes, the views from which `tree_order_coverage` looks at a model whose foliage has
+        /// so many triangles: 12 azimuths at pitches of 0 and 0.35 with 256 pixels, and fewer and smaller ones for a
+        /// large model. Its pitches are never freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_around_for_order(tree_around* around, UIntPtr size, UIntPtr n_triangles);
+
+        /// <summary>
+        /// Makes `around`, of `size` bytes, the views from which `tree_lod_table_measure` looks at a model whose foliage
+        /// has so many triangles: 8 azimuths, level, with 256 pixels, and fewer and smaller ones for a large model.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_around_for_table(tree_around* around, UIntPtr size, UIntPtr n_triangles);
+
+        /// <summary>
+        /// Checks every number of `around`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_around_check(tree_around* around);
+
+        /// <summary>
+        /// Number of the views: azimuths times pitches.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_around_n_views(tree_around* around, UIntPtr* n_views);
+
+        /// <summary>
+        /// View `number` (0 is the first), for pictures and masks from there: a framed camera, as wide and high as the
+        /// masks. Set `view-&gt;struct_size` first. `TREE_ERROR_PARAMETER` when there is no such view.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_around_view(tree_around* around, UIntPtr number, tree_view* view);
 
         /// <summary>
         /// Makes a look of the built-in bark and leaf textures that the species names; NULL is an oak.

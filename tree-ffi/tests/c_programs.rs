@@ -66,6 +66,12 @@ fn a_host_brings_its_allocator() {
 }
 
 #[test]
+fn a_frame_of_a_scene_takes_no_memory() {
+    let program = compile::compile("cc", C11, &alone("frame.c"), "frame");
+    compile::run(&mut compile::command(&program));
+}
+
+#[test]
 fn a_thousand_cycles_leave_nothing() {
     let program = compile::compile("cc", C11, &alone("soak.c"), "soak");
     compile::run(&mut compile::command(&program));

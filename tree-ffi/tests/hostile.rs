@@ -25,6 +25,7 @@ const NULL_IS_FINE: &[&str] = &[
     "tree_convert_tangents",
     "tree_convert_uvs",
     "tree_convert_triangles",
+    "tree_order_check",
 ];
 
 /// Numbers that say how long a call works: a large one is a wish, not a defect.
@@ -159,6 +160,16 @@ const MAKERS: &[(&str, &str)] = &[
         "tree_stand",
         "tree_stand_of_drawing(live_tree_outline_drawing(), few_trees(), 1, NULL, &made)",
     ),
+    ("tree_elements", "tree_elements_of_mesh(live_tree_mesh(), NULL, 0, 0, NULL, &made)"),
+    ("tree_bits", "tree_bits_of_mesh(live_tree_mesh(), tiny_view(), NULL, &made)"),
+    ("tree_lod_table", "tree_lod_table_from_rows(&the_full_row, 1, &made)"),
+    ("tree_metaballs", "tree_metaballs_new(fork_positions, 4, 1, NULL, &made)"),
+    ("tree_hull", "tree_hull_of_metaballs(live_tree_metaballs(), NULL, NULL, &made)"),
+    ("tree_scene", "tree_scene_new(one_scene_model(), 1, &one_instance, 1, NULL, &made)"),
+    ("tree_scene_state", "tree_scene_state_new(live_tree_scene(), NULL, &made)"),
+    ("tree_tiers", "tree_tiers_full(live_tree_mesh(), live_tree_elements(), &made)"),
+    ("tree_pruned", "tree_pruned_new(one_subject(), live_tree_lod_table(), NULL, NULL, &made)"),
+    ("tree_scene_levels", "tree_pruned_scene_levels(live_tree_pruned(), 2, NULL, &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

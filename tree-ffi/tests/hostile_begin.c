@@ -295,6 +295,37 @@ static const tree_stand_params *few_trees(void) {
     return &params;
 }
 
+/* A scene of one tree of one triangle. */
+static const tree_lod_row the_full_row = {1, 1, 1, 1, 1};
+static const tree_scene_instance one_instance = {0, {0, 0, -20}, {0, 0, 0, 1}, 1};
+static const tree_scene_model *one_scene_model(void) {
+    static tree_scene_model model;
+    static const float all = 1;
+    static const tree_scene_draw triangle = {0, 3, 0};
+    must(tree_scene_model_init(&model, sizeof model));
+    model.lambdas = &all;
+    model.draws = &triangle;
+    model.n_levels = model.n_parts = 1;
+    return &model;
+}
+
+/* A model to be pruned: its table has the full row alone. */
+static tree_mesh *live_tree_mesh(void);
+static tree_elements *live_tree_elements(void);
+static const tree_lod_subject *one_subject(void) {
+    static tree_lod_subject subject;
+    static uint32_t order[64];
+    tree_elements_columns columns = {.struct_size = sizeof columns};
+    must(tree_lod_subject_init(&subject, sizeof subject));
+    must(tree_elements_view(live_tree_elements(), &columns));
+    must(tree_order_golden(live_tree_elements(), order, 64));
+    subject.mesh = live_tree_mesh();
+    subject.elements = live_tree_elements();
+    subject.order = order;
+    subject.n_order = columns.n_elements;
+    return &subject;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

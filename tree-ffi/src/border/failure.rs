@@ -114,6 +114,13 @@ impl From<LodError> for Failure {
             LodError::Mesh(error) => return error.into(),
             LodError::Core(error) => return error.into(),
             LodError::Parameter { .. } | LodError::Camera { .. } => TREE_ERROR_PARAMETER,
+            // What a frame writes does not fit.
+            LodError::Scene { what, .. } if what.starts_with("output") => TREE_ERROR_BUFFER,
+            LodError::Table { .. }
+            | LodError::Length { .. }
+            | LodError::Foliage(_)
+            | LodError::Order { .. }
+            | LodError::Scene { .. } => TREE_ERROR_INVALID,
             LodError::Image(_) => TREE_ERROR_FORMAT,
             LodError::Limit(_) => TREE_ERROR_LIMIT,
             LodError::Cancelled(_) => TREE_ERROR_CANCELLED,

@@ -79,7 +79,7 @@ unsafe impl Versioned for tree_glb_options {
 }
 
 impl tree_glb_options {
-    unsafe fn rust(&self) -> Result<GlbOptions> {
+    pub(crate) unsafe fn rust(&self) -> Result<GlbOptions> {
         let default = GlbOptions::default();
         let name = unsafe { self.name.get("options.name") }?;
         Ok(GlbOptions {
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn tree_glb_options_init(
     call(|| unsafe { init(options, size) })
 }
 
-unsafe fn read_options(options: *const tree_glb_options) -> Result<GlbOptions> {
+pub(crate) unsafe fn read_options(options: *const tree_glb_options) -> Result<GlbOptions> {
     unsafe { read_or_default(options, "options")?.rust() }
 }
 

@@ -23,6 +23,7 @@ use crate::memory::ask;
 use ::tree_mesh::Mesh;
 use ::tree_mesh::instance::InstancedTree;
 use std::sync::Arc;
+use tree_lod::prune::PrunedModel;
 
 /// Surfaces with their materials, and the branches that move in the wind.
 pub struct tree_mesh {
@@ -31,11 +32,12 @@ pub struct tree_mesh {
     leaf_fallbacks: Vec<u32>,
 }
 
-/// A mesh of its own, or part of an instanced tree, which it keeps alive.
+/// A mesh of its own, or part of an instanced tree or a pruned model, which it keeps alive.
 enum Held {
     Own(Arc<Mesh>),
     Base(Arc<InstancedTree>),
     Twig(Arc<InstancedTree>, usize),
+    Pruned(Arc<PrunedModel>),
 }
 
 impl Handle for tree_mesh {
@@ -66,6 +68,11 @@ impl tree_mesh {
         Self::holding(Held::Twig(tree, number))
     }
 
+    /// The mesh of a pruned model.
+    pub(crate) fn pruned(model: Arc<PrunedModel>) -> Self {
+        Self::holding(Held::Pruned(model))
+    }
+
     fn built(mesh: Mesh, leaf_fallbacks: Vec<u32>) -> Self {
         Self { leaf_fallbacks, ..Self::new(mesh) }
     }
@@ -74,6 +81,7 @@ impl tree_mesh {
         match &self.held {
             Held::Own(mesh) => mesh,
             Held::Base(tree) => &tree.base,
+            Held::Pruned(model) => model.mesh(),
             Held::Twig(tree, number) => {
                 tree.twigs.get(*number).map_or(&tree.base, |twig| &twig.mesh)
             }

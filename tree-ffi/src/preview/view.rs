@@ -151,7 +151,7 @@ impl tree_view {
         Ok(View { width: self.width, height: self.height, samples: self.samples, camera })
     }
 
-    pub(super) unsafe fn read(view: *const Self) -> Result<View> {
+    pub(crate) unsafe fn read(view: *const Self) -> Result<View> {
         unsafe { read_or_default(view, "view") }?.rust()
     }
 }

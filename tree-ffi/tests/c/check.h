@@ -66,6 +66,9 @@ void test_photo(void);
 void test_sketch_in(void);
 void test_silhouette(void);
 void test_silhouette_in(void);
+void test_lod(void);
+void test_lod_select(void);
+void test_prune(void);
 void test_threads(void);
 
 #endif

@@ -48,6 +48,9 @@ int main(void) {
     test_sketch_in();
     test_silhouette();
     test_silhouette_in();
+    test_lod();
+    test_lod_select();
+    test_prune();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

@@ -10,23 +10,36 @@ pub(crate) const SINGLES: &[&str] = &[
     "azimuth",
     "by_all",
     "by_bumps",
+    "contrast",
+    "coverage",
+    "cut",
     "difference",
+    "distance",
     "domain",
     "gap",
+    "growth",
     "iou",
+    "lambda",
     "length",
+    "level",
     "measure",
     "metres",
     "n_levels",
     "n_runs",
     "phase",
     "posterior",
+    "precision",
+    "quality",
     "radius",
     "reach",
+    "recall",
     "row",
+    "scale",
+    "score",
     "seconds",
     "seed",
     "share",
+    "shown",
     "sway",
     "n_threads",
     "volume",
@@ -42,6 +55,8 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
             (function, argument),
             ("tree_packed_unpack", "mesh")
                 | ("tree_grid_new", "values")
+                | ("tree_elements_of_mesh", "surfaces")
+                | ("tree_order_coverage", "tiers")
                 | ("tree_sketch_branches_propagate", "crown" | "obstacles")
                 | ("tree_sketch_grow_crown", "crown")
                 | ("tree_sketch_infer", "pins")
@@ -57,7 +72,7 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
 
 /// Structs that have no default.
 pub(crate) fn is_required(argument: &str) -> bool {
-    matches!(argument, "camera" | "columns" | "leaf" | "pixels" | "samples")
+    matches!(argument, "camera" | "columns" | "frame" | "leaf" | "pixels" | "samples")
 }
 
 /// Arrays that have one count with those after them.
@@ -84,7 +99,9 @@ pub(crate) fn width(function: &str, argument: &str) -> usize {
 pub(crate) fn fixed(function: &str, argument: &str) -> usize {
     match argument {
         "columns" => 12,
+        "view" | "projection" if function == "tree_scene_eye_check" => 16,
         "affine" => 6,
+        "center_rank" => 4,
         "at" | "at_pixel" | "base_pixel" | "by_pixels" | "stretch" => 2,
         "low" | "high" if function == "tree_outline_mask" => 2,
         "base" | "tip" if function == "tree_leaf_outline_of" => 2,
@@ -99,6 +116,19 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("skeleton_children", "starts") => "view().n_nodes + 1",
         ("skeleton_from_unordered", _) => "columns ? columns->n_nodes : 0",
         ("mask_bits", _) => "view().n_pixels",
+        ("bits_words", _) => "measure().n_words",
+        ("bits_bytes", _) => "measure().n_pixels",
+        ("order_coverage", "order") => "elements.view().n_elements",
+        ("order_coverage", _) => "3 * elements.view().n_elements",
+        (name, "order") if name.starts_with("order_") => "view().n_elements",
+        ("metaballs_values", _) => "points.size() / 3",
+        ("metaballs_gradients" | "hull_nearest", _) => "points.size()",
+        ("hull_sample", _) => "3 * n_samples",
+        ("pruned_kept", _) => "measure().n_tiers",
+        ("pruned_level", _) => "measure().n_parts",
+        ("pruned_levels", "levels") => "n",
+        ("pruned_levels", _) => "n * measure().n_parts",
+        ("lod_distance_places", _) => "TREE_LOD_DISTANCE_SAMPLES",
         ("mesh_wind", _) => "this->surface(surface).n_vertices",
         ("mesh_bend", _) => "3 * this->surface(surface).n_vertices",
         ("mesh_points", _) => "this->surface(number).n_vertices",
@@ -151,6 +181,8 @@ pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
         ("tree_outline_part" | "tree_branch_carry", "points") => Some("2 * n_points"),
         ("tree_branching_angles_set", "samples") => Some("2 * n_samples"),
         ("tree_convex_hull", "corners") => Some("2 * n_corners"),
+        ("tree_pruned_levels", "levels") => Some("n_levels"),
+        ("tree_pruned_levels", "windows") => Some("n_levels * measure().n_parts"),
         ("tree_mesh_points", "first") => Some("n_points"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
         _ => None,

@@ -3,6 +3,7 @@
 use super::model::PrunedModel;
 use crate::error::{LodError, Result, check_range};
 use crate::quality::Distance;
+use std::path::Path;
 use tree_mesh::Mesh;
 use tree_mesh::io::gltf::{self, Attribute, GlbOptions};
 
@@ -77,6 +78,33 @@ impl PrunedModel {
         screen: &Screen,
         options: &GlbOptions,
     ) -> Result<Vec<u8>> {
+        self.with_levels(lambdas, screen, |levels| Ok(gltf::to_glb_levels(levels, options)?))
+    }
+
+    /// [`to_glb_levels`](Self::to_glb_levels) into a file, whole or not at all.
+    ///
+    /// # Errors
+    /// The same, and those of the file system.
+    ///
+    /// # Complexity
+    /// The same.
+    pub fn write_glb_levels(
+        &self,
+        lambdas: &[f32],
+        screen: &Screen,
+        path: &Path,
+        options: &GlbOptions,
+    ) -> Result<()> {
+        let write = |levels: &[gltf::Level<'_>]| Ok(gltf::write_glb_levels(levels, path, options)?);
+        self.with_levels(lambdas, screen, write)
+    }
+
+    fn with_levels<R>(
+        &self,
+        lambdas: &[f32],
+        screen: &Screen,
+        write: impl FnOnce(&[gltf::Level<'_>]) -> Result<R>,
+    ) -> Result<R> {
         screen.validate()?;
         if lambdas.is_empty() || lambdas.windows(2).any(|pair| pair[0] <= pair[1]) {
             return Err(LodError::Foliage("levels must be there, the finest first: λ falls"));
@@ -91,7 +119,7 @@ impl PrunedModel {
             };
             levels.push(gltf::Level { coverage, ..mesh.into() });
         }
-        Ok(gltf::to_glb_levels(&levels, options)?)
+        write(&levels)
     }
 
     /// The model itself as a GLB file, for engines that draw windows: foliage with all tiers in its index
@@ -105,6 +133,25 @@ impl PrunedModel {
     /// # Complexity
     /// O(vertices + indices + pixels).
     pub fn to_glb(&self, options: &GlbOptions) -> Result<Vec<u8>> {
+        self.with_centers(options, |levels| Ok(gltf::to_glb_levels(levels, options)?))
+    }
+
+    /// [`to_glb`](Self::to_glb) into a file, whole or not at all.
+    ///
+    /// # Errors
+    /// The same, and those of the file system.
+    ///
+    /// # Complexity
+    /// The same.
+    pub fn write_glb(&self, path: &Path, options: &GlbOptions) -> Result<()> {
+        self.with_centers(options, |levels| Ok(gltf::write_glb_levels(levels, path, options)?))
+    }
+
+    fn with_centers<R>(
+        &self,
+        options: &GlbOptions,
+        write: impl FnOnce(&[gltf::Level<'_>]) -> Result<R>,
+    ) -> Result<R> {
         check_range("quantize", u8::from(options.quantize).into(), 0.0, 0.0)?;
         let attributes: Vec<_> = self
             .parts
@@ -117,6 +164,6 @@ impl PrunedModel {
             })
             .collect();
         let level = gltf::Level { attributes: &attributes, ..(&self.mesh).into() };
-        Ok(gltf::to_glb_levels(&[level], options)?)
+        write(&[level])
     }
 }

@@ -1,0 +1,51 @@
+//! Level of detail by measured pruning (Neubert 2012, chapters 6 and 7): elements, masks and their quality,
+//! tables, hulls, orders, tiers, pruned models, and scenes.
+
+mod distance;
+mod elements;
+mod hull;
+mod mask;
+mod metaballs;
+mod order;
+mod order_params;
+mod pruned;
+mod pruned_gltf;
+mod pruned_level;
+mod pruned_make;
+mod pruned_scene;
+mod pruned_shader;
+mod rules;
+mod score;
+mod select;
+mod select_frame;
+mod select_model;
+mod select_write;
+mod subject;
+mod table;
+mod take;
+mod tiers;
+mod views;
+
+pub use distance::*;
+pub use elements::*;
+pub use hull::*;
+pub use mask::*;
+pub use metaballs::*;
+pub use order::*;
+pub use order_params::*;
+pub use pruned::*;
+pub use pruned_gltf::*;
+pub use pruned_level::*;
+pub use pruned_make::*;
+pub use pruned_scene::*;
+pub use pruned_shader::*;
+pub use rules::*;
+pub use score::*;
+pub use select::*;
+pub use select_frame::*;
+pub use select_model::*;
+pub use select_write::*;
+pub use subject::*;
+pub use table::*;
+pub use tiers::*;
+pub use views::*;
