@@ -208,7 +208,7 @@ impl Projector {
     ) {
         let Some(pyramid) = pattern.pyramid else {
             return runs(spots, self.width, self.height, |row, first, end| {
-                sink.run(row, first, end)
+                sink.run(row, first, end);
             });
         };
         let [a, b, c] = spots;
