@@ -32,17 +32,19 @@ pub(super) struct Model {
     pub(super) name: String,
     pub(super) mesh: Mesh,
     pub(super) elements: Elements,
-    #[cfg_attr(not(test), expect(dead_code))]
     pub(super) leaves: Leaves,
     /// Whether nobody here made it.
     pub(super) imported: bool,
+    /// Whether it is of the table in PEERS.md.
+    pub(super) of_peers: bool,
 }
 
 impl Model {
     fn new(name: &str, mesh: Mesh, leaves: Leaves, imported: bool) -> Outcome<Self> {
         let elements =
             Elements::of_mesh(&mesh, &Foliage::Found, Grain::Blade, &Control::default())?;
-        Ok(Self { name: name.into(), mesh, elements, leaves, imported })
+        let of_peers = IMPORTED[..OF_PEERS].iter().any(|row| name.starts_with(row.0));
+        Ok(Self { name: name.into(), mesh, elements, leaves, imported, of_peers })
     }
 
     /// Height in metres.
