@@ -2,13 +2,19 @@
 
 mod anova;
 mod billboard;
+mod colour;
+mod large;
 mod modelled;
 mod models;
+mod nearest;
 mod parity;
 mod peers;
+mod popping;
 mod pruned;
 mod scene;
 mod simplify;
+mod steady;
+mod turning;
 
 use crate::table::{Aim, Row, Table};
 use models::Model;
@@ -61,7 +67,24 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
     clock("peers");
     parity::evaluate(table, &forest)?;
     clock("parity");
+    turning::evaluate(table, &some(&forest, &["eztree_oak_medium", "apple, modelled"]))?;
+    clock("turning");
+    popping::evaluate(table, forest.iter().chain(&modelled))?;
+    clock("popping");
+    let steady = ["eztree_oak_medium", "eztree_pine_small", "apple, modelled"];
+    steady::evaluate(table, &some(&forest, &steady))?;
+    clock("steady");
+    let coloured = ["eztree_oak_medium", "oak, cards", "apple, modelled"];
+    colour::evaluate(table, &some(&forest, &coloured))?;
+    clock("colour");
+    large::evaluate(table)?;
+    clock("large");
     Ok(())
+}
+
+/// The models of these names that are there.
+fn some<'a, 'b>(all: &'b [Prepared<'a>], names: &[&str]) -> Vec<&'b Prepared<'a>> {
+    all.iter().filter(|prepared| names.contains(&prepared.model.name.as_str())).collect()
 }
 
 fn information(table: &mut Table, case: &str, metric: &str, ours: f64, unit: &str) {

@@ -99,6 +99,7 @@ fn read(&(name, unit, leaves): &(&str, f32, Leaves)) -> Outcome<Option<Model>> {
 }
 
 /// A tree of ours: a preset with other leaves.
+#[derive(Clone, Copy)]
 struct Recipe {
     name: &'static str,
     preset: &'static str,
@@ -207,6 +208,12 @@ pub(super) fn ours() -> Outcome<Vec<Model>> {
 /// Trees of ours for the scene with the most vertices.
 pub(super) fn large() -> Outcome<Vec<Model>> {
     LARGE.iter().map(grow).collect()
+}
+
+/// A tree of ours with half a million leaf triangles.
+pub(super) fn half_million() -> Outcome<Model> {
+    let name = "oak, half a million";
+    grow(&Recipe { name, spacing: 0.3, size: 0.1, ..LARGE[0] })
 }
 
 fn grow(recipe: &Recipe) -> Outcome<Model> {

@@ -1,7 +1,7 @@
 //! Table 7.4: geometry saved against Cook at equal quality, along a camera path through a forest, without
 //! culling; and the quality of each order at some shares (§7.3).
 
-use super::pruned::{Pruned, held_out};
+use super::pruned::{Pruned, held_out, table_params};
 use super::scene::{Forest, STANDARD};
 use super::{Outcome, Prepared, SEED, SPACING, information, mean};
 use crate::table::{Aim, Row, Table};
@@ -101,7 +101,7 @@ fn cook<'a>(p: &Prepared<'a>) -> Outcome<Pruned<'a>> {
 fn cook_of_triangles<'a>(p: &Prepared<'a>) -> Outcome<Pruned<'a>> {
     let elements = p.ours.elements.clone();
     let order = stochastic(&elements, SEED);
-    Pruned::ordered_elements(p.model, elements, order, Scale::Cook)
+    Pruned::ordered_with(p.model, elements, order, &table_params(Scale::Cook))
 }
 
 /// Share of the geometry that Cook draws which is saved, in every frame.

@@ -67,22 +67,22 @@ impl<'a> Pruned<'a> {
 
     /// Whole leaves in an order of the literature, scaled about their centres.
     pub(super) fn ordered(model: &'a Model, order: Vec<u32>, scale: Scale) -> Outcome<Self> {
-        Self::ordered_elements(model, model.elements.clone(), order, scale)
+        Self::ordered_with(model, model.elements.clone(), order, &table_params(scale))
     }
 
-    /// These elements in an order of the literature.
-    pub(super) fn ordered_elements(
+    /// These elements in an order of the literature, with a table of these parameters.
+    pub(super) fn ordered_with(
         model: &'a Model,
         elements: Elements,
         order: Vec<u32>,
-        scale: Scale,
+        table_params: &TableParams,
     ) -> Outcome<Self> {
         let mesh = &model.mesh;
         let tiers = vec![Tier::full(mesh, &elements)];
         let ranking = Ranking { order, pivots: elements.centers.clone() };
         let subject =
             Subject { mesh, elements: &elements, tiers: &tiers, ranking: &ranking, kept: &[] };
-        let table = Table::measure(&subject, &table_params(scale), &Control::default())?;
+        let table = Table::measure(&subject, table_params, &Control::default())?;
         Ok(Self { mesh, elements, tiers, ranking, kept: Vec::new(), table })
     }
 
