@@ -106,13 +106,51 @@ impl<'a> Stage<'a> {
     /// Runs of pixels that a piece covers in a view.
     #[inline]
     pub(crate) fn runs(&self, shot: &Shot, piece: Piece<'_>, mut run: impl FnMut(u32, u32, u32)) {
-        shot.piece(&self.scene, piece, &mut run);
+        shot.projector.piece(&self.scene, piece, &mut Each(&mut run));
     }
 
     /// Adds what a piece covers in a view to a mask.
     #[inline]
     pub(crate) fn draw(&self, shot: &Shot, piece: Piece<'_>, bits: &mut Bits) {
-        self.runs(shot, piece, |row, first, end| bits.set_span(row, first, end));
+        shot.projector.piece(&self.scene, piece, bits);
+    }
+}
+
+/// What becomes of runs of pixels.
+pub(crate) trait Sink {
+    /// Takes the pixels `first..end` of a row.
+    fn run(&mut self, row: u32, first: u32, end: u32);
+
+    /// Whether these pixels are of no interest: the texture need not be asked.
+    fn skips(&self, row: u32, first: u32, end: u32) -> bool;
+}
+
+/// Every run, for a closure.
+struct Each<'a, F>(&'a mut F);
+
+impl<F: FnMut(u32, u32, u32)> Sink for Each<'_, F> {
+    #[inline]
+    fn run(&mut self, row: u32, first: u32, end: u32) {
+        (self.0)(row, first, end);
+    }
+
+    #[inline]
+    fn skips(&self, _: u32, _: u32, _: u32) -> bool {
+        false
+    }
+}
+
+impl Sink for Bits {
+    #[inline]
+    fn run(&mut self, row: u32, first: u32, end: u32) {
+        self.set_span(row, first, end);
+    }
+
+    #[inline]
+    fn skips(&self, row: u32, first: u32, end: u32) -> bool {
+        let mut all = true;
+        self.words_of(row, first, end, |word, bits| all &= self.words()[word] & bits == bits);
+        all
     }
 }
 
@@ -121,27 +159,17 @@ impl Shot {
         for number in 0..scene.mesh.surfaces.len() as u32 {
             let (triangles, _) = scene.surface(number as usize).indices.as_chunks::<3>();
             let piece = Piece { surface: number, triangles, center: Vec3::ZERO, growth: 1.0 };
-            let keep = !pruned.contains(&number);
-            let (full, kept) = (&mut self.full, &mut self.kept);
-            let mut run = |row, first, end| {
-                full.set_span(row, first, end);
-                if keep {
-                    kept.set_span(row, first, end);
-                }
-            };
-            self.projector.piece(scene, piece, &mut run);
+            self.projector.piece(scene, piece, &mut self.full);
+            if !pruned.contains(&number) {
+                self.projector.piece(scene, piece, &mut self.kept);
+            }
         }
-    }
-
-    #[inline]
-    fn piece(&self, scene: &Scene<'_>, piece: Piece<'_>, run: &mut impl FnMut(u32, u32, u32)) {
-        self.projector.piece(scene, piece, run);
     }
 }
 
 impl Projector {
     #[inline]
-    fn piece(&self, scene: &Scene<'_>, piece: Piece<'_>, run: &mut impl FnMut(u32, u32, u32)) {
+    fn piece(&self, scene: &Scene<'_>, piece: Piece<'_>, sink: &mut impl Sink) {
         let Some(pattern) = scene.pattern(piece.surface as usize) else {
             return;
         };
@@ -157,13 +185,13 @@ impl Projector {
             let views = corners.map(|corner| self.view(corner));
             if views.iter().all(|&v| self.shows(v)) {
                 let spots = views.map(|v| self.on_picture(v));
-                self.triangle(spots, views.map(|v| v.z), uvs, pattern, run);
+                self.triangle(spots, views.map(|v| v.z), uvs, pattern, sink);
             } else {
                 // Rare: the camera stands within the tree.
                 let (polygon, n) = clip_loose(corners, uvs, self);
                 for i in 2..n {
                     let [a, b, c] = [polygon[0], polygon[i - 1], polygon[i]];
-                    self.triangle([a.0, b.0, c.0], [a.1, b.1, c.1], [a.2, b.2, c.2], pattern, run);
+                    self.triangle([a.0, b.0, c.0], [a.1, b.1, c.1], [a.2, b.2, c.2], pattern, sink);
                 }
             }
         }
@@ -176,10 +204,10 @@ impl Projector {
         depths: [f32; 3],
         uvs: [Vec2; 3],
         pattern: Pattern<'_>,
-        run: &mut impl FnMut(u32, u32, u32),
+        sink: &mut impl Sink,
     ) {
         let Some(pyramid) = pattern.pyramid else {
-            return runs(spots, self.width, self.height, run);
+            return runs(spots, self.width, self.height, |row, first, end| sink.run(row, first, end));
         };
         let [a, b, c] = spots;
         let area = (b - a).perp_dot(c - a);
@@ -202,9 +230,9 @@ impl Projector {
         let (level, size) = (mask.level, [self.width, self.height]);
         // Told apart here and not for every pixel.
         match mask.filter {
-            Filter::Within => slopes.fill(spots, size, |u, v| level.covers_within(u, v), run),
-            Filter::Repeat => slopes.fill(spots, size, |u, v| level.covers(u, v), run),
-            Filter::Smooth => slopes.fill(spots, size, |u, v| level.covers_smoothly(u, v), run),
+            Filter::Within => slopes.fill(spots, size, |u, v| level.covers_within(u, v), sink),
+            Filter::Repeat => slopes.fill(spots, size, |u, v| level.covers(u, v), sink),
+            Filter::Smooth => slopes.fill(spots, size, |u, v| level.covers_smoothly(u, v), sink),
         }
     }
 }
@@ -226,9 +254,12 @@ impl Slopes {
         spots: [Vec2; 3],
         [width, height]: [u32; 2],
         covers: impl Fn(f32, f32) -> bool,
-        run: &mut impl FnMut(u32, u32, u32),
+        sink: &mut impl Sink,
     ) {
         runs(spots, width, height, |row, first, end| {
+            if sink.skips(row, first, end) {
+                return;
+            }
             let y = row as f32 + 0.5 - self.a.y;
             let [u, v, w] = [self.u, self.v, self.w].map(|s| (s.0 + s.2 * y, s.1));
             let mut from = end;
@@ -238,12 +269,12 @@ impl Slopes {
                 if covers((u.0 + u.1 * x) * far, (v.0 + v.1 * x) * far) {
                     from = from.min(column);
                 } else if from < column {
-                    run(row, from, column);
+                    sink.run(row, from, column);
                     from = end;
                 }
             }
             if from < end {
-                run(row, from, end);
+                sink.run(row, from, end);
             }
         });
     }

@@ -20,7 +20,7 @@ const NONE: u32 = u32::MAX;
 const PART: usize = 1 << 13;
 /// Most shapes of one pattern that others are compared with. Elements unlike all of these get an answer
 /// of their own, found without search.
-const SHAPES_MAX: usize = 64;
+const SHAPES_MAX: usize = 24;
 
 /// Elements that are alike.
 pub(super) struct Alike {
@@ -38,6 +38,9 @@ pub(super) struct Found {
     /// Row of `shapes` for each element; no row for elements that stay as they are.
     pub(super) of: Vec<u32>,
 }
+
+/// Fewest triangles, and the pattern of all: what must be the same.
+type Key = (usize, Vec<[u32; 3]>);
 
 /// What elements are compared by.
 struct Traits {
@@ -65,7 +68,7 @@ pub(super) fn find(
     control: &Control,
 ) -> Result<Found> {
     let mut found = Found { shapes: Vec::new(), of: vec![NONE; elements.len()] };
-    let mut known: BTreeMap<(usize, Vec<[u32; 3]>), Vec<(u32, Traits)>> = BTreeMap::new();
+    let mut known: BTreeMap<Key, Vec<(u32, Traits)>> = BTreeMap::new();
     let all: Vec<u32> = (0..elements.len() as u32).collect();
     for part in all.chunks(PART) {
         control.check()?;

@@ -24,7 +24,7 @@ pub(super) fn chosen(blade: &Blade, target: usize, judge: Option<&Judge<'_>>) ->
         let mut best = (f32::INFINITY, 0);
         for (i, &row) in left.iter().enumerate() {
             let with: Vec<_> = rows.iter().chain([&row]).map(|&r| blade.triangles[r]).collect();
-            let error = judge.error(&with);
+            let error = judge.error(&with, best.0);
             if error < best.0 {
                 best = (error, i);
             }

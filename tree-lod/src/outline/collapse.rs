@@ -14,7 +14,7 @@ use std::collections::BinaryHeap;
 const MARGIN_WEIGHT: f64 = 4.0;
 /// Cost of the length of a collapse, squared, against squared distances: among equals, short ones.
 const LENGTH_COST: f64 = 1e-6;
-/// Least cosine between a triangle's normal before and after a collapse.
+/// Least cosine between a triangle's own normal and the one that it has after collapses.
 const TURN_MIN: f64 = 0.2;
 
 /// A collapse that was weighed: cost, from, to, and how often both had changed by then.
@@ -26,6 +26,8 @@ struct Surface {
     /// Triangles around each vertex, also some that are gone.
     around: Vec<Vec<u32>>,
     triangles: Vec<Option<[u32; 3]>>,
+    /// Vector areas of the blade's own triangles, which the collapsed ones may not turn away from.
+    crosses: Vec<DVec3>,
     n: usize,
     changes: Vec<u32>,
     waiting: BinaryHeap<Weighed>,
@@ -54,10 +56,12 @@ impl Surface {
             quadrics: vec![Quadric::default(); n],
             around: vec![Vec::new(); n],
             triangles: blade.triangles.iter().copied().map(Some).collect(),
+            crosses: Vec::new(),
             n: blade.triangles.len(),
             changes: vec![0; n],
             waiting: BinaryHeap::new(),
         };
+        surface.crosses = blade.triangles.iter().map(|&t| surface.cross(t)).collect();
         for (row, &triangle) in blade.triangles.iter().enumerate() {
             for v in triangle {
                 surface.around[v as usize].push(row as u32);
@@ -157,8 +161,9 @@ impl Surface {
         if shared > 1 && self.on_margin(from) && self.on_margin(to) {
             return false;
         }
-        self.fan(from).filter(|(_, t)| !t.contains(&to)).all(|(_, t)| {
-            let (old, new) = (self.cross(t), self.cross(t.map(|v| if v == from { to } else { v })));
+        self.fan(from).filter(|(_, t)| !t.contains(&to)).all(|(row, t)| {
+            let (old, new) =
+                (self.crosses[row as usize], self.cross(t.map(|v| if v == from { to } else { v })));
             new.length_squared() > 0.0 && old.dot(new) > TURN_MIN * old.length() * new.length()
         })
     }

@@ -14,6 +14,8 @@ pub(super) const RING_MAX: usize = 64;
 
 /// A disc, seen so that its triangles go against the clock.
 pub(super) struct Disc {
+    /// Mean normal: from where it is seen.
+    pub(super) normal: Vec3,
     /// Points of the margin, against the clock.
     pub(super) ring: Vec<u32>,
     /// The same in the plane.
@@ -48,7 +50,7 @@ impl Disc {
         let flat: Vec<Vec2> = ring.iter().map(|&p| plane[p as usize]).collect();
         let heights: Vec<f32> = blade.points.iter().map(|p| p.dot(normal)).collect();
         let folds = Folds::of(blade, &plane, &heights, &ring);
-        Some(Self { ring, flat, folds })
+        Some(Self { normal, ring, flat, folds })
     }
 }
 

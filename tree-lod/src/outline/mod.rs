@@ -14,11 +14,13 @@
 //!    (`polygon`), triangulated close to the folded surface.
 //! 4. `collapse`: any blade is also simplified by half-edge collapses (Garland and Heckbert 1997).
 //! 5. `choice`: what neither can simplify (tubes) becomes some of its own triangles.
-//! 6. `judge` tells the best of these: pixels in which it differs from the blade in seven views, after
+//! 6. `polish` tries small changes to either.
+//! 7. `judge` tells the best of these: pixels in which it differs from the blade in thirteen views, after
 //!    it has grown about its centre to the same area. A pruned model is scaled as a whole
 //!    afterwards, so that lost area costs nothing, while lost shape does.
 //!
-//! Cost: about a millisecond for each distinct shape, some 0.5 µs for each element.
+//! Cost: 5 to 10 ms for each distinct shape of 16 triangles, 0.15 s for one of 44; some 2 µs for each
+//! element.
 
 mod alike;
 mod blade;
@@ -27,6 +29,7 @@ mod collapse;
 mod disc;
 mod fold;
 mod judge;
+mod polish;
 mod polygon;
 mod portion;
 mod quadric;

@@ -10,12 +10,12 @@ use super::disc::{Disc, thin};
 use super::judge::Judge;
 
 /// Even spreads that a search starts from.
-const SPREADS: usize = 3;
+const SPREADS: usize = 2;
 /// Rounds of exchanges at most; two or three are usual.
 const ROUNDS_MAX: usize = 8;
 /// Most exchanges of any vertex for any other in a round; with more, vertices only move between their
 /// neighbours.
-const EXCHANGES_MAX: usize = 400;
+const EXCHANGES_MAX: usize = 200;
 /// Smallest doubled area of a triangle, of a blade of area 1: others are as good as degenerate.
 const SPAN_MIN: f32 = 1e-5;
 
@@ -28,8 +28,8 @@ struct Found {
 }
 
 impl Disc {
-    /// At most `target` triangles; none when the margin has too few vertices kept in mind, or no
-    /// simple polygon is found.
+    /// At most `target` triangles; none when there are more than the margin is kept for, or no simple
+    /// polygon is found.
     pub(super) fn polygon(
         &self,
         target: usize,
@@ -54,14 +54,16 @@ impl Disc {
             kept
         };
         let starts = std::iter::once(thinned).chain((0..SPREADS).map(spread));
-        let found = starts.filter_map(|kept| Some(self.improved(self.judged(kept, judge)?, judge)));
+        let found = starts.filter_map(|kept| {
+            Some(self.improved(self.judged(kept, judge, f32::INFINITY)?, judge))
+        });
         let best = found.reduce(|a, b| if b.error < a.error { b } else { a });
         best.map(|found| found.triangles)
     }
 
-    fn judged(&self, kept: Vec<usize>, judge: &Judge<'_>) -> Option<Found> {
+    fn judged(&self, kept: Vec<usize>, judge: &Judge<'_>, most: f32) -> Option<Found> {
         let triangles = self.triangulated(&kept)?;
-        let error = judge.error(&triangles);
+        let error = judge.error(&triangles, most);
         Some(Found { kept, triangles, error })
     }
 
@@ -73,7 +75,7 @@ impl Disc {
                     let mut kept = best.kept.clone();
                     kept[i] = other;
                     kept.sort_unstable();
-                    if let Some(found) = self.judged(kept, judge)
+                    if let Some(found) = self.judged(kept, judge, best.error)
                         && found.error < best.error
                     {
                         best = found;

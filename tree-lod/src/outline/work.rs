@@ -66,8 +66,9 @@ impl OutlineParams {
 /// [`LodError::Cancelled`].
 ///
 /// # Complexity
-/// O(triangles × tiers) and about 1 ms for each distinct shape of 16 triangles, 30 ms for one of 64; in
-/// parallel. Blades of more than 62 triangles: O(n log n).
+/// O(triangles × tiers); 5 to 10 ms for each distinct shape of 16 triangles, 0.15 s for one of 44, for
+/// at most 24 shapes of each pattern of triangles (others are not searched); in parallel. Blades of more
+/// than 64 triangles: O(n log n) and some looks.
 pub fn tiers(
     mesh: &Mesh,
     elements: &Elements,

@@ -22,7 +22,7 @@ const BEYOND: f64 = 0.8;
 /// Views that the plan is made on: differences between tiers are large, so few will do.
 const AZIMUTHS: u32 = 3;
 /// Size of these views in pixels.
-const SIZE: u32 = 192;
+const SIZE: u32 = 160;
 
 /// The number of elements with which each tier should begin ([`Schedule::new`](super::Schedule::new)).
 /// Tiers that are better left out begin with one element. What the subject has as `kept` is not looked at.

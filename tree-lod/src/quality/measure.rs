@@ -2,8 +2,9 @@
 //!
 //! For every λ the pruned model is drawn into masks from all sides, at several scales, and compared with
 //! the full one; the scale of best mean quality is kept (eq. 7.6). The search begins at the scale of the
-//! λ above, for scales grow as λ falls: first in large steps, because quality may have two peaks (leaves
-//! as they are, in the right places; or large ones that fill the gaps), then in small ones.
+//! λ above, for scales grow as λ falls: first in large steps, past a small dip, because quality may have
+//! two peaks (leaves as they are, in the right places; or large ones that fill the gaps), then in small
+//! ones.
 //!
 //! Cost: for each λ about ten drawings of λ · triangles in every view, in parallel over views.
 
@@ -103,12 +104,17 @@ impl TableParams {
     }
 }
 
-/// Factors on the scale (on length) of the λ above that are tried first.
-const STEPS: [f32; 8] = [0.9, 1.0, 1.1, 1.22, 1.4, 1.65, 2.0, 2.5];
-/// Then around the best: halves of the distance to its neighbours, twice.
-const HALVINGS: i32 = 2;
-/// No larger factor on length is tried.
-const GROWTH_MAX: f32 = 40.0;
+/// Factors on the scale (on length) of the λ above that are tried first, rising.
+const STEPS: [f32; 6] = [1.1, 1.22, 1.4, 1.65, 2.0, 2.5];
+/// So many steps in a row may be worse than the one before them; then there is no other peak.
+const STEPS_DOWN: u32 = 2;
+/// From this quality on no other scale is tried: nothing is left to win.
+const PERFECT: f64 = 0.999;
+/// The first step around the best of them, halved (as a factor) [`HALVINGS`] times.
+const FIRST_STEP: f32 = 1.05;
+const HALVINGS: u32 = 2;
+/// Smallest and largest factor on length that is tried.
+const GROWTHS: (f32, f32) = (0.5, 40.0);
 
 impl Table {
     /// Measures a table.
@@ -130,7 +136,11 @@ impl Table {
             let cut = schedule.at(lambda)?;
             let at = |growth: f32| subject.scores(&stage, &cut, growth);
             growth = match params.scale {
-                _ if lambda == 1.0 => 1.0,
+                // The full model covers its own pixels.
+                _ if lambda == 1.0 => {
+                    rows.push(Row { lambda, scale: 1.0, precision: 1.0, recall: 1.0, quality: 1.0 });
+                    continue;
+                }
                 Scale::Best => best(growth, |growth| Ok(mean_quality(&at(growth))), control)?,
                 Scale::Cook => cook_scale(lambda).sqrt(),
                 Scale::Kept => 1.0,
@@ -219,33 +229,41 @@ impl Subject<'_> {
 }
 
 /// The scale (on length) of best quality, from that of the λ above on.
-fn best(from: f32, mut quality: impl FnMut(f32) -> Result<f64>, control: &Control) -> Result<f32> {
-    let mut best = (f64::NEG_INFINITY, from);
+fn best(
+    from: f32,
+    mut quality: impl FnMut(f32) -> Result<f64>,
+    control: &Control,
+) -> Result<f32> {
     let mut look = |growth: f32, best: &mut (f64, f32)| -> Result<f64> {
         control.check()?;
-        let growth = growth.clamp(0.5, GROWTH_MAX);
+        let growth = growth.clamp(GROWTHS.0, GROWTHS.1);
         let found = quality(growth)?;
         if found > best.0 {
             *best = (found, growth);
         }
         Ok(found)
     };
-    let mut last = f64::NEG_INFINITY;
-    let mut falls = 0;
+    let mut best = (f64::NEG_INFINITY, from);
+    let mut last = look(from, &mut best)?;
+    let mut down = 0;
     for step in STEPS {
-        let found = look(from * step, &mut best)?;
-        falls = if found < last { falls + 1 } else { 0 };
-        last = found;
-        // Two peaks are never far apart: after three steps down there is no other.
-        if falls == 3 {
+        if best.0 >= PERFECT || down == STEPS_DOWN {
             break;
         }
+        let found = look(from * step, &mut best)?;
+        down = if found < last { down + 1 } else { 0 };
+        last = found;
     }
-    let mut step = 1.05_f32;
+    let mut step = FIRST_STEP;
     for _ in 0..HALVINGS {
+        if best.0 >= PERFECT {
+            break;
+        }
         let middle = best.1;
         look(middle * step, &mut best)?;
-        look(middle / step, &mut best)?;
+        if best.1 == middle {
+            look(middle / step, &mut best)?;
+        }
         step = step.sqrt();
     }
     Ok(best.1)
