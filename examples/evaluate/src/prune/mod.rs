@@ -9,6 +9,7 @@ mod models;
 mod nearest;
 mod parity;
 mod peers;
+mod pictures;
 mod popping;
 mod pruned;
 mod scene;
@@ -56,29 +57,48 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
         of_peers.iter().map(models::with_modelled_leaves).collect::<Outcome<_>>()?;
     let (imported, ours) = (models::imported()?, models::ours()?);
     clock("models");
-    let prepare = |model| {
+    // DEV
+    let only = std::env::var("PRUNE_ONLY").unwrap_or_default();
+    let names = std::env::var("PRUNE_MODELS").unwrap_or_default();
+    let part = |name: &str| only.is_empty() || only.split(',').any(|o| o == name);
+    let wanted = |m: &&Model| names.is_empty() || names.split(';').any(|o| o == m.name);
+    fn prepare(model: &Model) -> Outcome<Prepared<'_>> {
+        let s = std::time::Instant::now();
         let found = Prepared::new(model);
-        clock(&model.name);
+        eprintln!("{} {:.1}", model.name, s.elapsed().as_secs_f64());
         found
-    };
-    let forest: Vec<Prepared<'_>> = imported.iter().chain(&ours).map(prepare).collect::<Outcome<_>>()?;
-    let modelled: Vec<Prepared<'_>> = modelled.iter().map(prepare).collect::<Outcome<_>>()?;
-    peers::evaluate(table, forest.iter().chain(&modelled))?;
-    clock("peers");
-    parity::evaluate(table, &forest)?;
-    clock("parity");
-    turning::evaluate(table, &some(&forest, &["eztree_oak_medium", "apple, modelled"]))?;
-    clock("turning");
+    }
+    if only == "large" {
+        return large::evaluate(table);
+    }
+    let forest: Vec<Prepared<'_>> = imported.iter().chain(&ours).filter(wanted).map(prepare).collect::<Outcome<_>>()?;
+    let modelled: Vec<Prepared<'_>> = modelled.iter().filter(wanted).map(prepare).collect::<Outcome<_>>()?;
+    if part("popping") {
     popping::evaluate(table, forest.iter().chain(&modelled))?;
-    clock("popping");
-    let steady = ["eztree_oak_medium", "eztree_pine_small", "apple, modelled"];
-    steady::evaluate(table, &some(&forest, &steady))?;
-    clock("steady");
+    clock("popping");}
+    if part("turning") {
+    turning::evaluate(table, &some(&forest, &["eztree_oak_medium", "apple, modelled"]))?;
+    clock("turning");}
+    if part("colour") {
     let coloured = ["eztree_oak_medium", "oak, cards", "apple, modelled"];
     colour::evaluate(table, &some(&forest, &coloured))?;
-    clock("colour");
+    clock("colour");}
+    if part("steady") {
+    let steady = ["eztree_oak_medium", "eztree_pine_small", "apple, modelled"];
+    steady::evaluate(table, &some(&forest, &steady))?;
+    clock("steady");}
+    if part("peers") {
+    peers::evaluate(table, forest.iter().chain(&modelled))?;
+    clock("peers");}
+    if part("parity") {
+    let cook = parity::evaluate(table, &forest)?;
+    clock("parity");
+    if part("pictures") {
+    pictures::evaluate(table, &forest, &cook)?;
+    clock("pictures");}}
+    if part("large") {
     large::evaluate(table)?;
-    clock("large");
+    clock("large");}
     Ok(())
 }
 

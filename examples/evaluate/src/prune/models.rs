@@ -48,6 +48,7 @@ impl Model {
     }
 
     /// Height in metres.
+    #[cfg(test)]
     pub(super) fn height(&self) -> f32 {
         self.mesh.bounds().max.y
     }
