@@ -44,7 +44,7 @@ fn select(c: &mut Criterion) {
                 });
             });
             group.bench_function(BenchmarkId::new(format!("{name}_batches"), n), |b| {
-                b.iter(|| black_box(scene.batches(&params, &mut state, &mut draws, &mut rows)));
+                b.iter(|| black_box(scene.batches(&mut state, &mut draws, &mut rows)));
             });
         }
     }

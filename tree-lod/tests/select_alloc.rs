@@ -58,8 +58,8 @@ fn a_frame_allocates_nothing() {
         };
         let frame = Frame { eye, occlusion, seconds: 0.016, cut: i == 10 };
         drawn += scene.select(&frame, &params, &mut state).unwrap().drawn;
-        scene.draws(&params, &state, &mut draws, &mut rows).unwrap();
-        scene.batches(&params, &mut state, &mut draws, &mut rows).unwrap();
+        scene.draws(&state, &mut draws, &mut rows).unwrap();
+        scene.batches(&mut state, &mut draws, &mut rows).unwrap();
     }
     assert_eq!(COUNT.load(Ordering::Relaxed) - before, 0);
     assert!(drawn > 10_000, "{drawn}");

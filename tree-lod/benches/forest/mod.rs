@@ -26,7 +26,7 @@ pub(crate) fn model(height: f32, triangles: u32) -> Model {
         let wood = Draw { index_count: 9000, ..Draw::default() };
         let leaves = (lambda * triangles as f32) as u32 * 3;
         let leaves = Draw { first_index: 9000, index_count: leaves, base_vertex: 3000 };
-        Level { lambda, scale: 1.0 / lambda.sqrt(), draws: vec![wood, leaves] }
+        Level { lambda, scale: 1.0 / lambda.sqrt(), fade: 0.1 * lambda, draws: vec![wood, leaves] }
     };
     Model {
         center: Vec3::Y * 0.5 * height,

@@ -207,7 +207,9 @@ impl Projector {
         sink: &mut impl Sink,
     ) {
         let Some(pyramid) = pattern.pyramid else {
-            return runs(spots, self.width, self.height, |row, first, end| sink.run(row, first, end));
+            return runs(spots, self.width, self.height, |row, first, end| {
+                sink.run(row, first, end)
+            });
         };
         let [a, b, c] = spots;
         let area = (b - a).perp_dot(c - a);

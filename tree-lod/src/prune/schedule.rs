@@ -171,6 +171,14 @@ impl Schedule {
         sum.map_or(1.0, |&sum| self.lambda_of(sum.into()))
     }
 
+    /// λ of the last state in which all elements are drawn.
+    #[must_use]
+    pub fn lambda_of_all(&self) -> f32 {
+        let n = self.n_elements();
+        let tier = self.kept.partition_point(|&kept| kept == n).max(1) - 1;
+        self.lambda_of(self.sums[tier][n as usize].into())
+    }
+
     /// The least λ that can be kept: of the state with the fewest elements.
     #[must_use]
     pub fn least_lambda(&self) -> f32 {

@@ -83,7 +83,7 @@ impl TableParams {
         let mut params = Self::default();
         params.around.azimuths = (WORK / n_triangles.max(1)).clamp(4, 8) as u32;
         if n_triangles > 100_000 {
-            params.around.size = 192;
+            params.around.size = 160;
         }
         params
     }
@@ -138,7 +138,13 @@ impl Table {
             growth = match params.scale {
                 // The full model covers its own pixels.
                 _ if lambda == 1.0 => {
-                    rows.push(Row { lambda, scale: 1.0, precision: 1.0, recall: 1.0, quality: 1.0 });
+                    rows.push(Row {
+                        lambda,
+                        scale: 1.0,
+                        precision: 1.0,
+                        recall: 1.0,
+                        quality: 1.0,
+                    });
                     continue;
                 }
                 Scale::Best => best(growth, |growth| Ok(mean_quality(&at(growth))), control)?,
@@ -229,11 +235,7 @@ impl Subject<'_> {
 }
 
 /// The scale (on length) of best quality, from that of the λ above on.
-fn best(
-    from: f32,
-    mut quality: impl FnMut(f32) -> Result<f64>,
-    control: &Control,
-) -> Result<f32> {
+fn best(from: f32, mut quality: impl FnMut(f32) -> Result<f64>, control: &Control) -> Result<f32> {
     let mut look = |growth: f32, best: &mut (f64, f32)| -> Result<f64> {
         control.check()?;
         let growth = growth.clamp(GROWTHS.0, GROWTHS.1);

@@ -92,7 +92,6 @@ fn parameters_times_and_states_that_are_wrong_are_refused() {
         Params { hidden: 0.0, ..params },
         Params { band: -0.1, ..params },
         Params { time: f32::NAN, ..params },
-        Params { fade: 2.0, ..params },
     ] {
         assert!(matches!(trees.select(&good, &bad, &mut state), Err(LodError::Parameter { .. })));
     }

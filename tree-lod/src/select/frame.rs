@@ -34,13 +34,11 @@ pub struct Params {
     pub band: f32,
     /// Seconds in which λ comes nearer to its aim by two thirds, 0 (at once) to 60. Default 0.2.
     pub time: f32,
-    /// Share of the elements drawn that are fading in at the end of the order, 0 to 1. Default 0.1.
-    pub fade: f32,
 }
 
 impl Default for Params {
     fn default() -> Self {
-        Self { hidden: 0.1, band: 0.05, time: 0.2, fade: 0.1 }
+        Self { hidden: 0.1, band: 0.05, time: 0.2 }
     }
 }
 
@@ -52,8 +50,7 @@ impl Params {
     pub fn validate(&self) -> Result<()> {
         check_range("hidden", self.hidden.into(), 0.001, 1.0)?;
         check_range("band", self.band.into(), 0.0, 1.0)?;
-        check_range("time", self.time.into(), 0.0, 60.0)?;
-        check_range("fade", self.fade.into(), 0.0, 1.0)
+        check_range("time", self.time.into(), 0.0, 60.0)
     }
 }
 

@@ -12,7 +12,7 @@
 //!
 //! let level = |lambda, index_count| {
 //!     let draw = Draw { index_count, ..Draw::default() };
-//!     Level { lambda, scale: 1.0 / lambda, draws: vec![draw] }
+//!     Level { lambda, scale: 1.0 / lambda, fade: 0.0, draws: vec![draw] }
 //! };
 //! let levels = vec![level(0.1, 300), level(0.5, 1500), level(1.0, 3000)];
 //! let model = Model { center: Vec3::Y * 4.0, radius: 5.0, levels, ..Model::default() };
@@ -32,7 +32,7 @@
 //! let frame = Frame { eye, occlusion: Occlusion::None, seconds: 0.016, cut: false };
 //! let params = Params::default();
 //! let selected = scene.select(&frame, &params, &mut state)?;
-//! let written = scene.draws(&params, &state, &mut draws, &mut rows)?;
+//! let written = scene.draws(&state, &mut draws, &mut rows)?;
 //! assert_eq!((selected.drawn, written.draws), (3, 3));
 //! # Ok::<(), tree_lod::LodError>(())
 //! ```

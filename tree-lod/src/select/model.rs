@@ -20,7 +20,7 @@ const LARGEST: f32 = 1e5;
 /// use tree_lod::select::{Draw, Level, Model};
 /// let wood = Draw { first_index: 0, index_count: 900, base_vertex: 0 };
 /// let leaves = |n| Draw { first_index: 900, index_count: n, base_vertex: 0 };
-/// let level = |lambda, n| Level { lambda, scale: 1.0 / lambda, draws: vec![wood, leaves(n)] };
+/// let level = |lambda, n| Level { lambda, scale: 1.0 / lambda, fade: 0.0, draws: vec![wood, leaves(n)] };
 /// let model = Model {
 ///     center: Vec3::Y * 4.0,
 ///     radius: 5.0,
@@ -79,6 +79,8 @@ pub struct Level {
     pub lambda: f32,
     /// Factor on the area of each element, more than 0.
     pub scale: f32,
+    /// Width in λ over which the last elements fade in, 0 (they pop; nothing fades in the full model) to 1.
+    pub fade: f32,
     /// What is drawn of each part of the model (bark, leaves, fruit), as many in every level. A part that
     /// is always drawn whole has the same draw in every level; a part that is not drawn has no indices.
     pub draws: Vec<Draw>,
@@ -148,6 +150,9 @@ impl Model {
             }
             if !(level.scale > 0.0 && level.scale < 1e6) {
                 return Err("levels: scale must be more than 0, less than 10⁶");
+            }
+            if !(0.0..=1.0).contains(&level.fade) {
+                return Err("levels: fade must be 0 to 1");
             }
             if level.draws.len() != parts {
                 return Err("levels: as many draws in every level");

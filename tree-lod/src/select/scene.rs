@@ -85,6 +85,7 @@ pub(super) struct Step {
     /// Factor on area.
     pub(super) scale: f32,
     pub(super) contrast: f32,
+    pub(super) fade: f32,
     /// Indices of all its draws.
     pub(super) indices: u64,
     /// Its draws with indices.
@@ -298,6 +299,7 @@ impl Kept {
             lambda: level.lambda,
             scale: level.scale,
             contrast: contrast(level.lambda, level.scale),
+            fade: level.fade,
             indices: level.draws.iter().map(|draw| u64::from(draw.index_count)).sum(),
             n_draws: level.draws.iter().filter(|draw| draw.index_count > 0).count(),
         };

@@ -21,7 +21,9 @@ pub(super) fn model() -> Model {
     let level = |i: u32| {
         let wood = Draw { first_index: 0, index_count: 30, base_vertex: 0 };
         let leaves = Draw { first_index: 30, index_count: 3 * i, base_vertex: 7 };
-        Level { lambda: i as f32 / 128.0, scale: 128.0 / i as f32, draws: vec![wood, leaves] }
+        let lambda = i as f32 / 128.0;
+        let fade = (0.1 * lambda).min(1.0 - lambda);
+        Level { lambda, scale: 1.0 / lambda, fade, draws: vec![wood, leaves] }
     };
     Model {
         radius: 2.0,
@@ -267,8 +269,8 @@ fn batches_draw_what_single_draws_do() {
     let mut rows = vec![InstanceLod::default(); scene.len()];
     let mut all = |batched: bool| {
         let written = match batched {
-            true => scene.batches(&params, &mut state, &mut draws, &mut rows).unwrap(),
-            false => scene.draws(&params, &state, &mut draws, &mut rows).unwrap(),
+            true => scene.batches(&mut state, &mut draws, &mut rows).unwrap(),
+            false => scene.draws(&state, &mut draws, &mut rows).unwrap(),
         };
         assert_eq!(written.instances, selected.drawn);
         let mut all = Vec::new();
@@ -305,8 +307,8 @@ fn a_buffer_that_is_too_small_is_refused_and_left_alone() {
         let mut draws = vec![DrawIndexed::default(); n_draws];
         let mut rows = vec![InstanceLod::default(); n_rows];
         let errors = [
-            scene.draws(&params, &state, &mut draws, &mut rows).unwrap_err(),
-            scene.batches(&params, &mut state, &mut draws, &mut rows).unwrap_err(),
+            scene.draws(&state, &mut draws, &mut rows).unwrap_err(),
+            scene.batches(&mut state, &mut draws, &mut rows).unwrap_err(),
         ];
         for error in errors {
             assert!(matches!(error, LodError::Scene { row, .. } if row == needed), "{error}");
@@ -323,7 +325,7 @@ fn the_full_model_does_not_fade() {
     let params = Params::default();
     scene.select(&frame(eye(), Occlusion::None), &params, &mut state).unwrap();
     let mut rows = vec![InstanceLod::default(); 2];
-    scene.draws(&params, &state, &mut [DrawIndexed::default(); 4], &mut rows).unwrap();
+    scene.draws(&state, &mut [DrawIndexed::default(); 4], &mut rows).unwrap();
     rows.sort_by_key(|row| row.instance);
     assert_eq!((rows[0].lambda, rows[0].fade, rows[0].scale), (1.0, 0.0, 1.0));
     assert!(rows[1].fade > 0.0 && rows[1].scale > 1.0 && rows[1].contrast < 1.0, "{rows:?}");
@@ -393,8 +395,8 @@ proptest! {
                     let _ = scene.select(&frame, &Params::default(), &mut state);
                     let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
                     let mut rows = vec![InstanceLod::default(); scene.len()];
-                    let _ = scene.draws(&Params::default(), &state, &mut draws, &mut rows);
-                    let _ = scene.batches(&Params::default(), &mut state, &mut draws, &mut rows);
+                    let _ = scene.draws(&state, &mut draws, &mut rows);
+                    let _ = scene.batches(&mut state, &mut draws, &mut rows);
                 }
             }
         }

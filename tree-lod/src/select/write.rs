@@ -1,6 +1,5 @@
 //! Draw arguments into the caller's buffers.
 
-use super::Params;
 use super::model::Draw;
 use super::output::{DrawIndexed, InstanceLod, Written};
 use super::scene::{Kept, Scene};
@@ -19,12 +18,10 @@ impl Scene {
     /// O(instances in view × parts); no allocation.
     pub fn draws(
         &self,
-        params: &Params,
         state: &State,
         draws: &mut [DrawIndexed],
         instances: &mut [InstanceLod],
     ) -> Result<Written> {
-        params.validate()?;
         state.check(self)?;
         let mut written = Written::default();
         room("instances", instances.len(), state.drawn.len())?;
@@ -35,7 +32,7 @@ impl Scene {
         for &number in &state.drawn {
             let Some(at) = self.shown(number, state) else { continue };
             let Some(slot) = instances.get_mut(written.instances) else { break };
-            *slot = at.lod(params);
+            *slot = at.lod();
             put(at.model.draws_of(at.level), written.instances, 1, draws, &mut written.draws);
             written.instances += 1;
         }
@@ -51,12 +48,10 @@ impl Scene {
     /// O(instances in view + levels of all models × parts); no allocation.
     pub fn batches(
         &self,
-        params: &Params,
         state: &mut State,
         draws: &mut [DrawIndexed],
         instances: &mut [InstanceLod],
     ) -> Result<Written> {
-        params.validate()?;
         state.check(self)?;
         room("instances", instances.len(), state.drawn.len())?;
         self.count(state);
@@ -76,7 +71,7 @@ impl Scene {
         for i in 0..state.drawn.len() {
             let Some(&number) = state.drawn.get(i) else { break };
             let Some(at) = self.shown(number, state) else { continue };
-            let lod = at.lod(params);
+            let lod = at.lod();
             let Some(next) = state.buckets.get_mut(at.model.bucket + at.level) else { continue };
             if let Some(slot) = instances.get_mut(*next as usize) {
                 *slot = lod;
@@ -136,9 +131,9 @@ struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    /// Scale and contrast lie between those of two levels, as λ does.
+    /// Scale, fading and contrast lie between those of two levels, as λ does.
     #[inline]
-    fn lod(&self, params: &Params) -> InstanceLod {
+    fn lod(&self) -> InstanceLod {
         let lambda = self.memory.lambda;
         let levels = &self.model.levels;
         let Some(above) = levels.get(self.level) else { return InstanceLod::default() };
@@ -150,8 +145,7 @@ impl Shown<'_> {
             instance: self.id,
             scale: mix(above.scale, below.scale).sqrt(),
             lambda,
-            // The full model has nothing that fades.
-            fade: (params.fade * lambda).min(1.0 - lambda).max(0.0),
+            fade: mix(above.fade, below.fade),
             contrast: mix(above.contrast, below.contrast),
         }
     }
