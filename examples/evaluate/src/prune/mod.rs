@@ -52,6 +52,9 @@ impl<'a> Prepared<'a> {
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
     let start = std::time::Instant::now();
     let clock = |what: &str| eprintln!("{:7.1} s  {what}", start.elapsed().as_secs_f64());
+    if std::env::var("PRUNE_ONLY").is_ok_and(|o| o == "large") {
+        return large::evaluate(table);
+    }
     let of_peers = models::of_peers()?;
     let modelled: Vec<Model> =
         of_peers.iter().map(models::with_modelled_leaves).collect::<Outcome<_>>()?;

@@ -165,22 +165,14 @@ const OURS: [Recipe; 6] = [
     },
 ];
 
-/// Trees of about 270,000 vertices, for the scene of more than 1.3 billion.
-const LARGE: [Recipe; 4] = [
+/// Trees of about 270,000 leaf vertices, for the scene of more than 1.3 billion.
+const LARGE: [Recipe; 3] = [
     Recipe {
         name: "oak, large",
         preset: "oak",
         leaves: Leaves::Modelled,
         sheets: 1,
-        spacing: 0.5,
-        size: 0.13,
-    },
-    Recipe {
-        name: "round crown, large",
-        preset: "d",
-        leaves: Leaves::Modelled,
-        sheets: 1,
-        spacing: 0.5,
+        spacing: 0.4,
         size: 0.13,
     },
     Recipe {
@@ -188,7 +180,7 @@ const LARGE: [Recipe; 4] = [
         preset: "g",
         leaves: Leaves::Cards,
         sheets: 2,
-        spacing: 0.5,
+        spacing: 0.4,
         size: 0.2,
     },
     Recipe {
@@ -196,7 +188,7 @@ const LARGE: [Recipe; 4] = [
         preset: "a",
         leaves: Leaves::Modelled,
         sheets: 1,
-        spacing: 0.5,
+        spacing: 0.4,
         size: 0.13,
     },
 ];
@@ -214,7 +206,7 @@ pub(super) fn large() -> Outcome<Vec<Model>> {
 /// A tree of ours with half a million leaf triangles.
 pub(super) fn half_million() -> Outcome<Model> {
     let name = "oak, half a million";
-    grow(&Recipe { name, spacing: 0.3, size: 0.1, ..LARGE[0] })
+    grow(&Recipe { name, spacing: 0.38, size: 0.1, ..LARGE[0] })
 }
 
 fn grow(recipe: &Recipe) -> Outcome<Model> {

@@ -27,6 +27,13 @@ pub(super) fn held_out(size: u32) -> Around {
     Around { azimuths: 8, turn: 0.3, size, ..Around::default() }
 }
 
+/// The tier that the order is found with, as in [`PrunedModel::make`](tree_lod::prune::PrunedModel::make):
+/// the coarsest whose elements have three triangles on average.
+pub(super) fn fine_enough(tiers: &[Tier], n: usize) -> &Tier {
+    let enough = |tier: &&Tier| tier.triangles.len() >= 3 * n;
+    tiers.iter().rev().find(enough).unwrap_or(&tiers[0])
+}
+
 /// Everything that a share of geometry is drawn with.
 pub(super) struct Pruned<'a> {
     pub(super) mesh: &'a Mesh,
@@ -38,7 +45,7 @@ pub(super) struct Pruned<'a> {
 }
 
 impl<'a> Pruned<'a> {
-    /// Our best: elements and tiers by the kind of leaves, the order by coverage, a plan, a measured table.
+    /// Our best, as [`PrunedModel::make`](tree_lod::prune::PrunedModel::make) does it: elements and tiers by the kind of leaves, the order by coverage, a plan, a measured table.
     pub(super) fn ours(model: &'a Model) -> Outcome<Self> {
         let params = CoverageParams::default();
         Self::ours_with(model, &params, &table_params(Scale::Best))
@@ -57,7 +64,8 @@ impl<'a> Pruned<'a> {
             Leaves::Cards => vec![Tier::full(mesh, &elements)],
             _ => tiers(mesh, &elements, &OutlineParams::default(), &control)?,
         };
-        let ranking = coverage(mesh, &elements, &tiers[0], coverage_params, &control)?;
+        let fine = fine_enough(&tiers, elements.len());
+        let ranking = coverage(mesh, &elements, fine, coverage_params, &control)?;
         let subject =
             Subject { mesh, elements: &elements, tiers: &tiers, ranking: &ranking, kept: &[] };
         let kept = plan(&subject, &control)?;

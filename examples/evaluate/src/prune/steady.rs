@@ -38,23 +38,32 @@ pub(super) fn evaluate(table: &mut Table, models: &[&Prepared<'_>]) -> Outcome {
     Ok(())
 }
 
-fn best(pruned: &Pruned<'_>, lambda: f32, around: Around) -> Result<f64, String> {
+/// The best scale in some views, and the quality it has there.
+fn best(pruned: &Pruned<'_>, lambda: f32, around: Around) -> Result<[f64; 2], String> {
     let params = TableParams { around, lambdas: vec![lambda, 1.0], scale: Scale::Best };
     let measured = Measured::measure(&pruned.subject(), &params, &Control::default())
         .map_err(|error| error.to_string())?;
-    Ok(measured.at(lambda).scale.into())
+    let row = measured.at(lambda);
+    Ok([row.scale.into(), row.quality.into()])
 }
 
 fn directions(table: &mut Table, case: &str, pruned: &Pruned<'_>, lambda: f32) -> Outcome {
-    let group = |first: f32| -> Result<Vec<f64>, String> {
+    let mut lost = Vec::new();
+    let mut group = |first: f32| -> Result<Vec<f64>, String> {
         let views: Vec<u32> = (0..VIEWS).collect();
-        let one = |&i: &u32| {
+        let one = |&i: &u32| -> Result<[f64; 2], String> {
             let turn = first + i as f32 * STEP;
-            best(pruned, lambda, Around { azimuths: 1, turn, size: SIZE, ..Around::default() })
+            let around = Around { azimuths: 1, turn, size: SIZE, ..Around::default() };
+            let of_table = pruned.quality(lambda, &around).map_err(|error| error.to_string())?;
+            let [scale, quality] = best(pruned, lambda, around)?;
+            Ok([scale, quality - of_table])
         };
-        views.par_iter().map(one).collect()
+        let found = views.par_iter().map(one).collect::<Result<Vec<_>, _>>()?;
+        lost.extend(found.iter().map(|one| one[1]));
+        Ok(found.iter().map(|one| one[0]).collect())
     };
     let (a, b) = (group(0.0)?, group(TAU / 4.0)?);
+    information(table, case, "Q lost by one scale for all views", mean(&lost), "");
     let found = anova(&a, &b).ok_or("too few measurements")?;
     let limit = critical(ALPHA, 1, found.within);
     information(table, case, "s_opt, first direction", mean(&a), "");
@@ -77,6 +86,7 @@ fn directions(table: &mut Table, case: &str, pruned: &Pruned<'_>, lambda: f32) -
 fn sizes(table: &mut Table, case: &str, pruned: &Pruned<'_>, lambda: f32) -> Outcome {
     let one = |size| best(pruned, lambda, Around { turn: 0.25, size, ..Around::default() });
     let found = SIZES.into_iter().map(one).collect::<Result<Vec<_>, _>>()?;
+    let found: Vec<f64> = found.into_iter().map(|[scale, _]| scale).collect();
     let relative = 100.0 * spread(&found) / mean(&found);
     information(table, case, "s_opt from 64 to 512 px, spread", relative, "%");
     Ok(())
