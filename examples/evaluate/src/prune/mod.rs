@@ -32,6 +32,12 @@ const SPACING: f32 = 5.0;
 /// All orders, scenes and clusters come from this seed.
 const SEED: Seed = Seed(1);
 
+/// Models of which more is shown: cards imported and of ours, and modelled leaves.
+const EZ_OAK: &str = "eztree_oak_medium";
+const EZ_PINE: &str = "eztree_pine_small";
+const OAK: &str = "oak, cards";
+const APPLE: &str = "apple, modelled";
+
 /// A model with what every part of the evaluation needs of it.
 struct Prepared<'a> {
     model: &'a Model,
@@ -48,61 +54,27 @@ impl<'a> Prepared<'a> {
     }
 }
 
-/// All of it; see the rows.
+/// All of it; see the rows. The longest parts are the orders of thirteen models and the tables of five orders
+/// of ten of them: some minutes on two cores.
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
-    let start = std::time::Instant::now();
-    let clock = |what: &str| eprintln!("{:7.1} s  {what}", start.elapsed().as_secs_f64());
-    if std::env::var("PRUNE_ONLY").is_ok_and(|o| o == "large") {
-        return large::evaluate(table);
-    }
     let of_peers = models::of_peers()?;
     let modelled: Vec<Model> =
         of_peers.iter().map(models::with_modelled_leaves).collect::<Outcome<_>>()?;
     let (imported, ours) = (models::imported()?, models::ours()?);
-    clock("models");
-    // DEV
-    let only = std::env::var("PRUNE_ONLY").unwrap_or_default();
-    let names = std::env::var("PRUNE_MODELS").unwrap_or_default();
-    let part = |name: &str| only.is_empty() || only.split(',').any(|o| o == name);
-    let wanted = |m: &&Model| names.is_empty() || names.split(';').any(|o| o == m.name);
-    fn prepare(model: &Model) -> Outcome<Prepared<'_>> {
-        let s = std::time::Instant::now();
-        let found = Prepared::new(model);
-        eprintln!("{} {:.1}", model.name, s.elapsed().as_secs_f64());
-        found
-    }
-    if only == "large" {
-        return large::evaluate(table);
-    }
-    let forest: Vec<Prepared<'_>> = imported.iter().chain(&ours).filter(wanted).map(prepare).collect::<Outcome<_>>()?;
-    let modelled: Vec<Prepared<'_>> = modelled.iter().filter(wanted).map(prepare).collect::<Outcome<_>>()?;
-    if part("popping") {
-    popping::evaluate(table, forest.iter().chain(&modelled))?;
-    clock("popping");}
-    if part("turning") {
-    turning::evaluate(table, &some(&forest, &["eztree_oak_medium", "apple, modelled"]))?;
-    clock("turning");}
-    if part("colour") {
-    let coloured = ["eztree_oak_medium", "oak, cards", "apple, modelled"];
-    colour::evaluate(table, &some(&forest, &coloured))?;
-    clock("colour");}
-    if part("steady") {
-    let steady = ["eztree_oak_medium", "eztree_pine_small", "apple, modelled"];
-    steady::evaluate(table, &some(&forest, &steady))?;
-    clock("steady");}
-    if part("peers") {
-    peers::evaluate(table, forest.iter().chain(&modelled))?;
-    clock("peers");}
-    if part("parity") {
+    let forest = prepared(imported.iter().chain(&ours))?;
+    let modelled = prepared(modelled.iter())?;
     let cook = parity::evaluate(table, &forest)?;
-    clock("parity");
-    if part("pictures") {
+    peers::evaluate(table, forest.iter().chain(&modelled))?;
+    turning::evaluate(table, &some(&forest, &[EZ_OAK, APPLE]))?;
+    popping::evaluate(table, forest.iter().chain(&modelled))?;
+    colour::evaluate(table, &some(&forest, &[EZ_OAK, OAK, APPLE]))?;
+    steady::evaluate(table, &some(&forest, &[EZ_OAK, EZ_PINE, APPLE]))?;
     pictures::evaluate(table, &forest, &cook)?;
-    clock("pictures");}}
-    if part("large") {
-    large::evaluate(table)?;
-    clock("large");}
-    Ok(())
+    large::evaluate(table)
+}
+
+fn prepared<'a>(models: impl Iterator<Item = &'a Model>) -> Outcome<Vec<Prepared<'a>>> {
+    models.map(Prepared::new).collect()
 }
 
 /// The models of these names that are there.

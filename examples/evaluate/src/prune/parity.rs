@@ -10,7 +10,6 @@ use tree_lod::implicit;
 use tree_lod::order::{OrderParams, combined, density, golden, orientation, stochastic};
 use tree_lod::quality::{Distance, Scale, Table as Measured, TableParams};
 
-
 /// Frames of the path.
 const FRAMES: u32 = 120;
 /// Shares at which orders are compared.
@@ -104,6 +103,10 @@ fn cook<'a>(p: &Prepared<'a>) -> Outcome<Pruned<'a>> {
     Pruned::ordered(p.model, p.random.ranking.order.clone(), Scale::Cook)
 }
 
+pub(super) fn cooks(models: &[Prepared<'_>]) -> Outcome<Vec<Measured>> {
+    models.iter().map(|p| Ok(cook(p)?.table)).collect()
+}
+
 /// The same with elements as we take them: cards by halves.
 fn cook_of_triangles<'a>(p: &Prepared<'a>) -> Outcome<Pruned<'a>> {
     let elements = p.ours.elements.clone();
@@ -167,7 +170,15 @@ fn heuristics(table: &mut Table, columns: &[Vec<&Pruned<'_>>]) -> Outcome {
             let case = format!("orders: {}", column.name);
             let metric = format!("mean Q at {lambda}");
             let aim = Aim::None;
-            table.row(&Row { case: &case, metric: &metric, paper: None, peer, ours, unit: "", aim });
+            table.row(&Row {
+                case: &case,
+                metric: &metric,
+                paper: None,
+                peer,
+                ours,
+                unit: "",
+                aim,
+            });
             // The others are held against the stochastic order.
             peer = peer.or(Some(ours));
         }

@@ -26,10 +26,7 @@ struct Method {
 }
 
 const METHODS: [Method; 7] = [
-    Method {
-        name: "ours",
-        printed: [[0.909, 0.852, 0.812, 0.778], [0.927, 0.888, 0.862, 0.840]],
-    },
+    Method { name: "ours", printed: [[0.909, 0.852, 0.812, 0.778], [0.927, 0.888, 0.862, 0.840]] },
     Method {
         name: "random, no scale",
         printed: [[0.787, 0.517, 0.360, 0.248], [0.890, 0.683, 0.504, 0.342]],
@@ -144,10 +141,7 @@ fn of_model(prepared: &Prepared<'_>) -> Outcome<Found> {
 }
 
 /// How well levels fill their budget, and that there is always a leaf.
-fn budgets<'a: 'b, 'b>(
-    table: &mut Table,
-    all: impl Iterator<Item = &'b Prepared<'a>>,
-) -> Outcome {
+fn budgets<'a: 'b, 'b>(table: &mut Table, all: impl Iterator<Item = &'b Prepared<'a>>) -> Outcome {
     let (mut over, mut under, mut fewest) = (f64::MIN, f64::MIN, u64::MAX);
     for prepared in all {
         let schedule = prepared.ours.schedule()?;

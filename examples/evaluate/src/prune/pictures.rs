@@ -6,7 +6,9 @@ use crate::table::Table;
 use std::path::Path;
 use tree_core::Control;
 use tree_core::glam::{Mat4, Vec3};
-use tree_lod::preview::{Backdrop, Camera, Framing, Lens, Picture, Pose, Style, View, mask, render};
+use tree_lod::preview::{
+    Backdrop, Camera, Framing, Lens, Picture, Pose, Style, View, mask, render,
+};
 use tree_lod::quality::{Distance, Table as Measured, cook_lambda};
 use tree_mesh::{Mesh, Surface};
 use tree_model::particle::Photo;
@@ -25,10 +27,13 @@ const WIDE: [u32; 2] = [1280, 640];
 pub(super) fn evaluate(table: &mut Table, models: &[Prepared<'_>], cook: &[Measured]) -> Outcome {
     std::fs::create_dir_all(OUT)?;
     for prepared in models {
-        let meshes =
-            LAMBDAS.iter().map(|&l| Ok(prepared.ours.mesh_at(l)?.0)).collect::<Outcome<Vec<_>>>()?;
+        let meshes = LAMBDAS
+            .iter()
+            .map(|&l| Ok(prepared.ours.mesh_at(l)?.0))
+            .collect::<Outcome<Vec<_>>>()?;
         let name = prepared.model.name.replace([',', ' '], "_");
-        let near: Vec<Picture> = meshes.iter().map(|m| tree(m, prepared, SIZE)).collect::<Outcome<_>>()?;
+        let near: Vec<Picture> =
+            meshes.iter().map(|m| tree(m, prepared, SIZE)).collect::<Outcome<_>>()?;
         save(&beside(&near), &format!("{name}_near"))?;
         let masks = meshes.iter().map(|m| masked(m, prepared)).collect::<Outcome<Vec<_>>>()?;
         save(&beside(&masks), &format!("{name}_masks"))?;
@@ -92,9 +97,7 @@ fn masked(mesh: &Mesh, prepared: &Prepared<'_>) -> Outcome<Picture> {
 }
 
 /// A forest: all trees full, then at the λ at which they are as good as Cook's.
-fn forest(
-    table: &mut Table,
-    models: &[Prepared<'_>], cook: &[Measured]) -> Outcome {
+fn forest(table: &mut Table, models: &[Prepared<'_>], cook: &[Measured]) -> Outcome {
     let forest = Forest::new(TREES, models.len() as u32, SPACING, SEED)?;
     let eye = Vec3::new(0.0, 7.0, 0.72 * forest.side);
     let far = 1.6 * forest.side;

@@ -57,9 +57,8 @@ fn changes(pruned: &Pruned<'_>) -> Outcome<Vec<Change>> {
     let covered = |step: u64| -> Result<Vec<[f64; 2]>, String> {
         let lambda = schedule.lambda_of(schedule.cut(step).n_triangles);
         let scores = pruned.scores(lambda, &around).map_err(|e| e.to_string())?;
-        let counts = |s: &tree_lod::quality::Score| {
-            [(s.both + s.wrong) as f64, (s.both + s.missed) as f64]
-        };
+        let counts =
+            |s: &tree_lod::quality::Score| [(s.both + s.wrong) as f64, (s.both + s.missed) as f64];
         Ok(scores.iter().map(counts).collect())
     };
     let change = |&step: &u64| -> Result<Change, String> {
@@ -82,7 +81,11 @@ fn steps(schedule: &Schedule) -> Vec<u64> {
         let (mut low, mut high) = (0, schedule.n_steps() - 1);
         while low < high {
             let middle = low + (high - low) / 2;
-            if schedule.cut(middle).n_triangles <= budget { high = middle } else { low = middle + 1 }
+            if schedule.cut(middle).n_triangles <= budget {
+                high = middle
+            } else {
+                low = middle + 1
+            }
         }
         low
     };
@@ -92,7 +95,8 @@ fn steps(schedule: &Schedule) -> Vec<u64> {
         Some(*sum)
     });
     let around = changes.flat_map(|at| at.saturating_sub(2)..at + 2);
-    let mut steps: Vec<u64> = spread.chain(around).filter(|&s| s + 1 < schedule.n_steps()).collect();
+    let mut steps: Vec<u64> =
+        spread.chain(around).filter(|&s| s + 1 < schedule.n_steps()).collect();
     steps.sort_unstable();
     steps.dedup();
     steps

@@ -12,9 +12,9 @@ use tree_lod::{Elements, Foliage, Grain};
 use tree_mesh::{Mesh, Surface};
 
 /// Rows of the tables: so fine that the λ of a quality is not a matter of interpolation.
-pub(super) const LAMBDAS: [f32; 28] = [
+pub(super) const LAMBDAS: [f32; 24] = [
     0.01, 0.015, 0.02, 0.03, 0.04, 0.05, 0.065, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4,
-    0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0,
+    0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 1.0,
 ];
 
 /// How a table of the evaluation is measured: the views of the library's default.

@@ -30,7 +30,8 @@ pub(super) fn evaluate(table: &mut Table, models: &[&Prepared<'_>]) -> Outcome {
             let clusters = behrendt(mesh, elements, n, SEED);
             for (name, billboards) in [("Décoret", planes), ("Behrendt", clusters)] {
                 let baked = bake(mesh, elements, &billboards, TEXELS)?;
-                let scores = cover::score(&baked, mesh, &around().cameras(), SIZE, &Control::default())?;
+                let scores =
+                    cover::score(&baked, mesh, &around().cameras(), SIZE, &Control::default())?;
                 let theirs = qualities(&scores);
                 let case = format!("{}, {n} billboards of {name}", prepared.model.name);
                 against(table, &case, prepared, &theirs)?;
