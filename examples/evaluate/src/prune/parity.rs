@@ -80,12 +80,12 @@ pub(super) fn evaluate(table: &mut Table, models: &[Prepared<'_>]) -> Outcome<Ve
     let imported = models.iter().filter(|p| p.model.imported).count();
     let case = format!("{STANDARD} trees of {} models", models.len());
     information(table, &case, "imported models", imported as f64, "");
-    let cook = models.iter().map(cook).collect::<Outcome<Vec<_>>>()?;
+    let cook = cooks(models)?;
     for (number, column) in COLUMNS.iter().enumerate().filter(|(number, _)| *number != GOLDEN) {
         let distances: Vec<Distance> = columns
             .iter()
             .zip(&cook)
-            .map(|(of_model, cook)| Distance::parity(&of_model[number].table, &cook.table))
+            .map(|(of_model, cook)| Distance::parity(&of_model[number].table, cook))
             .collect();
         rows(table, column, &saved(&forest, models, &distances));
     }
@@ -95,16 +95,16 @@ pub(super) fn evaluate(table: &mut Table, models: &[Prepared<'_>]) -> Outcome<Ve
         .collect::<Outcome<Vec<_>>>()?;
     let against = column("best: ours against Cook with our elements", None, None);
     rows(table, &against, &saved(&forest, models, &halves));
-    Ok(cook.into_iter().map(|cook| cook.table).collect())
+    Ok(cook)
 }
 
-/// Random whole leaves with scale 1 / λ.
-fn cook<'a>(p: &Prepared<'a>) -> Outcome<Pruned<'a>> {
-    Pruned::ordered(p.model, p.random.ranking.order.clone(), Scale::Cook)
-}
-
-pub(super) fn cooks(models: &[Prepared<'_>]) -> Outcome<Vec<Measured>> {
-    models.iter().map(|p| Ok(cook(p)?.table)).collect()
+/// Cook's table of each model: random whole leaves with scale 1 / λ.
+fn cooks(models: &[Prepared<'_>]) -> Outcome<Vec<Measured>> {
+    let one = |p: &Prepared<'_>| {
+        let order = p.random.ranking.order.clone();
+        Ok(Pruned::ordered(p.model, order, Scale::Cook)?.table)
+    };
+    models.iter().map(one).collect()
 }
 
 /// The same with elements as we take them: cards by halves.

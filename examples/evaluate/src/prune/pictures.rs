@@ -51,7 +51,7 @@ pub(super) fn evaluate(table: &mut Table, models: &[Prepared<'_>], cook: &[Measu
     Ok(())
 }
 
-/// Size on the screen at which a tree is drawn with λ, when it is [`SIZE`] at λ = 0.95: by Cook's rule the
+/// Size on the screen at which a tree is drawn with λ, when it is [`SIZE`] at λ = 0.8: by Cook's rule the
 /// distance goes from 0 to 1 as λ goes from 1 to 0.
 fn size_for(lambda: f32) -> u32 {
     let distance = |lambda: f32| {
@@ -62,7 +62,7 @@ fn size_for(lambda: f32) -> u32 {
         }
         low
     };
-    ((SIZE as f32 * distance(0.95) / distance(lambda)) as u32).max(16)
+    ((SIZE as f32 * distance(0.8) / distance(lambda)) as u32).max(16)
 }
 
 fn framed(prepared: &Prepared<'_>) -> Outcome<Camera> {
