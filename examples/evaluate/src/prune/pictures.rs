@@ -99,9 +99,9 @@ fn masked(mesh: &Mesh, prepared: &Prepared<'_>) -> Outcome<Picture> {
 /// A forest: all trees full, then at the λ at which they are as good as Cook's.
 fn forest(table: &mut Table, models: &[Prepared<'_>], cook: &[Measured]) -> Outcome {
     let forest = Forest::new(TREES, models.len() as u32, SPACING, SEED)?;
-    let eye = Vec3::new(0.0, 7.0, 0.72 * forest.side);
-    let far = 1.6 * forest.side;
-    let lens = Lens::Perspective { fov: 0.6 * FOV };
+    let eye = Vec3::new(0.0, 14.0, 1.2 * forest.side);
+    let far = 2.5 * forest.side;
+    let lens = Lens::Perspective { fov: 0.5 * FOV };
     let camera = Camera::Placed(Pose { eye, target: Vec3::new(0.0, 4.0, 0.0), up: Vec3::Y, lens });
     let view = View { width: WIDE[0], height: WIDE[1], samples: 2, camera };
     let mut triangles = [0; 2];
