@@ -1,108 +1,97 @@
 //! Pruning: level of detail by measured quality (Neubert 2012, chapters 6 and 7).
 
-// The rows of §7.2.4 come with the scorer.
-#[cfg_attr(not(test), expect(dead_code))]
 mod anova;
 mod billboard;
+mod colour;
+mod large;
 mod modelled;
 mod models;
+mod nearest;
+mod parity;
+mod peers;
+mod pictures;
+mod popping;
+mod pruned;
 mod scene;
 mod simplify;
-mod views;
+mod steady;
+mod turning;
 
 use crate::table::{Aim, Row, Table};
-use scene::Forest;
+use models::Model;
+use pruned::Pruned;
 use std::error::Error;
 use tree_core::Seed;
+use tree_lod::order::stochastic;
+use tree_lod::quality::Scale;
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
-/// Billboards of Fig. 7.16.
-const BILLBOARDS: usize = 209;
-/// Texels along the longer side of a billboard.
-const TEXELS: u32 = 128;
-
 /// Least distance of trees in metres.
 const SPACING: f32 = 5.0;
-/// All scenes and clusters come from this seed.
+/// All orders, scenes and clusters come from this seed.
 const SEED: Seed = Seed(1);
 
-/// All of it; see the rows.
+/// Models of which more is shown: cards imported and of ours, and modelled leaves.
+const EZ_OAK: &str = "eztree_oak_medium";
+const EZ_PINE: &str = "eztree_pine_small";
+const OAK: &str = "oak, cards";
+const APPLE: &str = "apple, modelled";
+
+/// A model with what every part of the evaluation needs of it.
+struct Prepared<'a> {
+    model: &'a Model,
+    ours: Pruned<'a>,
+    /// Whole leaves at random, with the best scale.
+    random: Pruned<'a>,
+}
+
+impl<'a> Prepared<'a> {
+    fn new(model: &'a Model) -> Outcome<Self> {
+        let ours = Pruned::ours(model)?;
+        let random = Pruned::ordered(model, stochastic(&model.elements, SEED), Scale::Best)?;
+        Ok(Self { model, ours, random })
+    }
+}
+
+/// All of it; see the rows. The longest parts are the orders of thirteen models and the tables of five orders
+/// of ten of them: some minutes on two cores.
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
-    let peers = models::of_peers()?;
-    for model in &peers {
-        clouds(table, model)?;
-        simplified(table, model)?;
-        simplified(table, &models::with_modelled_leaves(model)?)?;
-    }
-    let (imported, ours, large) = (models::imported()?, models::ours()?, models::large()?);
-    for model in imported.iter().chain(&ours).chain(&large) {
-        let mut figure = |metric, ours| information(table, &model.name, metric, ours);
-        figure("vertices", model.mesh.n_vertices() as f64);
-        figure("elements", model.elements.len() as f64);
-        figure("leaf triangles", model.elements.n_triangles() as f64);
-        figure("height", f64::from(model.height()));
-    }
-    scenes(table, (imported.len() + ours.len()) as u32, &large)
+    let of_peers = models::of_peers()?;
+    let modelled: Vec<Model> =
+        of_peers.iter().map(models::with_modelled_leaves).collect::<Outcome<_>>()?;
+    let (imported, ours) = (models::imported()?, models::ours()?);
+    let forest = prepared(imported.iter().chain(&ours))?;
+    let modelled = prepared(modelled.iter())?;
+    let cook = parity::evaluate(table, &forest)?;
+    peers::evaluate(table, forest.iter().chain(&modelled))?;
+    turning::evaluate(table, &some(&forest, &[EZ_OAK, APPLE]))?;
+    popping::evaluate(table, forest.iter().chain(&modelled))?;
+    colour::evaluate(table, &some(&forest, &[EZ_OAK, OAK, APPLE]))?;
+    steady::evaluate(table, &some(&forest, &[EZ_OAK, EZ_PINE, APPLE]))?;
+    pictures::evaluate(table, &forest, &cook)?;
+    large::evaluate(table)
 }
 
-fn scenes(table: &mut Table, n_models: u32, large: &[models::Model]) -> Outcome {
-    let standard = Forest::new(scene::STANDARD, n_models, SPACING, SEED)?;
-    information(table, "standard scene", "side", f64::from(standard.side));
-    information(table, "standard scene", "far", f64::from(standard.far()));
-    information(table, "standard scene", "frames", standard.path(80).len() as f64);
-    let forest = Forest::new(scene::LARGE, large.len() as u32, SPACING, SEED)?;
-    let vertices: u64 =
-        forest.instances.iter().map(|i| large[i.model as usize].mesh.n_vertices() as u64).sum();
-    table.row(&Row {
-        case: "large scene",
-        metric: "vertices of full models",
-        paper: Some(scene::LARGE_VERTICES as f64),
-        peer: None,
-        ours: vertices as f64,
-        unit: "vertices",
-        aim: Aim::AtLeast(scene::LARGE_VERTICES as f64),
-    });
-    let size = forest.instances.iter().map(|i| i.matrix().determinant()).sum::<f32>();
-    information(table, "large scene", "mean volume scale", f64::from(size) / 5000.0);
-    information(table, "large scene", "views", forest.overviews(12).len() as f64);
-    Ok(())
+fn prepared<'a>(models: impl Iterator<Item = &'a Model>) -> Outcome<Vec<Prepared<'a>>> {
+    models.map(Prepared::new).collect()
 }
 
-fn information(table: &mut Table, case: &str, metric: &str, ours: f64) {
-    table.row(&Row { case, metric, paper: None, peer: None, ours, unit: "", aim: Aim::None });
+/// The models of these names that are there.
+fn some<'a, 'b>(all: &'b [Prepared<'a>], names: &[&str]) -> Vec<&'b Prepared<'a>> {
+    all.iter().filter(|prepared| names.contains(&prepared.model.name.as_str())).collect()
 }
 
-fn clouds(table: &mut Table, model: &models::Model) -> Outcome {
-    let views = views::around(&model.mesh, 36, 0.0, 0.1, 512);
-    let reference = views::Reference::new(&model.mesh, views)?;
-    let planes = billboard::decoret(&model.mesh, &model.elements, BILLBOARDS);
-    let clusters = billboard::behrendt(&model.mesh, &model.elements, BILLBOARDS, SEED);
-    for (name, billboards) in [("Décoret", planes), ("Behrendt", clusters)] {
-        let baked = billboard::bake(&model.mesh, &model.elements, &billboards, TEXELS)?;
-        let scores = reference.scores(&baked)?;
-        let qualities: Vec<f64> = scores.iter().map(|score| score.quality()).collect();
-        let case = format!("{}, {name}", model.name);
-        information(table, &case, "billboards", billboards.len() as f64);
-        information(table, &case, "Q", views::mean(&qualities));
-        information(table, &case, "spread of Q", views::spread(&qualities));
-    }
-    Ok(())
+fn information(table: &mut Table, case: &str, metric: &str, ours: f64, unit: &str) {
+    table.row(&Row { case, metric, paper: None, peer: None, ours, unit, aim: Aim::None });
 }
 
-fn simplified(table: &mut Table, model: &models::Model) -> Outcome {
-    let reference =
-        views::Reference::new(&model.mesh, views::around(&model.mesh, 8, 0.5, 0.1, 512))?;
-    let foliage = &model.elements.surfaces;
-    for how in [simplify::How::Simplify, simplify::How::Prune, simplify::How::Sloppy] {
-        for share in [0.5, 0.2, 0.1, 0.05] {
-            let made = simplify::simplify(&model.mesh, foliage, share, how);
-            let restored = simplify::restore_area(&made.mesh, &model.mesh, foliage);
-            let case = format!("{}, {how:?} {share}", model.name);
-            information(table, &case, "share", made.share);
-            information(table, &case, "Q", reference.quality(&made.mesh)?);
-            information(table, &case, "Q, area restored", reference.quality(&restored)?);
-        }
-    }
-    Ok(())
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+/// Standard deviation.
+fn spread(values: &[f64]) -> f64 {
+    let middle = mean(values);
+    mean(&values.iter().map(|x| (x - middle) * (x - middle)).collect::<Vec<_>>()).sqrt()
 }

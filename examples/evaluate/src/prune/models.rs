@@ -32,20 +32,23 @@ pub(super) struct Model {
     pub(super) name: String,
     pub(super) mesh: Mesh,
     pub(super) elements: Elements,
-    #[cfg_attr(not(test), expect(dead_code))]
     pub(super) leaves: Leaves,
     /// Whether nobody here made it.
     pub(super) imported: bool,
+    /// Whether it is of the table in PEERS.md.
+    pub(super) of_peers: bool,
 }
 
 impl Model {
     fn new(name: &str, mesh: Mesh, leaves: Leaves, imported: bool) -> Outcome<Self> {
         let elements =
             Elements::of_mesh(&mesh, &Foliage::Found, Grain::Blade, &Control::default())?;
-        Ok(Self { name: name.into(), mesh, elements, leaves, imported })
+        let of_peers = IMPORTED[..OF_PEERS].iter().any(|row| name.starts_with(row.0));
+        Ok(Self { name: name.into(), mesh, elements, leaves, imported, of_peers })
     }
 
     /// Height in metres.
+    #[cfg(test)]
     pub(super) fn height(&self) -> f32 {
         self.mesh.bounds().max.y
     }
@@ -97,6 +100,7 @@ fn read(&(name, unit, leaves): &(&str, f32, Leaves)) -> Outcome<Option<Model>> {
 }
 
 /// A tree of ours: a preset with other leaves.
+#[derive(Clone, Copy)]
 struct Recipe {
     name: &'static str,
     preset: &'static str,
@@ -161,22 +165,14 @@ const OURS: [Recipe; 6] = [
     },
 ];
 
-/// Trees of about 270,000 vertices, for the scene of more than 1.3 billion.
-const LARGE: [Recipe; 4] = [
+/// Trees of about 270,000 leaf vertices, for the scene of more than 1.3 billion.
+const LARGE: [Recipe; 3] = [
     Recipe {
         name: "oak, large",
         preset: "oak",
         leaves: Leaves::Modelled,
         sheets: 1,
-        spacing: 0.5,
-        size: 0.13,
-    },
-    Recipe {
-        name: "round crown, large",
-        preset: "d",
-        leaves: Leaves::Modelled,
-        sheets: 1,
-        spacing: 0.5,
+        spacing: 0.4,
         size: 0.13,
     },
     Recipe {
@@ -184,7 +180,7 @@ const LARGE: [Recipe; 4] = [
         preset: "g",
         leaves: Leaves::Cards,
         sheets: 2,
-        spacing: 0.5,
+        spacing: 0.4,
         size: 0.2,
     },
     Recipe {
@@ -192,7 +188,7 @@ const LARGE: [Recipe; 4] = [
         preset: "a",
         leaves: Leaves::Modelled,
         sheets: 1,
-        spacing: 0.5,
+        spacing: 0.4,
         size: 0.13,
     },
 ];
@@ -205,6 +201,12 @@ pub(super) fn ours() -> Outcome<Vec<Model>> {
 /// Trees of ours for the scene with the most vertices.
 pub(super) fn large() -> Outcome<Vec<Model>> {
     LARGE.iter().map(grow).collect()
+}
+
+/// A tree of ours with half a million leaf triangles.
+pub(super) fn half_million() -> Outcome<Model> {
+    let name = "oak, half a million";
+    grow(&Recipe { name, spacing: 0.38, size: 0.1, ..LARGE[0] })
 }
 
 fn grow(recipe: &Recipe) -> Outcome<Model> {

@@ -11,10 +11,9 @@ const ANY_ERROR: f32 = 1e10;
 /// How meshoptimizer simplifies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum How {
-    /// `simplify`, borders free, no options.
+    /// `simplify`, borders free, no options: with `Prune`, small pieces dropped whole, Q is the same to
+    /// three digits.
     Simplify,
-    /// `simplify` with `Prune`: small pieces may be dropped whole.
-    Prune,
     /// `simplifySloppy`, which knows no pieces.
     Sloppy,
 }
@@ -23,6 +22,7 @@ pub(super) enum How {
 pub(super) struct Simplified {
     pub(super) mesh: Mesh,
     /// Share of the foliage's triangles that is left; not always what was asked for.
+    #[cfg_attr(not(test), expect(dead_code))]
     pub(super) share: f64,
 }
 
@@ -37,7 +37,6 @@ pub(super) fn simplify(mesh: &Mesh, foliage: &[u32], share: f64, how: How) -> Si
             |options| simplify_decoder(&surface.indices, &points, target, ANY_ERROR, options, None);
         let indices = match how {
             How::Simplify => plain(SimplifyOptions::None),
-            How::Prune => plain(SimplifyOptions::Prune),
             How::Sloppy => {
                 simplify_sloppy_decoder(&surface.indices, &points, target, ANY_ERROR, None)
             }
@@ -168,7 +167,7 @@ mod tests {
     #[test]
     fn simplifying_reaches_the_share_and_restoring_the_area() {
         let full = leaves(50);
-        for how in [How::Simplify, How::Prune, How::Sloppy] {
+        for how in [How::Simplify, How::Sloppy] {
             let made = simplify(&full, &[0], 0.25, how);
             made.mesh.check().unwrap();
             assert!(made.share > 0.1 && made.share < 0.3, "{how:?}: {}", made.share);

@@ -1,7 +1,7 @@
 use super::super::modelled;
-use super::super::views::{Reference, around};
 use super::*;
 use tree_core::{Control, Seed};
+use tree_lod::cover::{self, Around};
 use tree_lod::{Foliage, Grain};
 use tree_mesh::Surface;
 
@@ -48,8 +48,9 @@ fn leaves_in_a_plane_become_one_billboard_that_looks_the_same() {
     let baked = bake(&mesh, &elements, &billboards, 512).unwrap();
     baked.check().unwrap();
     // The first view looks along -Z.
-    let reference = Reference::new(&mesh, around(&mesh, 1, 0.0, 0.0, 512)).unwrap();
-    let quality = reference.quality(&baked).unwrap();
+    let cameras = Around { azimuths: 1, ..Around::default() }.cameras();
+    let scores = cover::score(&baked, &mesh, &cameras, 512, &Control::default()).unwrap();
+    let quality = scores[0].quality();
     assert!(quality > 0.95, "{quality}");
 }
 
