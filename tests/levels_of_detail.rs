@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
-use tree_core::glam::Vec3;
+use tree_core::glam::camera::rh::proj::directx::perspective_infinite_reverse;
+use tree_core::glam::{Mat4, Vec3};
 use tree_core::{Control, Seed};
 use tree_lod::cover::{Around, score};
 use tree_lod::order::CoverageParams;
@@ -14,7 +15,7 @@ use tree_mesh::{LeafForm, Look, Mesh, MeshParams};
 use tree_model::path::Preset;
 
 /// A preset with leaves drawn in this form.
-fn grown(preset: &str, form: LeafForm) -> Mesh {
+fn grown(preset: &str, form: &LeafForm) -> Mesh {
     let params = Preset::find(preset).unwrap().params().unwrap();
     let tree = params.grow(Seed(3), &Control::default()).unwrap().tree;
     let mut look = Look::built_in(tree.species()).unwrap();
@@ -39,7 +40,7 @@ fn quality(model: &PrunedModel, full: &Mesh, lambda: f32) -> f64 {
 
 #[test]
 fn a_tree_of_cards_keeps_its_pixels_and_its_budgets() {
-    let mesh = grown("oak", LeafForm::Card);
+    let mesh = grown("oak", &LeafForm::Card);
     let model = pruned(&mesh);
     let all = model.schedule().n_triangles() as f64;
     let mut last = 1.01;
@@ -54,7 +55,7 @@ fn a_tree_of_cards_keeps_its_pixels_and_its_budgets() {
 
 #[test]
 fn modelled_leaves_lose_outline_before_they_are_dropped() {
-    let mesh = grown("oak", LeafForm::Modelled { vertices_max: 12 });
+    let mesh = grown("oak", &LeafForm::Modelled { vertices_max: 12 });
     let model = pruned(&mesh);
     assert!(model.schedule().n_tiers() > 2);
     assert!(quality(&model, &mesh, 0.2) > 0.95);
@@ -62,7 +63,7 @@ fn modelled_leaves_lose_outline_before_they_are_dropped() {
 
 #[test]
 fn a_scene_of_pruned_models_draws_windows_within_their_buffers() {
-    let mesh = grown("oak", LeafForm::Card);
+    let mesh = grown("oak", &LeafForm::Card);
     let model = pruned(&mesh);
     let n_indices: usize = model.mesh().surfaces.iter().map(|s| s.indices.len()).sum();
     let scene_model = model.to_select_model(32, Distance::cook()).unwrap();
@@ -75,10 +76,8 @@ fn a_scene_of_pruned_models_draws_windows_within_their_buffers() {
     let scene = select::Scene::new(&[scene_model], &instances, &control).unwrap();
     let mut state = State::new(&scene, &control).unwrap();
     let eye = Eye {
-        view: tree_core::glam::Mat4::from_translation(Vec3::NEG_Y * 2.0),
-        projection: tree_core::glam::camera::rh::proj::directx::perspective_infinite_reverse(
-            1.0, 1.5, 0.1,
-        ),
+        view: Mat4::from_translation(Vec3::NEG_Y * 2.0),
+        projection: perspective_infinite_reverse(1.0, 1.5, 0.1),
     };
     let frame = Frame { eye, occlusion: Occlusion::None, seconds: 0.02, cut: true };
     let selected = scene.select(&frame, &select::Params::default(), &mut state).unwrap();

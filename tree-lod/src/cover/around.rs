@@ -30,6 +30,10 @@ impl Default for Around {
 
 /// Empty share of the picture on each side: scaled leaves reach out of the full model's box.
 const MARGIN: f32 = 0.06;
+/// Most azimuths.
+const AZIMUTHS_MAX: u32 = 360;
+/// Most views in all.
+const VIEWS_MAX: f64 = 4096.0;
 /// Most pitches.
 const PITCHES_MAX: usize = 64;
 
@@ -39,9 +43,11 @@ impl Around {
     /// # Errors
     /// [`LodError::Parameter`](crate::LodError::Parameter), naming the field.
     pub fn validate(&self) -> Result<()> {
-        check_range("around.azimuths", self.azimuths.into(), 1.0, 360.0)?;
+        check_range("around.azimuths", self.azimuths.into(), 1.0, AZIMUTHS_MAX.into())?;
         check_range("around.turn", self.turn.into(), -1e6, 1e6)?;
         check_range("around.pitches.len", self.pitches.len() as f64, 1.0, PITCHES_MAX as f64)?;
+        let views = f64::from(self.azimuths) * self.pitches.len() as f64;
+        check_range("around.azimuths * pitches", views, 1.0, VIEWS_MAX)?;
         check_range("around.size", self.size.into(), 8.0, 4096.0)?;
         self.cameras().iter().try_for_each(Camera::validate)
     }
@@ -62,7 +68,7 @@ impl Around {
                     orthographic: self.fov.is_none(),
                 })
             };
-            (0..self.azimuths).map(camera)
+            (0..self.azimuths.min(AZIMUTHS_MAX)).map(camera)
         };
         self.pitches.iter().enumerate().flat_map(ring).collect()
     }

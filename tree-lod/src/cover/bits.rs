@@ -20,7 +20,7 @@ impl std::fmt::Debug for Bits {
 impl Bits {
     /// An empty mask.
     #[must_use]
-    pub fn new(width: u32, height: u32) -> Self {
+    pub(crate) fn new(width: u32, height: u32) -> Self {
         let words_per_row = width.div_ceil(64) as usize;
         Self { width, height, words_per_row, words: vec![0; words_per_row * height as usize] }
     }
@@ -52,8 +52,7 @@ impl Bits {
         }
     }
 
-    /// Pixels of `self`, a simplified model, against those of the `full` one. Masks of different
-    /// sizes are compared where they overlap from the top left.
+    /// Pixels of `self`, a simplified model, against those of the `full` one, a mask of the same size.
     #[must_use]
     pub fn score(&self, full: &Self) -> Score {
         let mut score = Score::default();

@@ -21,8 +21,8 @@ pub enum Foliage {
 /// What one element is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Grain {
-    /// A connected piece: a card, a leaflet of a compound leaf, a single leaf. Crossed cards and the
-    /// two sides of a doubled card are elements of their own. Default: the finer, the better the
+    /// A connected piece: a card, a leaflet of a compound leaf, a single leaf. Crossed cards, and the
+    /// two sides of a doubled card that has its own vertices, are elements of their own. Default: the finer, the better the
     /// pictures.
     #[default]
     Blade,
@@ -46,7 +46,7 @@ impl Elements {
     /// named does not exist or is named twice; [`LodError::Limit`] over the limit of triangles.
     ///
     /// # Complexity
-    /// O(triangles + vertices log vertices), in parallel over surfaces.
+    /// O(triangles log triangles + vertices log vertices), in parallel over surfaces.
     pub fn of_mesh(
         mesh: &Mesh,
         foliage: &Foliage,
@@ -163,33 +163,53 @@ fn groups(surface: &Surface, grain: Grain) -> Result<(Vec<u32>, usize)> {
         let leaf = |triangle: &[u32; 3]| triangle[0] / per_leaf as u32;
         return Ok(numbered(triangles.iter().map(leaf), surface.anchors.len()));
     }
-    let points = topology::welded(surface)?;
-    let point = |vertex: u32| points.of_vertex[vertex as usize];
-    // A card that is there twice, back to back, has the same points: the copies must not be joined,
-    // or one of them could not be dropped. Vertices join only within a leaf or a connected piece.
+    // Vertices of a triangle belong together, and copies of a vertex at a seam that the mesh tells.
     let mut parents: Vec<u32> = (0..surface.positions.len() as u32).collect();
     for triangle in triangles {
         join(&mut parents, triangle[0], triangle[1]);
         join(&mut parents, triangle[1], triangle[2]);
     }
-    if !separate_cards(surface) {
-        let per_leaf = surface.vertices_per_leaf().unwrap_or(usize::MAX);
-        for (vertex, &of) in points.of_vertex.iter().enumerate() {
-            let first = points.first[of as usize];
-            if vertex / per_leaf == first as usize / per_leaf && point(first) == of {
-                join(&mut parents, first, vertex as u32);
-            }
-        }
+    for (vertex, &weld) in surface.welds.iter().enumerate() {
+        join(&mut parents, vertex as u32, weld);
     }
-    let root = |triangle: &[u32; 3]| root(&parents, triangle[0]);
+    join_soup(surface, triangles, &mut parents)?;
+    // Copies of a card back to back have the same points: positions alone would join them, and neither could
+    // be dropped without the other.
+    for vertex in 0..parents.len() {
+        parents[vertex] = parents[parents[vertex] as usize];
+    }
+    let root = |triangle: &[u32; 3]| parents[triangle[0] as usize];
     Ok(numbered(triangles.iter().map(root), surface.positions.len()))
 }
 
-/// Whether every connected run of vertices is already a whole piece: quads and outlines whose copies
-/// at a point belong to other cards. Where triangles share no vertex at all (a soup), points must join
-/// them.
-fn separate_cards(surface: &Surface) -> bool {
-    surface.positions.len() < surface.indices.len()
+/// Joins triangles that share no vertex with any other, as some programs write all of them, where they
+/// have an edge in common. The two sides of a doubled card of such triangles become one.
+fn join_soup(surface: &Surface, triangles: &[[u32; 3]], parents: &mut [u32]) -> Result<()> {
+    let mut uses = vec![0_u8; surface.positions.len()];
+    for &vertex in triangles.as_flattened() {
+        uses[vertex as usize] = uses[vertex as usize].saturating_add(1);
+    }
+    let lone = |triangle: &&[u32; 3]| triangle.iter().all(|&vertex| uses[vertex as usize] == 1);
+    if !triangles.iter().any(|triangle| lone(&triangle)) {
+        return Ok(());
+    }
+    let points = topology::welded(surface)?.of_vertex;
+    let per_leaf = surface.vertices_per_leaf().unwrap_or(usize::MAX);
+    let mut edges: Vec<(u32, u32, u32)> = Vec::new();
+    for &[a, b, c] in triangles.iter().filter(lone) {
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            let (p, q) = (points[from as usize], points[to as usize]);
+            edges.push((p.min(q), p.max(q), a));
+        }
+    }
+    edges.sort_unstable();
+    for pair in edges.windows(2) {
+        let same_leaf = pair[0].2 as usize / per_leaf == pair[1].2 as usize / per_leaf;
+        if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) && same_leaf {
+            join(parents, pair[0].2, pair[1].2);
+        }
+    }
+    Ok(())
 }
 
 /// Numbers groups in the order in which they first appear.
@@ -206,13 +226,6 @@ fn numbered(groups: impl Iterator<Item = u32>, n: usize) -> (Vec<u32>, usize) {
         *number
     });
     (of.collect(), count as usize)
-}
-
-fn root(parents: &[u32], mut vertex: u32) -> u32 {
-    while parents[vertex as usize] != vertex {
-        vertex = parents[vertex as usize];
-    }
-    vertex
 }
 
 /// Joins two trees, the later root under the earlier one, and shortens the ways.

@@ -89,3 +89,44 @@ fn a_mesh_without_foliage_is_refused_with_advice() {
     assert!(matches!(of(Foliage::Surfaces(vec![0, 0])), Err(LodError::Foliage(_))));
     assert_eq!(of(Foliage::Surfaces(vec![0])).unwrap().len(), 1);
 }
+
+#[test]
+fn twigs_that_meet_in_a_point_stay_apart_and_unused_vertices_change_nothing() {
+    let mut soup = Surface::default();
+    for i in 0..20 {
+        let (a, b) = (Vec3::new(1.0, i as f32, 0.0), Vec3::new(1.0, i as f32 + 0.5, 0.0));
+        for corner in [Vec3::ZERO, a, b] {
+            soup.positions.push(corner);
+            soup.normals.push(Vec3::Z);
+            soup.uvs.push(Vec2::ZERO);
+            soup.indices.push(soup.indices.len() as u32);
+        }
+    }
+    assert_eq!(split(&mesh(soup), Grain::Blade).len(), 20);
+    let mut doubled = cards(&[Vec3::X, Vec3::X]);
+    for column in [&mut doubled.positions, &mut doubled.normals] {
+        column.extend([Vec3::Z; 60]);
+    }
+    doubled.uvs.extend([Vec2::ZERO; 60]);
+    assert_eq!(split(&mesh(doubled), Grain::Blade).len(), 2);
+}
+
+#[test]
+fn a_seam_that_the_mesh_tells_does_not_cut_a_leaf() {
+    let mut leaf = cards(&[Vec3::ZERO, 2.0 * Vec3::X]);
+    leaf.welds = vec![0, 1, 2, 3, 1, 5, 6, 2];
+    assert_eq!(split(&mesh(leaf), Grain::Blade).len(), 1);
+}
+
+#[test]
+fn long_strips_are_found_in_time() {
+    let n = 200_000_u32;
+    let mut strip = Surface::default();
+    for i in 0..n {
+        strip.positions.push(Vec3::new(i as f32, (i % 2) as f32, 0.0));
+        strip.normals.push(Vec3::Z);
+        strip.uvs.push(Vec2::ZERO);
+    }
+    strip.indices = (2..n).rev().flat_map(|i| [i, i - 1, i - 2]).collect();
+    assert_eq!(split(&mesh(strip), Grain::Blade).len(), 1);
+}

@@ -5,6 +5,8 @@ use glam::{Vec2, Vec3};
 use tree_core::Seed;
 use tree_mesh::{Material, Mesh, Surface};
 
+/// Most samples.
+const SAMPLES_MAX: usize = 1 << 24;
 /// A closed surface around a plant, facing outwards: plain columns, metres.
 #[derive(Clone, Debug)]
 pub struct Hull {
@@ -66,7 +68,7 @@ impl Hull {
         Mesh { surfaces: vec![surface], materials: vec![material], ..Mesh::default() }
     }
 
-    /// `n` places evenly by area.
+    /// `n` places evenly by area, at most 16,777,216.
     ///
     /// The area is divided into `n` equal parts along the order of the triangles, which keeps near
     /// things near, and each part gets one place at random.
@@ -75,6 +77,7 @@ impl Hull {
     /// O(triangles + n).
     #[must_use]
     pub fn sample(&self, n: usize, seed: Seed) -> Vec<Sample> {
+        let n = n.min(SAMPLES_MAX);
         let area = |t: &[u32; 3]| {
             let [a, b, c] = t.map(|v| self.positions[v as usize]);
             f64::from((b - a).cross(c - a).length())

@@ -22,6 +22,10 @@ const PART: usize = 1 << 13;
 /// of their own, found without search.
 const SHAPES_MAX: usize = 24;
 
+/// Most shapes that are searched for in all: where every leaf has a pattern of its own, as optimisers may
+/// leave them, others get a plain answer.
+const SEARCHES_MAX: usize = 256;
+
 /// Elements that are alike.
 pub(super) struct Alike {
     /// The first of them.
@@ -70,6 +74,7 @@ pub(super) fn find(
     let mut found = Found { shapes: Vec::new(), of: vec![NONE; elements.len()] };
     let mut known: BTreeMap<Key, Vec<(u32, Traits)>> = BTreeMap::new();
     let all: Vec<u32> = (0..elements.len() as u32).collect();
+    let mut searched = 0;
     for part in all.chunks(PART) {
         control.check()?;
         let traits: Vec<Option<Traits>> = part
@@ -85,7 +90,8 @@ pub(super) fn find(
             found.of[element as usize] =
                 like.map_or(found.shapes.len() as u32, |(shape, _)| *shape);
             if like.is_none() {
-                let search = others.len() < SHAPES_MAX;
+                searched += usize::from(others.len() < SHAPES_MAX);
+                let search = others.len() < SHAPES_MAX && searched <= SEARCHES_MAX;
                 let number = found.shapes.len() as u32;
                 found.shapes.push(Alike { element, least: traits.least, search });
                 if search {

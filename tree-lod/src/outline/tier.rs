@@ -14,17 +14,19 @@ pub struct Tier {
 }
 
 impl Tier {
-    /// The elements as they are in the mesh they were found in.
+    /// The elements as they are in the mesh they were found in. Of elements of another mesh
+    /// ([`Elements::check`]) nothing sensible becomes.
     ///
     /// # Complexity
     /// O(triangles).
     #[must_use]
     pub fn full(mesh: &Mesh, elements: &Elements) -> Self {
         let mut triangles = Vec::with_capacity(elements.n_triangles());
-        for element in 0..elements.len() {
-            let surface = mesh.surfaces.get(elements.surface[element] as usize);
+        for (pair, &surface) in elements.starts.windows(2).zip(&elements.surface) {
+            let surface = mesh.surfaces.get(surface as usize);
             let (all, _) = surface.map_or(&[][..], |surface| &surface.indices).as_chunks::<3>();
-            let rows = elements.triangles_of(element).iter();
+            let rows = elements.triangles.get(pair[0] as usize..pair[1] as usize);
+            let rows = rows.unwrap_or(&[]).iter();
             triangles.extend(rows.map(|&row| all.get(row as usize).copied().unwrap_or_default()));
         }
         Self { starts: elements.starts.clone(), triangles }
@@ -35,6 +37,7 @@ impl Tier {
     /// # Errors
     /// [`LodError::Length`] or [`LodError::Foliage`].
     pub fn check(&self, mesh: &Mesh, elements: &Elements) -> Result<()> {
+        elements.check(mesh)?;
         let (found, expected) = (self.starts.len(), elements.len() + 1);
         if found != expected {
             return Err(LodError::Length { what: "tier.starts", found, expected });

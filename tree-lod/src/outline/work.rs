@@ -117,9 +117,10 @@ fn check(mesh: &Mesh, elements: &Elements) -> Result<()> {
         && elements.starts.first() == Some(&0)
         && elements.starts.last().is_some_and(|&end| end as usize == elements.n_triangles())
         && (0..n).all(|element| {
-            let surface = mesh.surfaces.get(elements.surface[element] as usize);
-            let n = surface.map_or(0, tree_mesh::Surface::n_triangles);
-            elements.triangles_of(element).iter().all(|&row| (row as usize) < n)
+            mesh.surfaces.get(elements.surface[element] as usize).is_some_and(|surface| {
+                let n = surface.n_triangles();
+                elements.triangles_of(element).iter().all(|&row| (row as usize) < n)
+            })
         });
     if fits { Ok(()) } else { Err(LodError::Foliage("the elements are those of another mesh")) }
 }

@@ -13,16 +13,16 @@ use crate::quality::{Subject, Table, TableParams};
 use tree_core::Control;
 
 /// Shares of the elements at which tiers may change, falling.
-const SHARES: [f32; 11] = [1.0, 0.8, 0.65, 0.5, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04];
+const SHARES: [f32; 9] = [1.0, 0.75, 0.55, 0.4, 0.28, 0.2, 0.13, 0.08, 0.04];
 /// Below this λ nothing counts: a tree is a few pixels there.
 const LEAST_LAMBDA: f64 = 0.01;
 /// Quality beyond the smallest share, relative to that at it.
 const BEYOND: f64 = 0.8;
 
 /// Views that the plan is made on: differences between tiers are large, so few will do.
-const AZIMUTHS: u32 = 3;
+const AZIMUTHS: u32 = 2;
 /// Size of these views in pixels.
-const SIZE: u32 = 160;
+const SIZE: u32 = 144;
 
 /// The number of elements with which each tier should begin ([`Schedule::new`](super::Schedule::new)).
 /// Tiers that are better left out begin with one element. What the subject has as `kept` is not looked at.
@@ -54,7 +54,12 @@ pub fn plan(subject: &Subject<'_>, control: &Control) -> Result<Vec<u32>> {
         };
         states.push(table.rows().iter().rev().map(state).collect::<Vec<_>>());
     }
-    Ok(kept(&best_changes(&states), n))
+    // Ranks that have no triangles left in the last tier must be kept there, or nothing would be seen.
+    let last = &subject.tiers[subject.tiers.len() - 1];
+    let empty =
+        subject.ranking.order.iter().take_while(|&&element| last.cost(element as usize) == 0);
+    let least = (empty.count() as u32 + 1).min(n);
+    Ok(kept(&best_changes(&states), n).into_iter().map(|kept| kept.max(least)).collect())
 }
 
 /// Some of the elements in one tier.
@@ -127,7 +132,7 @@ mod tests {
     fn a_tier_that_loses_nothing_is_taken_at_once_and_one_that_loses_all_never() {
         assert_eq!(best_changes(&[tier(1.0, 1.0), tier(0.5, 1.0)]), [Some(0)]);
         assert_eq!(best_changes(&[tier(1.0, 1.0), tier(0.5, 0.1)]), [None]);
-        assert_eq!(kept(&[Some(0), Some(3), None], 100), [100, 100, 50, 1]);
+        assert_eq!(kept(&[Some(0), Some(3), None], 100), [100, 100, 40, 1]);
     }
 
     #[test]

@@ -148,7 +148,8 @@ impl Schedule {
         self.sums.len()
     }
 
-    /// The least λ with this number of triangles: [`at`](Self::at) gives them for it.
+    /// The least λ with this number of triangles: [`at`](Self::at) gives them for it, up to 2²⁴ triangles,
+    /// beyond which numbers of 32 bits cannot tell neighbours apart.
     #[must_use]
     pub fn lambda_of(&self, n_triangles: u64) -> f32 {
         let all = self.n_triangles() as f64;

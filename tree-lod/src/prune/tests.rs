@@ -388,7 +388,7 @@ fn a_mesh_becomes_a_pruned_model_in_one_call() {
     let model = PrunedModel::make(&mesh, &params, &Control::default()).unwrap();
     assert_eq!(model.level(1.0).unwrap().n_triangles, 240);
     let found = model.level(0.3).unwrap().n_triangles;
-    assert!(found <= 72 && found >= 60, "{found}");
+    assert!((60..=72).contains(&found), "{found}");
     let bare = MakeParams { foliage: Foliage::Surfaces(vec![7]), ..params };
     assert!(PrunedModel::make(&mesh, &bare, &Control::default()).is_err());
 }

@@ -54,7 +54,7 @@ pub enum Scale {
 pub struct TableParams {
     /// Views. Default 8 azimuths, level, 256 pixels.
     pub around: Around,
-    /// Rows of the table: rising, more than 0, the last 1, at most 256. Default 17 from 0.01 to 1.
+    /// Rows of the table: rising from 10⁻⁵ or more, the last 1, at most 256. Default 17 from 0.01 to 1.
     pub lambdas: Vec<f32>,
     /// Which scale is measured.
     pub scale: Scale,
@@ -95,6 +95,7 @@ impl TableParams {
     pub fn validate(&self) -> Result<()> {
         self.around.validate()?;
         check_range("lambdas.len", self.lambdas.len() as f64, 1.0, 256.0)?;
+        check_range("lambdas", self.lambdas[0].into(), 1e-5, 1.0)?;
         let row = |&lambda: &f32| Row { lambda, scale: 1.0, ..Row::default() };
         Table::new(self.lambdas.iter().map(row).collect())?;
         match self.scale {
@@ -129,6 +130,7 @@ impl Table {
         params.validate()?;
         let schedule = subject.schedule()?;
         let stage = subject.stage(&params.around, control)?;
+        let fixed = matches!(params.scale, Scale::Fixed(_));
         let mut growth = 1.0;
         let mut rows = Vec::with_capacity(params.lambdas.len());
         for (number, &lambda) in params.lambdas.iter().rev().enumerate() {
@@ -137,7 +139,7 @@ impl Table {
             let at = |growth: f32| subject.scores(&stage, &cut, growth);
             growth = match params.scale {
                 // The full model covers its own pixels.
-                _ if lambda == 1.0 => {
+                _ if lambda == 1.0 && subject.is_full() && !fixed => {
                     rows.push(Row {
                         lambda,
                         scale: 1.0,
@@ -206,6 +208,12 @@ impl Subject<'_> {
             return Err(LodError::Foliage("a pivot is not finite"));
         }
         Schedule::new(self.tiers, &self.ranking.order, self.kept)
+    }
+
+    /// Whether the first tier is the model as it is.
+    fn is_full(&self) -> bool {
+        let first = self.tiers.first().map_or(0, |tier| tier.triangles.len());
+        first == self.elements.n_triangles()
     }
 
     fn stage(&self, around: &Around, control: &Control) -> Result<Stage<'_>> {

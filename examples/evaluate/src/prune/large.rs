@@ -293,7 +293,7 @@ fn drawn(
 ) -> Outcome<Drawn> {
     let models = pruned
         .iter()
-        .map(|large| selectable(large, distance(large), far(&forest)))
+        .map(|large| selectable(large, distance(large), far(forest)))
         .collect::<Outcome<Vec<_>>>()?;
     let scene = scene(forest, &models)?;
     let mut state = State::new(&scene, &Control::default())?;

@@ -82,9 +82,9 @@ fn steps(schedule: &Schedule) -> Vec<u64> {
         while low < high {
             let middle = low + (high - low) / 2;
             if schedule.cut(middle).n_triangles <= budget {
-                high = middle
+                high = middle;
             } else {
-                low = middle + 1
+                low = middle + 1;
             }
         }
         low

@@ -3,8 +3,10 @@
 use super::Scene;
 use super::pivot::Pivots;
 use crate::cover::Piece;
+use crate::error::Result;
 use glam::Vec3;
 use rayon::prelude::*;
+use tree_core::{Control, LimitError, Resource};
 
 /// Elements per parallel piece.
 const PIECE: usize = 64;
@@ -22,23 +24,38 @@ pub(super) struct Footprints {
 
 impl Footprints {
     /// Draws every candidate at a scale on length, about each of its pivots.
-    pub(super) fn new(scene: &Scene<'_>, candidates: &[u32], growth: f32, pivots: &Pivots) -> Self {
+    ///
+    /// # Errors
+    /// [`LimitError`] when the words of all would not fit 32 bits; [`Cancelled`](tree_core::Cancelled).
+    pub(super) fn new(
+        scene: &Scene<'_>,
+        candidates: &[u32],
+        growth: f32,
+        pivots: &Pivots,
+        control: &Control,
+    ) -> Result<Self> {
         let views = scene.stage.n_views();
         let pieces: Vec<Vec<Drawn>> = candidates
             .par_chunks(PIECE)
             .enumerate()
             .map(|(number, piece)| {
+                control.check()?;
                 let mut canvas = Vec::new();
                 let first = number * PIECE;
                 let rows = piece.iter().enumerate().flat_map(|(i, &element)| {
                     pivots.of(first + i).iter().map(move |&pivot| (element as usize, pivot))
                 });
-                rows.map(|(element, pivot)| draw(scene, element, growth, pivot, &mut canvas))
-                    .collect()
+                let drawn =
+                    rows.map(|(element, pivot)| draw(scene, element, growth, pivot, &mut canvas));
+                Ok(drawn.collect())
             })
-            .collect();
+            .collect::<Result<_>>()?;
         let drawn = || pieces.iter().flatten();
         let n: usize = drawn().map(|drawn| drawn.words.len()).sum();
+        let (requested, cap) = (n as u64 * 64, u64::from(u32::MAX) * 64);
+        if requested > cap {
+            return Err(LimitError { resource: Resource::Pixels, requested, cap }.into());
+        }
         let mut prints = Self {
             options: pivots.options,
             views,
@@ -53,7 +70,7 @@ impl Footprints {
             prints.bits.extend(&one.bits);
         }
         prints.starts.push(prints.words.len() as u32);
-        prints
+        Ok(prints)
     }
 
     /// Words and bits of a row, view by view.

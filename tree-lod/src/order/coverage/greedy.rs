@@ -10,6 +10,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use tree_core::Control;
 
 /// Options of a candidate that are looked at again after the first time: the best ones.
 const KEPT_OPTIONS: usize = 3;
@@ -74,6 +75,8 @@ impl Ord for Entry {
     }
 }
 
+// Each argument is another thing: a struct of them would only be another name for this call.
+#[allow(clippy::too_many_arguments)]
 /// Takes candidates until the budget of triangles is spent. `before` are drawn already, at their
 /// own size.
 pub(super) fn run(
@@ -84,18 +87,22 @@ pub(super) fn run(
     pivots: bool,
     budget: u64,
     goal: Goal,
+    control: &Control,
 ) -> Result<Run> {
     let pivots =
         if pivots { Pivots::rim(scene, candidates) } else { Pivots::centers(scene, candidates) };
     let mut state = State::new(scene.stage, (goal.precision, goal.recall));
     if !before.is_empty() {
-        let prints = Footprints::new(scene, before, 1.0, &Pivots::centers(scene, before));
+        let centers = Pivots::centers(scene, before);
+        let prints = Footprints::new(scene, before, 1.0, &centers, control)?;
         (0..before.len()).for_each(|row| state.add(prints.row(row)));
     }
-    let prints = Footprints::new(scene, candidates, growth, &pivots);
+    let prints = Footprints::new(scene, candidates, growth, &pivots, control)?;
     let chooser = Chooser { scene, candidates, prints: &prints };
     let (mut options, mut heap) = chooser.first(&state);
     let mut run = Run { growth, ..Run::default() };
+    let cost = |candidate: usize| u64::from(scene.tier.cost(candidates[candidate] as usize));
+    let cheapest = (0..candidates.len()).map(cost).min().unwrap_or(0);
     let mut spent = 0;
     while let Some(entry) = heap.pop() {
         let candidate = entry.candidate as usize;
@@ -108,12 +115,14 @@ pub(super) fn run(
                 continue;
             }
         }
-        let cost = u64::from(scene.tier.cost(candidates[candidate] as usize));
-        if spent + cost > budget {
-            // Another may be small enough, but one that is worth less per triangle.
+        if spent + cheapest > budget {
             break;
         }
-        spent += cost;
+        if spent + cost(candidate) > budget {
+            // Another may be small enough.
+            continue;
+        }
+        spent += cost(candidate);
         let option = usize::from(options[candidate][0]);
         state.add(prints.row(candidate * prints.options + option));
         run.chosen.push((candidates[candidate], pivots.of(candidate)[option]));

@@ -160,7 +160,7 @@ pub fn coverage(
         let run = |growth: f32, goal: Goal, pivots: bool| {
             control.check()?;
             let pivots = pivots && growth >= PIVOT_GROWTH;
-            greedy::run(&scene, &candidates, &[], growth, pivots, budget, goal)
+            greedy::run(&scene, &candidates, &[], growth, pivots, budget, goal, control)
         };
         let best_among = |tries: &[f32], goal: Goal, pivots: bool| -> Result<Run> {
             let found: Vec<Run> =
@@ -177,6 +177,10 @@ pub fn coverage(
         if best.growth >= PIVOT_GROWTH {
             let tries = REFINED.map(|factor| (factor * best.growth).max(1.0));
             best = best_among(&tries, best.goal(), params.pivots)?;
+        }
+        if best.chosen.is_empty() {
+            // Nothing is small enough, and less will be left in every later stage.
+            break;
         }
         growth = best.growth;
         goal = best.goal();
@@ -196,12 +200,14 @@ pub fn coverage(
     let scene = Scene { stage: &stage, elements, tier };
     while let Some(part) = parts.pop() {
         order = if parts.is_empty() {
-            let rest = greedy::run(&scene, &part, &order, 1.0, false, u64::MAX, goal)?;
+            let rest = greedy::run(&scene, &part, &order, 1.0, false, u64::MAX, goal, control)?;
             order.into_iter().chain(rest.chosen.iter().map(|&(element, _)| element)).collect()
         } else {
             order.into_iter().chain(part).collect()
         };
     }
+    // What shows nothing comes last.
+    order.sort_by_key(|&element| elements.areas[element as usize] <= 0.0);
     Ok(Ranking { order, pivots })
 }
 

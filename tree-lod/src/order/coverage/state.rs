@@ -79,7 +79,8 @@ impl Worth {
     /// recall `r`.
     fn new(full: u64, (p, r): (f64, f64)) -> Self {
         let full = full.max(1) as f64;
-        let both = r * full;
+        // Where nothing would be right, any pixel is worth as much as the first.
+        let both = r.max(LEAST_ERROR) * full;
         let drawn = both / p.max(LEAST_ERROR);
         let (off_p, off_r) = ((1.0 - p).max(LEAST_ERROR), (1.0 - r).max(LEAST_ERROR));
         let off = (off_p * off_p + off_r * off_r).sqrt();

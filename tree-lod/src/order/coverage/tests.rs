@@ -131,6 +131,18 @@ fn one_leaf_and_leaves_without_area_are_ordered_too() {
 }
 
 #[test]
+fn an_element_over_every_budget_does_not_stop_the_others() {
+    let mut mesh = crown(300);
+    // One leaf of very many triangles.
+    let leaves = &mut mesh.surfaces[1];
+    leaves.indices.extend([0, 1, 2].repeat(900));
+    let order = made(&mesh, &quick()).order;
+    check(&order, 300).unwrap();
+    let sorted = order.windows(2).filter(|pair| pair[0] < pair[1]).count();
+    assert!(sorted < 240, "{sorted} of 299 pairs rise: that is the order of the mesh");
+}
+
+#[test]
 fn stages_that_do_not_fall_and_foreign_tiers_are_refused() {
     let mesh = crown(3);
     let (elements, tier) = elements(&mesh);

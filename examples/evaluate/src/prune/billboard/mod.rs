@@ -1,9 +1,9 @@
 //! Billboard clouds, the baseline of Fig. 7.16 (evaluation only): the foliage of a tree on textured
 //! quads. The wood stays as it is, as with pruning.
 //!
-//! * [`decoret`]: Décoret et al. 2003, greedy choice of planes in a discretised dual space.
-//! * [`behrendt`]: Behrendt et al. 2005, clusters by k-means with one to three billboards each (§6.2).
-//! * [`bake`]: draws the elements of each billboard onto it.
+//! * [`decoret()`]: Décoret et al. 2003, greedy choice of planes in a discretised dual space.
+//! * [`behrendt()`]: Behrendt et al. 2005, clusters by k-means with one to three billboards each (§6.2).
+//! * [`bake()`]: draws the elements of each billboard onto it.
 
 mod bake;
 mod decoret;
