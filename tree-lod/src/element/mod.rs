@@ -40,7 +40,7 @@ impl Elements {
     /// exist, finite centres.
     ///
     /// # Errors
-    /// [`LodError::Length`](crate::LodError::Length) or [`LodError::Foliage`](crate::LodError::Foliage).
+    /// [`LodError::Length`] or [`LodError::Foliage`].
     pub fn check(&self, mesh: &Mesh) -> Result<()> {
         let n = self.centers.len();
         for (what, found, expected) in [
