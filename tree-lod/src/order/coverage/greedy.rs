@@ -1,16 +1,15 @@
 //! Elements taken one by one, always the one that is worth most.
 
-use super::Scene;
 use super::footprint::Footprints;
 use super::pivot::Pivots;
 use super::state::State;
+use super::{Scene, Task};
 use crate::error::Result;
 use crate::quality::Score;
 use glam::Vec3;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
-use tree_core::Control;
 
 /// Options of a candidate that are looked at again after the first time: the best ones.
 const KEPT_OPTIONS: usize = 3;
@@ -75,20 +74,20 @@ impl Ord for Entry {
     }
 }
 
-// Each argument is another thing: a struct of them would only be another name for this call.
-#[allow(clippy::too_many_arguments)]
 /// Takes candidates until the budget of triangles is spent. `before` are drawn already, at their
 /// own size.
+///
+/// # Errors
+/// As [`Footprints::new`].
 pub(super) fn run(
-    scene: &Scene<'_>,
-    candidates: &[u32],
+    task: &Task<'_>,
     before: &[u32],
     growth: f32,
     pivots: bool,
-    budget: u64,
     goal: Goal,
-    control: &Control,
 ) -> Result<Run> {
+    let Task { scene, candidates, budget, control, .. } = *task;
+    control.check()?;
     let pivots =
         if pivots { Pivots::rim(scene, candidates) } else { Pivots::centers(scene, candidates) };
     let mut state = State::new(scene.stage, (goal.precision, goal.recall));

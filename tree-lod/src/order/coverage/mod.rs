@@ -157,27 +157,8 @@ pub fn coverage(
             stage = view(growth)?;
         }
         let scene = Scene { stage: &stage, elements, tier };
-        let run = |growth: f32, goal: Goal, pivots: bool| {
-            control.check()?;
-            let pivots = pivots && growth >= PIVOT_GROWTH;
-            greedy::run(&scene, &candidates, &[], growth, pivots, budget, goal, control)
-        };
-        let best_among = |tries: &[f32], goal: Goal, pivots: bool| -> Result<Run> {
-            let found: Vec<Run> =
-                tries.par_iter().map(|&growth| run(growth, goal, pivots)).collect::<Result<_>>()?;
-            Ok(found.into_iter().reduce(better).unwrap_or_default())
-        };
-        let mut best = if share > UNSCALED {
-            run(growth, goal, false)?
-        } else {
-            let few = share < PIVOT_TRIALS;
-            let tries = GROWTHS.map(|factor| factor * growth);
-            best_among(if few { &tries } else { &tries[..3] }, goal, params.pivots && few)?
-        };
-        if best.growth >= PIVOT_GROWTH {
-            let tries = REFINED.map(|factor| (factor * best.growth).max(1.0));
-            best = best_among(&tries, best.goal(), params.pivots)?;
-        }
+        let task = Task { scene: &scene, candidates: &candidates, budget, share, control };
+        let best = task.best(growth, goal, params.pivots)?;
         if best.chosen.is_empty() {
             // Nothing is small enough, and less will be left in every later stage.
             break;
@@ -200,7 +181,9 @@ pub fn coverage(
     let scene = Scene { stage: &stage, elements, tier };
     while let Some(part) = parts.pop() {
         order = if parts.is_empty() {
-            let rest = greedy::run(&scene, &part, &order, 1.0, false, u64::MAX, goal, control)?;
+            let rest =
+                Task { scene: &scene, candidates: &part, budget: u64::MAX, share: 1.0, control };
+            let rest = greedy::run(&rest, &order, 1.0, false, goal)?;
             order.into_iter().chain(rest.chosen.iter().map(|&(element, _)| element)).collect()
         } else {
             order.into_iter().chain(part).collect()
@@ -216,6 +199,42 @@ pub(super) struct Scene<'a> {
     pub(super) stage: &'a Stage<'a>,
     pub(super) elements: &'a Elements,
     pub(super) tier: &'a Tier,
+}
+
+/// What a stage has to do.
+pub(super) struct Task<'a> {
+    pub(super) scene: &'a Scene<'a>,
+    /// Elements it may take.
+    pub(super) candidates: &'a [u32],
+    /// Triangles it may spend, and their share of all.
+    pub(super) budget: u64,
+    share: f32,
+    pub(super) control: &'a Control,
+}
+
+impl Task<'_> {
+    /// The best of several scales, `growth` or larger.
+    fn best(&self, growth: f32, goal: Goal, pivots: bool) -> Result<Run> {
+        let coarse = if self.share > UNSCALED {
+            greedy::run(self, &[], growth, false, goal)?
+        } else {
+            let few = self.share < PIVOT_TRIALS;
+            let tries = GROWTHS.map(|factor| factor * growth);
+            self.best_of(if few { &tries } else { &tries[..3] }, goal, pivots && few)?
+        };
+        if coarse.growth < PIVOT_GROWTH {
+            return Ok(coarse);
+        }
+        let tries = REFINED.map(|factor| (factor * coarse.growth).max(1.0));
+        self.best_of(&tries, coarse.goal(), pivots)
+    }
+
+    fn best_of(&self, tries: &[f32], goal: Goal, pivots: bool) -> Result<Run> {
+        let run =
+            |&growth: &f32| greedy::run(self, &[], growth, pivots && growth >= PIVOT_GROWTH, goal);
+        let found: Vec<Run> = tries.par_iter().map(run).collect::<Result<_>>()?;
+        Ok(found.into_iter().reduce(better).unwrap_or_default())
+    }
 }
 
 /// The run of better quality, of equal ones the first.
