@@ -79,6 +79,11 @@ static void elements_and_grains(const tree_mesh *mesh) {
     FAILS(TREE_ERROR_NULL, "areas", tree_elements_from_columns(mesh, &own, NULL, &found));
     own = view;
     own.surface = own.triangles;
+    FAILS(TREE_ERROR_INVALID, "not pruned", tree_elements_from_columns(mesh, &own, NULL, &found));
+    uint32_t beyond[2 * CARDS];
+    memset(beyond, 0xff, sizeof beyond);
+    own = view;
+    own.triangles = beyond;
     FAILS(TREE_ERROR_INVALID, "mesh lacks", tree_elements_from_columns(mesh, &own, NULL, &found));
     own.n_elements = SIZE_MAX;
     FAILS(TREE_ERROR_LIMIT, "", tree_elements_from_columns(mesh, &own, NULL, &found));
