@@ -20,6 +20,8 @@ pub enum Resource {
     Triangles,
     /// Bytes of an input file.
     InputBytes,
+    /// Modules of a derived L-system word.
+    Modules,
 }
 
 impl Resource {
@@ -35,6 +37,7 @@ impl Resource {
             Self::Pixels => "pixels",
             Self::Triangles => "triangles",
             Self::InputBytes => "input_bytes",
+            Self::Modules => "modules",
         }
     }
 }
@@ -67,6 +70,8 @@ const PIXEL_BYTES: u64 = 4;
 const TRIANGLE_BYTES: u64 = 160;
 /// Memory that a byte of a file may come to when it is read.
 const INPUT_BYTES: u64 = 16;
+/// Bytes of a module with two parameters in the word before a step and in the one after it.
+const MODULE_BYTES: u64 = 48;
 
 /// Caps for one operation. The defaults fit a workstation: a few gigabytes at worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +93,8 @@ pub struct Limits {
     pub triangles: u64,
     /// Bytes of an input file. Default 1 GiB.
     pub input_bytes: u64,
+    /// Modules of a derived L-system word. Default 100 million.
+    pub modules: u64,
 }
 
 impl Default for Limits {
@@ -101,6 +108,7 @@ impl Default for Limits {
             pixels: 16_384 * 16_384,
             triangles: 100_000_000,
             input_bytes: 1 << 30,
+            modules: 100_000_000,
         }
     }
 }
@@ -119,6 +127,7 @@ impl Limits {
             pixels: bytes / PIXEL_BYTES,
             triangles: bytes / TRIANGLE_BYTES,
             input_bytes: bytes / INPUT_BYTES,
+            modules: bytes / MODULE_BYTES,
         }
         .min(&Self::default())
     }
@@ -135,6 +144,7 @@ impl Limits {
             pixels: self.pixels.min(other.pixels),
             triangles: self.triangles.min(other.triangles),
             input_bytes: self.input_bytes.min(other.input_bytes),
+            modules: self.modules.min(other.modules),
         }
     }
 
@@ -150,6 +160,7 @@ impl Limits {
             Resource::Pixels => self.pixels,
             Resource::Triangles => self.triangles,
             Resource::InputBytes => self.input_bytes,
+            Resource::Modules => self.modules,
         }
     }
 

@@ -80,6 +80,8 @@ pub struct tree_limits {
     pub triangles: u64,
     /// Bytes of an input file. Default 1 GiB.
     pub input_bytes: u64,
+    /// Modules of a derived L-system word. Default 100 million.
+    pub modules: u64,
 }
 
 impl tree_limits {
@@ -94,6 +96,7 @@ impl tree_limits {
             pixels: limits.pixels,
             triangles: limits.triangles,
             input_bytes: limits.input_bytes,
+            modules: limits.modules,
         }
     }
 
@@ -107,6 +110,7 @@ impl tree_limits {
             pixels: self.pixels,
             triangles: self.triangles,
             input_bytes: self.input_bytes,
+            modules: self.modules,
         }
     }
 }
@@ -114,7 +118,7 @@ impl tree_limits {
 // SAFETY: repr(C), begins with its size, and holds numbers only.
 unsafe impl Versioned for tree_limits {
     const NAME: &'static str = "tree_limits";
-    const FIRST: usize = size_of::<Self>();
+    const FIRST: usize = std::mem::offset_of!(Self, modules);
     fn default_value() -> Self {
         Self::of(&Limits::default())
     }

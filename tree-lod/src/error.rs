@@ -81,6 +81,25 @@ pub enum LodError {
         /// What is wrong with it and what would be right.
         problem: &'static str,
     },
+    /// A bracketed chain of modules that is not one.
+    #[error("chain, module {module}: {problem}")]
+    Chain {
+        /// The module at fault.
+        module: usize,
+        /// What is wrong with it and what would be right.
+        problem: &'static str,
+    },
+    /// A progressive stream that is cut off before its first level, or damaged.
+    #[error("stream, byte {byte}: {problem}")]
+    Stream {
+        /// Where reading stopped.
+        byte: u64,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// An impostor that cannot be made or read.
+    #[error("impostor: {0}")]
+    Impostor(&'static str),
     /// An image could not be encoded.
     #[cfg(feature = "image")]
     #[error("image: {0}")]

@@ -158,6 +158,26 @@ pub enum ModelError {
         /// What is wrong with it, and what would be right.
         problem: String,
     },
+    /// The text of an L-system has a mistake.
+    #[error("line {line}, column {column}: {problem}{}{hint}", if hint.is_empty() { "" } else { "; " })]
+    Grammar {
+        /// Line of the text, from 1.
+        line: usize,
+        /// Column in characters, from 1.
+        column: usize,
+        /// What is wrong.
+        problem: String,
+        /// What would be right; may be empty.
+        hint: String,
+    },
+    /// A word of modules cannot be derived or drawn.
+    #[error("module {module}: {problem}")]
+    Word {
+        /// Index of the module in the word.
+        module: usize,
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
     /// There is no preset of this name.
     #[error("no preset named '{name}'; there are {known}")]
     UnknownPreset {

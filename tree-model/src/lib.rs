@@ -8,11 +8,13 @@
 //! * [`particle`]: photographs become a tree by a flow of particles (Neubert 2012).
 //! * [`sketch`]: a freehand drawing becomes a tree by a Markov random field (Neubert 2012).
 //! * [`silhouette`]: drawn outlines become a tree, level by level (Wither et al. 2009).
+//! * [`lsystem`]: a grammar becomes a tree (Prusinkiewicz & Lindenmayer 1990; Lluch et al. 2010).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
 //! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
 
 mod error;
 pub mod foliage;
+pub mod lsystem;
 pub mod particle;
 pub mod path;
 mod plane;

@@ -69,6 +69,8 @@ impl From<ModelError> for Failure {
             | ModelError::NotFinite { .. }
             | ModelError::Cost { .. } => TREE_ERROR_PARAMETER,
             ModelError::BadPart { .. }
+            | ModelError::Grammar { .. }
+            | ModelError::Word { .. }
             | ModelError::Sketch { .. }
             | ModelError::Stroke { .. }
             | ModelError::Template { .. }
@@ -120,8 +122,10 @@ impl From<LodError> for Failure {
             | LodError::Length { .. }
             | LodError::Foliage(_)
             | LodError::Order { .. }
+            | LodError::Chain { .. }
+            | LodError::Impostor(_)
             | LodError::Scene { .. } => TREE_ERROR_INVALID,
-            LodError::Image(_) => TREE_ERROR_FORMAT,
+            LodError::Image(_) | LodError::Stream { .. } => TREE_ERROR_FORMAT,
             LodError::Limit(_) => TREE_ERROR_LIMIT,
             LodError::Cancelled(_) => TREE_ERROR_CANCELLED,
             _ => TREE_ERROR_INVALID,
