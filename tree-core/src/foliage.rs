@@ -26,6 +26,9 @@ pub struct Leaf {
     pub kind: u16,
 }
 
+/// Rounding that a unit quaternion's length may have.
+const UNIT_TOLERANCE: f32 = 1e-6;
+
 /// The leaves of a tree, in columns. Positions and sizes are finite, rotations are unit quaternions.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(
@@ -54,7 +57,8 @@ impl Foliage {
         }
     }
 
-    /// Adds a leaf. The rotation is brought to unit length.
+    /// Adds a leaf. The rotation is brought to unit length; one that has it keeps its bits, so that a leaf
+    /// comes out of a file as it went in.
     ///
     /// # Errors
     /// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`], naming the column and the row the
@@ -70,7 +74,8 @@ impl Foliage {
         }
         self.nodes.push(leaf.node);
         self.positions.push(leaf.position);
-        self.rotations.push(leaf.rotation / length);
+        let is_unit = (length - 1.0).abs() <= UNIT_TOLERANCE;
+        self.rotations.push(if is_unit { leaf.rotation } else { leaf.rotation / length });
         self.sizes.push(leaf.size);
         self.kinds.push(leaf.kind);
         Ok(())

@@ -24,11 +24,14 @@
 mod adt;
 mod chain;
 mod metric;
+mod model;
 mod order;
+pub mod stream;
 
 pub use adt::{Adt, Token};
 pub use chain::{Item, MultiChain};
 pub use metric::Metric;
+pub use model::{Level, Multires, Rows};
 pub use order::{Paths, paths};
 
 #[cfg(test)]
