@@ -23,16 +23,24 @@
 
 mod adt;
 mod chain;
+#[cfg(feature = "gltf")]
+mod gltf;
+pub mod grow;
+mod mesh;
 mod metric;
 mod model;
 mod order;
 pub mod stream;
+mod tube;
 
 pub use adt::{Adt, Token};
 pub use chain::{Item, MultiChain};
+pub use mesh::{Draw, MultiMesh};
 pub use metric::Metric;
 pub use model::{Level, Multires, Rows};
 pub use order::{Paths, paths};
 
+#[cfg(test)]
+mod mesh_tests;
 #[cfg(test)]
 mod tests;

@@ -70,7 +70,7 @@ mod shader;
 mod size;
 #[cfg(test)]
 mod tests;
-mod vertices;
+pub(crate) mod vertices;
 
 #[cfg(feature = "gltf")]
 pub use gltf::Screen;

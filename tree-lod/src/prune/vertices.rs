@@ -106,7 +106,7 @@ pub(super) fn append(surface: &mut Surface, copies: &[u32]) {
 ///
 /// # Complexity
 /// O(vertices + triangles).
-pub(super) fn compact(surface: &mut Surface, kept: &[bool]) {
+pub(crate) fn compact(surface: &mut Surface, kept: &[bool]) {
     if kept.iter().all(|&keep| keep) {
         return;
     }
