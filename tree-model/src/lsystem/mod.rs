@@ -1,6 +1,12 @@
 //! L-systems: a grammar becomes a tree (Lindenmayer 1968; Prusinkiewicz & Lindenmayer, *The Algorithmic
 //! Beauty of Plants*, 1990, "ABOP" below; Lluch et al. 2010, section 3).
 
+mod derive;
+mod expr;
+mod grammar;
+mod text;
 pub mod word;
 
+pub use derive::{DeriveReport, Derived};
+pub use grammar::Grammar;
 pub use word::{Kind, Module, Symbols, Word};
