@@ -127,7 +127,9 @@ impl Pass<'_> {
                     let inside = items.get(i..i + n).unwrap_or_default();
                     i += n + 1;
                     loop {
-                        let Some(branch) = self.next_branch(neighbours, searched) else { return false };
+                        let Some(branch) = self.next_branch(neighbours, searched) else {
+                            return false;
+                        };
                         searched = at(&neighbours.close, branch);
                         let n_matched = scratch.matched.len();
                         if self.matches_right(neighbours, inside, branch, scratch) {

@@ -1,6 +1,6 @@
 //! Comments, continued lines and statements.
 
-use super::arrow;
+use super::{arrow, find_arrow};
 use crate::error::{ModelError, Result};
 use std::ops::Range;
 
@@ -24,7 +24,11 @@ impl<'a> Source<'a> {
             let rest = &text[at..];
             if rest.starts_with("/*") {
                 let Some(n) = rest.find("*/") else {
-                    return Err(source.error(at, "the comment is never closed", "write '*/' after it"));
+                    return Err(source.error(
+                        at,
+                        "the comment is never closed",
+                        "write '*/' after it",
+                    ));
                 };
                 at = source.blank(at, n + 2);
             } else if rest.starts_with("//") && source.begins_comment(at) {
@@ -75,11 +79,11 @@ impl<'a> Source<'a> {
         ModelError::Grammar { line, column, problem: problem.into(), hint: hint.into() }
     }
 
-    /// The statements: one a line, and lines joined where a bracket is open or an arrow stands at the end
-    /// of one or the beginning of the next.
+    /// The statements: one a line, and lines joined where a bracket is open, a line begins with an arrow, or an
+    /// indented line without an arrow follows one that ends with it.
     pub(crate) fn statements(&self) -> Result<Vec<Range<usize>>> {
         let mut statements: Vec<Range<usize>> = Vec::new();
-        let (mut open, mut at, mut joins) = (Vec::new(), 0, false);
+        let (mut open, mut at, mut hangs) = (Vec::new(), 0, false);
         for line in self.clean.split_inclusive('\n') {
             let (begin, text) = (at, line.trim());
             at += line.len();
@@ -88,7 +92,10 @@ impl<'a> Source<'a> {
             }
             let start = begin + line.len() - line.trim_start().len();
             let end = start + text.len();
-            let continues = joins || (arrow(text).is_some() && !statements.is_empty());
+            // A successor may be empty: behind a hanging arrow it goes on only where a line is indented.
+            let successor = hangs && start > begin && find_arrow(text).is_none();
+            let continues =
+                !open.is_empty() || successor || (arrow(text).is_some() && !statements.is_empty());
             match statements.last_mut() {
                 Some(last) if continues => last.end = end,
                 _ => statements.push(start..end),
@@ -96,7 +103,7 @@ impl<'a> Source<'a> {
             if continues || !is_list_of_symbols(text) {
                 self.pair(start, text, &mut open)?;
             }
-            joins = !open.is_empty() || super::ARROWS.iter().any(|arrow| text.ends_with(arrow));
+            hangs = super::ARROWS.iter().any(|arrow| text.ends_with(arrow));
         }
         match open.first() {
             None => Ok(statements),
