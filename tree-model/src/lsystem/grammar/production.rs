@@ -165,6 +165,7 @@ impl<'a> Reader<'a> {
         cursor: &mut Cursor<'a>,
     ) -> Result<(Kind, Vec<Kind>, Vec<Item>, Vec<(&'a str, u16)>)> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
+        cursor.peek();
         let start = cursor.at();
         let mut strict = modules::formals(cursor, &self.symbols)?;
         if cursor.eat("<") {

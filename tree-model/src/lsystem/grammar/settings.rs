@@ -13,7 +13,7 @@ const MOST_NAMES: usize = 4096;
 /// More derivations than this are not what anyone meant.
 const MOST_STEPS: f64 = 1_000_000.0;
 /// Deepest recursion of decomposition and interpretation.
-const MOST_PASSES: f64 = 10_000.0;
+const MOST_PASSES: f64 = 1000.0;
 /// Turns without a parameter, when the text does not say: as in cpfg.
 const DEFAULT_ANGLE: f64 = 90.0;
 

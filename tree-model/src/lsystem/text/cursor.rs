@@ -150,7 +150,7 @@ impl<'a> Cursor<'a> {
 
     /// Line of a byte.
     pub(crate) fn line(&self, at: usize) -> usize {
-        self.source.place(at).0
+        self.source.line(at)
     }
 }
 
