@@ -144,26 +144,30 @@ impl Grammar {
         self.settings.constants.iter().map(|(name, &value)| (name.as_str(), value))
     }
 
-    /// Gives a constant of the text another value; all that depends on it is computed anew. `steps` and
-    /// `angle` can be set as well.
+    /// Gives a constant of the text another value; all that depends on it is computed anew. `steps` (fractions
+    /// are cut off) and `angle` can be set as well.
     ///
     /// # Errors
-    /// [`ModelError::Grammar`] when the text has no such constant, the value is not finite, or an
-    /// expression of constants has no value then. The grammar stays as it was.
+    /// [`ModelError::NotFinite`]; [`ModelError::Parameter`] for steps below 0 or above 1,000,000;
+    /// [`ModelError::Grammar`] when the text has no such constant (at line 1, column 1), or an expression of
+    /// constants has no value then. The grammar stays as it was.
     ///
     /// # Complexity
     /// O(text): it is read again.
     pub fn set_constant(&mut self, name: &str, value: f64) -> Result<()> {
-        let fail = |problem, hint| Err(ModelError::Grammar { line: 1, column: 1, problem, hint });
         if !value.is_finite() {
-            return fail(format!("the constant '{name}' cannot be {value}"), String::new());
+            return Err(ModelError::NotFinite { field: format!("constant '{name}'") });
+        }
+        if name == "steps" {
+            crate::error::check("steps", value, 0.0, settings::MOST_STEPS)?;
         }
         let known =
             ["steps", "angle"].contains(&name) || self.settings.constants.contains_key(name);
         if !known {
             let names = self.settings.constants.keys().map(String::as_str);
             let hint = super::text::did_you_mean(name, names);
-            return fail(format!("there is no constant '{name}'"), hint);
+            let problem = format!("the text has no constant '{name}'");
+            return Err(ModelError::Grammar { line: 1, column: 1, problem, hint });
         }
         let mut replaced = self.replaced.clone();
         replaced.insert(name.to_owned(), value);

@@ -11,9 +11,13 @@ use tree_core::Seed;
 /// More declared names than this are refused: each would cost at every symbol read.
 const MOST_NAMES: usize = 4096;
 /// More derivations than this are not what anyone meant.
-const MOST_STEPS: f64 = 1_000_000.0;
+pub(super) const MOST_STEPS: f64 = 1_000_000.0;
 /// Deepest recursion of decomposition and interpretation.
 const MOST_PASSES: f64 = 1000.0;
+/// The largest seed: up to here an f64 holds every whole number.
+const MOST_SEED: f64 = 9_007_199_254_740_992.0;
+/// Longer names are refused: at every symbol read, each length that a declared name has is tried.
+const LONGEST_NAME: usize = 64;
 /// Turns without a parameter, when the text does not say: as in cpfg.
 const DEFAULT_ANGLE: f64 = 90.0;
 
@@ -175,6 +179,10 @@ impl<'a> Reader<'a> {
                 let problem = format!("'{}' cannot be part of a symbol", c.escape_debug());
                 return Err(cursor.error(problem, "divide names by spaces or commas"));
             }
+            if name.len() > LONGEST_NAME {
+                let problem = format!("a symbol of more than {LONGEST_NAME} bytes");
+                return Err(cursor.error(problem, "divide names by spaces or commas"));
+            }
             self.n_names += 1;
             if self.n_names > MOST_NAMES {
                 return Err(cursor.error(format!("more than {MOST_NAMES} declared symbols"), ""));
@@ -255,15 +263,14 @@ impl<'a> Reader<'a> {
             Key::Axiom => self.axiom = Some(cursor.at()..cursor.at() + cursor.rest().len()),
             Key::Ignore | Key::Consider => self.seen(key == Key::Ignore, cursor, symbols)?,
             Key::Angle => {
-                self.settings.angle =
-                    self.number("angle", &mut cursor, f64::NEG_INFINITY..f64::INFINITY)?
+                let any = f64::NEG_INFINITY..f64::INFINITY;
+                self.settings.angle = self.number("angle", &mut cursor, any)?;
             }
             Key::Steps => {
-                self.settings.steps = self.whole("steps", &mut cursor, MOST_STEPS)? as u32
+                self.settings.steps = self.whole("steps", &mut cursor, MOST_STEPS)? as u32;
             }
             Key::Seed => {
-                self.settings.seed =
-                    self.whole("seed", &mut cursor, 9_007_199_254_740_992.0)? as u64
+                self.settings.seed = self.whole("seed", &mut cursor, MOST_SEED)? as u64;
             }
             Key::Depth if self.section == Section::Productions => {
                 let hint = "write it after 'decomposition' or 'interpretation'";
@@ -297,7 +304,7 @@ impl<'a> Reader<'a> {
         cursor.eat("°");
         cursor.finish()?;
         if let Some(&replaced) = self.replaced.get(name) {
-            value = replaced;
+            value = if name == "steps" { replaced.floor() } else { replaced };
         }
         if value < range.start || value > range.end {
             let hint = format!("allowed is {} to {}", range.start, range.end);

@@ -161,5 +161,7 @@ fn joined(rest: &str) -> Option<usize> {
 /// Whether the line lists symbols, which need not be paired when they are brackets.
 fn is_list_of_symbols(line: &str) -> bool {
     let word = line.trim_start_matches('#').split(|c: char| !c.is_alphabetic()).next();
-    word.is_some_and(|word| ["ignore", "consider"].iter().any(|key| word.eq_ignore_ascii_case(key)))
+    word.is_some_and(|word| {
+        ["ignore", "consider", "symbols"].iter().any(|key| word.eq_ignore_ascii_case(key))
+    })
 }

@@ -85,6 +85,8 @@ fn wrong_settings_are_explained() {
     is("axiom: F\nsteps: 1e9", 2, 8, "allowed is 0 to 1000000");
     is("axiom: F\na = 1/0", 2, 5, "division by zero");
     is("axiom: F\na = ran(2)", 2, 5, "a constant cannot be random");
+    is(&format!("#symbols A {}\naxiom: F", "A".repeat(65)), 1, 12, "more than 64 bytes");
+    is("#symbols A(\naxiom: F", 1, 10, "'(' cannot be part of a symbol");
     is("axiom: F\n#define f(x) x", 2, 9, "has parameters");
     is("axiom: F\nmaximum depth: 3", 2, 15, "write it after 'decomposition'");
     is("axiom: F\n#ignore F\n#consider G", 3, 11, "both 'ignore' and 'consider'");

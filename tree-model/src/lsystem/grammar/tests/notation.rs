@@ -1,6 +1,7 @@
 //! The notation of the books and programs, and what it means.
 
 use super::{derived, parse};
+use tree_core::Seed;
 
 #[test]
 fn settings_are_read_in_all_their_spellings() {
@@ -71,8 +72,11 @@ fn a_constant_set_later_changes_all_that_depends_on_it() {
     assert_eq!((grammar.steps(), derived(&grammar, 1)), (1, "F(5)".into()));
     assert_eq!(grammar.angle(), 12.5);
     let error = grammar.set_constant("c", 1.0).unwrap_err().to_string();
-    assert!(error.contains("there is no constant 'c'"), "{error}");
+    assert!(error.contains("no constant 'c'"), "{error}");
     assert!(grammar.set_constant("a", f64::NAN).is_err());
+    assert!(grammar.set_constant("steps", -1.0).is_err());
+    grammar.set_constant("steps", 3.5).unwrap();
+    assert_eq!(grammar.steps(), 3);
     assert_eq!(derived(&grammar, 0), "F(4)");
 }
 
@@ -121,8 +125,7 @@ fn sections_hold_rules_of_their_own() {
     assert_eq!(derived(&grammar, 1), "CCBA");
     assert_eq!(derived(&grammar, 2), "ccCCBCCBA");
     let word = grammar.word("CC").unwrap();
-    let seen =
-        grammar.interpretation(&word, crate::tree_core::Seed(1), &Default::default()).unwrap();
+    let seen = grammar.interpretation(&word, Seed(1), &Default::default()).unwrap();
     assert_eq!(seen.text(grammar.symbols()), "F[+Ff]F[+Ff]");
 }
 
