@@ -138,7 +138,17 @@ mod tests {
         symbols.intern("Apex", 1).unwrap();
         let word = Word::parse("Apex(2)Ap", &mut symbols).unwrap();
         assert_eq!(word.len(), 3);
-        assert_eq!(word.text(&symbols), "Apex(2)Ap");
+        // What could begin the longer name is divided.
+        assert_eq!(word.text(&symbols), "Apex(2)A p");
+    }
+
+    #[test]
+    fn modules_that_look_like_a_longer_name_are_divided() {
+        let mut symbols = Symbols::default();
+        symbols.declare("ABC");
+        let word = Word::parse("A B C A(1)B ABC AC", &mut symbols).unwrap();
+        assert_eq!(word.text(&symbols), "A BCA(1)BABCAC");
+        assert_eq!(Word::parse(&word.text(&symbols), &mut symbols).unwrap(), word);
     }
 
     #[test]

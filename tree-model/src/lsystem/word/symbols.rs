@@ -2,6 +2,7 @@
 
 use crate::error::Result;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Bound;
 
 /// A symbol with its number of parameters: a row of [`Symbols`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -95,6 +96,16 @@ impl Symbols {
     #[expect(clippy::len_without_is_empty, reason = "the brackets are always there")]
     pub fn len(&self) -> usize {
         self.names.len()
+    }
+
+    /// Whether a declared name begins with this one and the first character of the next.
+    pub(super) fn could_be_longer(&self, name: &str, next: &str) -> bool {
+        if self.long.is_empty() || name.is_empty() {
+            return false;
+        }
+        let both: String = name.chars().chain(next.chars().take(1)).collect();
+        let from = (Bound::Included(both.as_str()), Bound::Unbounded);
+        self.long.range::<str, _>(from).next().is_some_and(|long| long.starts_with(&both))
     }
 
     /// The name that this text begins with: the longest declared one, or else its first character.

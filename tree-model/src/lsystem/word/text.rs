@@ -41,12 +41,20 @@ impl Word {
         Ok(word)
     }
 
-    /// The word as text that [`parse`](Self::parse) reads back to the same bits.
+    /// The word as text that [`parse`](Self::parse) reads back to the same bits. A space divides modules
+    /// that could be read as one longer name.
     #[must_use]
     pub fn text(&self, symbols: &Symbols) -> String {
         let mut text = String::with_capacity(4 * self.len());
+        // The name before, if it stands without parentheses.
+        let mut before = "";
         for module in self.modules(symbols) {
-            text.push_str(symbols.get(module.kind).map_or("?", |(name, _)| name));
+            let name = symbols.get(module.kind).map_or("?", |(name, _)| name);
+            if symbols.could_be_longer(before, name) {
+                text.push(' ');
+            }
+            before = if module.params.is_empty() { name } else { "" };
+            text.push_str(name);
             for (i, value) in module.params.iter().enumerate() {
                 text.push(if i == 0 { '(' } else { ',' });
                 // Writing to a string cannot fail.
