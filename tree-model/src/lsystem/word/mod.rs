@@ -143,6 +143,15 @@ mod tests {
     }
 
     #[test]
+    fn tiny_and_huge_numbers_come_back_from_short_text() {
+        let mut symbols = Symbols::default();
+        let text = "F(1.5e-300,-2e200)F(0.00001,-0)";
+        let word = Word::parse(text, &mut symbols).unwrap();
+        assert_eq!(word.text(&symbols), text);
+        assert!(word.params()[3].is_sign_negative());
+    }
+
+    #[test]
     fn modules_that_look_like_a_longer_name_are_divided() {
         let mut symbols = Symbols::default();
         symbols.declare("ABC");

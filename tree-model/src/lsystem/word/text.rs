@@ -4,6 +4,9 @@ use super::{Symbols, Word};
 use crate::error::{ModelError, Result};
 use std::fmt::Write;
 
+/// Sizes of numbers written without an exponent; others would have hundreds of digits.
+const PLAIN: std::ops::Range<f64> = 1e-5..1e16;
+
 impl Word {
     /// Reads a word of numbers: a symbol is one character, or a name that the symbols know; its
     /// parameters follow in parentheses, divided by commas. White space between modules is skipped.
@@ -58,7 +61,11 @@ impl Word {
             for (i, value) in module.params.iter().enumerate() {
                 text.push(if i == 0 { '(' } else { ',' });
                 // Writing to a string cannot fail.
-                let _ = write!(text, "{value}");
+                let _ = if *value == 0.0 || PLAIN.contains(&value.abs()) {
+                    write!(text, "{value}")
+                } else {
+                    write!(text, "{value:e}")
+                };
             }
             if !module.params.is_empty() {
                 text.push(')');
