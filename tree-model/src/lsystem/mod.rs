@@ -80,7 +80,7 @@
 //! * `//` is no comment inside a run of rolls, see above.
 //! * Weights of the productions that match are normalised; cpfg lets the rest of 1 keep the module.
 //! * Decomposition is applied to the axiom and after each step.
-//! * A bracket in a right context finds its branch behind other branches at the same place.
+//! * A bracket in a right context finds its branch behind other branches at the same place (4096 at most).
 //! * `-2^2` is -4, `%` takes the sign of its left side, and no logarithm, root or division fails silently.
 //!
 //! The same seed gives the same word on every platform and for any number of threads.
