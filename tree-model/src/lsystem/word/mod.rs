@@ -138,17 +138,36 @@ mod tests {
         symbols.intern("Apex", 1).unwrap();
         let word = Word::parse("Apex(2)Ap", &mut symbols).unwrap();
         assert_eq!(word.len(), 3);
-        assert_eq!(word.text(&symbols), "Apex(2)Ap");
+        // What could begin the longer name is divided.
+        assert_eq!(word.text(&symbols), "Apex(2)A p");
+    }
+
+    #[test]
+    fn tiny_and_huge_numbers_come_back_from_short_text() {
+        let mut symbols = Symbols::default();
+        let text = "F(1.5e-300,-2e200)F(0.00001,-0)";
+        let word = Word::parse(text, &mut symbols).unwrap();
+        assert_eq!(word.text(&symbols), text);
+        assert!(word.params()[3].is_sign_negative());
+    }
+
+    #[test]
+    fn modules_that_look_like_a_longer_name_are_divided() {
+        let mut symbols = Symbols::default();
+        symbols.declare("ABC");
+        let word = Word::parse("A B C A(1)B ABC AC", &mut symbols).unwrap();
+        assert_eq!(word.text(&symbols), "A BCA(1)BABCAC");
+        assert_eq!(Word::parse(&word.text(&symbols), &mut symbols).unwrap(), word);
     }
 
     #[test]
     fn open_brackets_are_named() {
         let mut symbols = Symbols::default();
-        let at = |text: &str, symbols: &mut Symbols| {
-            match Word::parse(text, symbols).and_then(|word| word.check(symbols)) {
-                Err(ModelError::Word { module, .. }) => module,
-                other => panic!("{other:?}"),
-            }
+        let at = |text: &str, symbols: &mut Symbols| match Word::parse(text, symbols)
+            .and_then(|word| word.check(symbols))
+        {
+            Err(ModelError::Word { module, .. }) => module,
+            other => panic!("{other:?}"),
         };
         assert_eq!(at("F[+F[F]", &mut symbols), 1);
         assert_eq!(at("F]F", &mut symbols), 1);

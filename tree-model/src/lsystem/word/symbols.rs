@@ -1,7 +1,8 @@
 //! The alphabet: symbols by name and number of parameters.
 
-use crate::error::{ModelError, Result};
-use std::collections::BTreeMap;
+use crate::error::Result;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Bound;
 
 /// A symbol with its number of parameters: a row of [`Symbols`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -16,8 +17,10 @@ pub struct Symbols {
     names: Vec<String>,
     arities: Vec<u8>,
     kinds: BTreeMap<(String, u8), Kind>,
-    /// Names of more than one character, longest first.
-    long: Vec<String>,
+    /// Names of more than one character.
+    long: BTreeSet<String>,
+    /// Their lengths in bytes, longest first, each once: few, so that a name is found quickly.
+    lengths: Vec<usize>,
 }
 
 impl Default for Symbols {
@@ -27,7 +30,8 @@ impl Default for Symbols {
             names: vec!["[".into(), "]".into()],
             arities: vec![0, 0],
             kinds: kinds.into(),
-            long: Vec::new(),
+            long: BTreeSet::new(),
+            lengths: Vec::new(),
         }
     }
 }
@@ -41,7 +45,7 @@ impl Symbols {
     /// The kind of this name with so many parameters; it is made when it is not there.
     ///
     /// # Errors
-    /// [`ModelError::Parameter`] for more than 64 parameters or more than 65,536 kinds.
+    /// [`ModelError::Parameter`](crate::ModelError::Parameter) for more than 64 parameters or more than 65,536 kinds.
     pub fn intern(&mut self, name: &str, n_params: usize) -> Result<Kind> {
         crate::error::check("parameters of a module", n_params as f64, 0.0, MOST_PARAMS as f64)?;
         let key = (name.to_owned(), n_params as u8);
@@ -59,9 +63,11 @@ impl Symbols {
 
     /// Makes a name of several characters known to readers of words, with any number of parameters.
     pub fn declare(&mut self, name: &str) {
-        if name.chars().nth(1).is_some() && !self.long.iter().any(|known| known == name) {
-            self.long.push(name.to_owned());
-            self.long.sort_by_key(|name| std::cmp::Reverse(name.len()));
+        if name.chars().nth(1).is_some() && self.long.insert(name.to_owned()) {
+            let place = self.lengths.partition_point(|&n| n > name.len());
+            if self.lengths.get(place) != Some(&name.len()) {
+                self.lengths.insert(place, name.len());
+            }
         }
     }
 
@@ -92,11 +98,23 @@ impl Symbols {
         self.names.len()
     }
 
+    /// Whether a declared name begins with this one and the first character of the next.
+    pub(super) fn could_be_longer(&self, name: &str, next: &str) -> bool {
+        if self.long.is_empty() || name.is_empty() {
+            return false;
+        }
+        let both: String = name.chars().chain(next.chars().take(1)).collect();
+        let from = (Bound::Included(both.as_str()), Bound::Unbounded);
+        self.long.range::<str, _>(from).next().is_some_and(|long| long.starts_with(&both))
+    }
+
     /// The name that this text begins with: the longest declared one, or else its first character.
     #[must_use]
     pub fn first_name<'a>(&self, text: &'a str) -> Option<&'a str> {
-        let long = self.long.iter().find(|name| text.starts_with(name.as_str()));
-        let first = text.chars().next()?.len_utf8();
-        text.get(..long.map_or(first, String::len))
+        let long = self.lengths.iter().find_map(|&n| {
+            let name = text.get(..n)?;
+            self.long.contains(name).then_some(name)
+        });
+        long.or_else(|| text.get(..text.chars().next()?.len_utf8()))
     }
 }

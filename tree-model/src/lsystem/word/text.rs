@@ -4,6 +4,9 @@ use super::{Symbols, Word};
 use crate::error::{ModelError, Result};
 use std::fmt::Write;
 
+/// Sizes of numbers written without an exponent; others would have hundreds of digits.
+const PLAIN: std::ops::Range<f64> = 1e-5..1e16;
+
 impl Word {
     /// Reads a word of numbers: a symbol is one character, or a name that the symbols know; its
     /// parameters follow in parentheses, divided by commas. White space between modules is skipped.
@@ -28,9 +31,8 @@ impl Word {
                 let end = list.find(')').ok_or_else(|| fail("'(' is never closed".into()))?;
                 for number in list[..end].split(',') {
                     let number = number.trim();
-                    let value = number
-                        .parse()
-                        .map_err(|_| fail(format!("'{number}' is not a number")))?;
+                    let value =
+                        number.parse().map_err(|_| fail(format!("'{number}' is not a number")))?;
                     params.push(value);
                 }
                 rest = &list[end + 1..];
@@ -42,16 +44,28 @@ impl Word {
         Ok(word)
     }
 
-    /// The word as text that [`parse`](Self::parse) reads back to the same bits.
+    /// The word as text that [`parse`](Self::parse) reads back to the same bits. A space divides modules
+    /// that could be read as one longer name.
     #[must_use]
     pub fn text(&self, symbols: &Symbols) -> String {
         let mut text = String::with_capacity(4 * self.len());
+        // The name before, if it stands without parentheses.
+        let mut before = "";
         for module in self.modules(symbols) {
-            text.push_str(symbols.get(module.kind).map_or("?", |(name, _)| name));
+            let name = symbols.get(module.kind).map_or("?", |(name, _)| name);
+            if symbols.could_be_longer(before, name) {
+                text.push(' ');
+            }
+            before = if module.params.is_empty() { name } else { "" };
+            text.push_str(name);
             for (i, value) in module.params.iter().enumerate() {
                 text.push(if i == 0 { '(' } else { ',' });
                 // Writing to a string cannot fail.
-                let _ = write!(text, "{value}");
+                let _ = if *value == 0.0 || PLAIN.contains(&value.abs()) {
+                    write!(text, "{value}")
+                } else {
+                    write!(text, "{value:e}")
+                };
             }
             if !module.params.is_empty() {
                 text.push(')');
