@@ -91,14 +91,11 @@ impl Preset {
         let turtle = &mut system.turtle;
         turtle.height = row.height;
         turtle.trunk_radius = Some(row.trunk_radius);
-        // Rows whose text sets widths keep those.
-        if !row.text.contains('!') {
-            turtle.thickness = Thickness::Rule(RadiusRule::Pipe(PipeModel {
-                exponent: row.exponent,
-                tip_radius: row.tip_radius,
-                ..PipeModel::default()
-            }));
-        }
+        turtle.thickness = Thickness::Auto(RadiusRule::Pipe(PipeModel {
+            exponent: row.exponent,
+            tip_radius: row.tip_radius,
+            ..PipeModel::default()
+        }));
         system.species = Species {
             name: row.species.into(),
             bark: row.bark.into(),

@@ -26,7 +26,7 @@ pub struct TurtleParams {
     pub elasticity: f64,
     /// How widths become radii of nodes. Default [`Taper::Smooth`].
     pub taper: Taper,
-    /// Whose radii are used. Default [`Thickness::Auto`].
+    /// Whose radii are used. Default [`Thickness::Auto`] with the pipe model.
     pub thickness: Thickness,
     /// Metres a unit, 1e-6 to 1e6. Default 1.
     pub unit: f64,
@@ -54,8 +54,8 @@ pub enum Taper {
 /// Where radii come from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Thickness {
-    /// From the widths of the word where it sets any with `!` or `#`, or else from the default rule.
-    Auto,
+    /// From the widths of the word where it sets any with `!` or `#`, or else from this rule.
+    Auto(RadiusRule),
     /// From the widths of the word.
     Word,
     /// From a rule, whatever the word says.
@@ -73,7 +73,7 @@ impl Default for TurtleParams {
             tropism: Vec3::NEG_Y,
             elasticity: 0.0,
             taper: Taper::Smooth,
-            thickness: Thickness::Auto,
+            thickness: Thickness::Auto(RadiusRule::default()),
             unit: 1.0,
             height: None,
             trunk_radius: None,
@@ -104,7 +104,7 @@ impl TurtleParams {
         if let Some(radius) = self.trunk_radius {
             check("turtle.trunk_radius", radius, 1e-6, 100.0)?;
         }
-        if let Thickness::Rule(rule) = &self.thickness {
+        if let Thickness::Auto(rule) | Thickness::Rule(rule) = &self.thickness {
             rule.validate()?;
         }
         Ok(())

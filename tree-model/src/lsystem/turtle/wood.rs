@@ -6,7 +6,6 @@ use super::report::TurtleReport;
 use super::walk::{Sink, State};
 use crate::error::{ModelError, Result, check};
 use crate::glam::{DMat3, DQuat, DVec3, Vec3};
-use tree_core::allometry::RadiusRule;
 
 use tree_core::{Control, Foliage, Leaf, NO_PARENT, Resource, Skeleton};
 
@@ -214,9 +213,9 @@ const TIP_RATIO: f64 = 0.5;
 /// Radii by a rule where one is wanted, and the radius of the base.
 fn thicken(skeleton: &mut Skeleton, params: &TurtleParams, widths: bool) -> Result<()> {
     match params.thickness {
-        Thickness::Auto if !widths => RadiusRule::default().apply(skeleton)?,
+        Thickness::Auto(rule) if !widths => rule.apply(skeleton)?,
         Thickness::Rule(rule) => rule.apply(skeleton)?,
-        Thickness::Auto | Thickness::Word => {}
+        Thickness::Auto(_) | Thickness::Word => {}
     }
     let base = skeleton.radii().first().copied().unwrap_or(0.0);
     if let Some(wanted) = params.trunk_radius.filter(|_| base > 0.0) {

@@ -1,6 +1,6 @@
 //! The alphabet: symbols by name and number of parameters.
 
-use crate::error::{ModelError, Result};
+use crate::error::Result;
 use std::collections::BTreeMap;
 
 /// A symbol with its number of parameters: a row of [`Symbols`].
@@ -41,7 +41,7 @@ impl Symbols {
     /// The kind of this name with so many parameters; it is made when it is not there.
     ///
     /// # Errors
-    /// [`ModelError::Parameter`] for more than 64 parameters or more than 65,536 kinds.
+    /// [`ModelError::Parameter`](crate::ModelError::Parameter) for more than 64 parameters or more than 65,536 kinds.
     pub fn intern(&mut self, name: &str, n_params: usize) -> Result<Kind> {
         crate::error::check("parameters of a module", n_params as f64, 0.0, MOST_PARAMS as f64)?;
         let key = (name.to_owned(), n_params as u8);
