@@ -9,7 +9,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "Neubert 2012, Fig. 2.1 a",
         text: include_str!("text/thesis-a.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -18,7 +18,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "Neubert 2012, Fig. 2.1 b",
         text: include_str!("text/thesis-b.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -27,7 +27,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "Neubert 2012, Fig. 2.1 c",
         text: include_str!("text/thesis-c.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -36,7 +36,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "ABOP, Fig. 1.24 a",
         text: include_str!("text/abop-1.24a.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -45,7 +45,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "ABOP, Fig. 1.24 b",
         text: include_str!("text/abop-1.24b.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -54,7 +54,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "ABOP, Fig. 1.24 c",
         text: include_str!("text/abop-1.24c.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -63,7 +63,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "ABOP, Fig. 1.24 d",
         text: include_str!("text/abop-1.24d.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -72,7 +72,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "ABOP, Fig. 1.24 e",
         text: include_str!("text/abop-1.24e.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -81,7 +81,7 @@ pub(super) const ROWS: &[Row] = &[
         source: "ABOP, Fig. 1.24 f",
         text: include_str!("text/abop-1.24f.l"),
         height: Some(2.0),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {
@@ -91,7 +91,7 @@ pub(super) const ROWS: &[Row] = &[
         text: include_str!("text/abop-1.25.l"),
         leaf_kind: Some("beech"),
         height: Some(1.5),
-        trunk_radius: 0.03,
+        trunk_radius: 0.02,
         ..ROW
     },
     Row {

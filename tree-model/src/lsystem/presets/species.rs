@@ -42,7 +42,7 @@ pub(super) const ROWS: &[Row] = &[
         text: include_str!("text/willow.l"),
         species: "willow",
         bark: "oak",
-        leaf_kind: Some("willow"),
+        leaf_kind: Some("willow-cluster"),
         trunk_radius: 0.28,
         exponent: 2.3,
         ..ROW
@@ -66,7 +66,7 @@ pub(super) const ROWS: &[Row] = &[
         species: "fern",
         bark: "smooth",
         leaf_kind: Some("mimosa-leaflet"),
-        trunk_radius: 0.012,
+        trunk_radius: 0.007,
         exponent: 2.5,
         tip_radius: 0.0003,
         ..ROW
