@@ -145,7 +145,8 @@ mod tests {
 
     #[test]
     fn constants_of_the_text_set_the_turtle() {
-        let text = "angle: 30\nelasticity = 0.2\ntropism_y = 1\ntrunk_radius = 0.3\nstep = 2\naxiom: FF";
+        let text =
+            "angle: 30\nelasticity = 0.2\ntropism_y = 1\ntrunk_radius = 0.3\nstep = 2\naxiom: FF";
         let system = LSystem::parse(text, &Limits::default()).unwrap();
         let turtle = &system.turtle;
         assert_eq!((turtle.angle, turtle.elasticity, turtle.tropism.y), (30.0, 0.2, 1.0));

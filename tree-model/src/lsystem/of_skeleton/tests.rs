@@ -124,8 +124,7 @@ fn a_comb_of_many_laterals_and_nodes_at_one_place_are_written() {
 #[test]
 fn bad_tolerances_and_dangling_leaves_are_refused() {
     let skeleton = Skeleton::builder(Vec3::ZERO, 0.1).unwrap().finish();
-    let leaf =
-        Leaf { node: 5, position: Vec3::ZERO, rotation: Quat::IDENTITY, size: 1.0, kind: 0 };
+    let leaf = Leaf { node: 5, position: Vec3::ZERO, rotation: Quat::IDENTITY, size: 1.0, kind: 0 };
     let foliage = Foliage::try_from(vec![leaf]).unwrap();
     let params = ChainParams::default();
     assert!(chain(&skeleton, &foliage, &params, &Control::default()).is_err());

@@ -82,10 +82,8 @@ impl<'a> Writer<'a> {
         let (leaf_starts, leaf_order) = leaves_of_nodes(skeleton.len(), foliage)?;
         let bounds = skeleton.bounds();
         let extent = (bounds.max.as_dvec3() - bounds.min.as_dvec3()).max_element();
-        let place =
-            Place { position: DVec3::ZERO, frame: Frame::START, width: f64::NAN };
-        let out =
-            Chain { word: Word::default(), symbols, nodes: Vec::new(), leaves: Vec::new() };
+        let place = Place { position: DVec3::ZERO, frame: Frame::START, width: f64::NAN };
+        let out = Chain { word: Word::default(), symbols, nodes: Vec::new(), leaves: Vec::new() };
         Ok(Self {
             skeleton,
             foliage,
@@ -133,8 +131,7 @@ impl<'a> Writer<'a> {
     /// Lays the children aside: laterals first, what goes on last.
     fn later(&self, node: u32, tasks: &mut Vec<Task>) {
         let axis_of = self.axes.axis_of();
-        let goes_on =
-            |child: u32| axis_of.get(child as usize) == axis_of.get(node as usize);
+        let goes_on = |child: u32| axis_of.get(child as usize) == axis_of.get(node as usize);
         let children = self.children.of(node);
         tasks.extend(children.iter().filter(|&&child| goes_on(child)).map(|&c| Task::Node(c)));
         let laterals = children.iter().rev().filter(|&&child| !goes_on(child));
@@ -238,11 +235,8 @@ impl<'a> Writer<'a> {
         aim.turn(&mut self.place.frame);
         let turn = round(roll(&self.place.frame, rotation * DVec3::Z), step);
         self.place.frame.roll(Turn::degrees(turn));
-        let turns = [
-            (self.kinds.yaw, aim.yaw),
-            (self.kinds.pitch, aim.pitch),
-            (self.kinds.roll, turn),
-        ];
+        let turns =
+            [(self.kinds.yaw, aim.yaw), (self.kinds.pitch, aim.pitch), (self.kinds.roll, turn)];
         for (kind, angle) in turns {
             if angle != 0.0 {
                 self.put(kind, &[angle])?;

@@ -22,7 +22,8 @@ fn every_preset_grows_a_tree_of_its_height() {
     for preset in presets() {
         let mut system = preset.system().unwrap();
         // Small ones are enough where published systems grow without end.
-        system.steps = Some(system.grammar.steps().min(if preset.source().is_empty() { 80 } else { 4 }));
+        system.steps =
+            Some(system.grammar.steps().min(if preset.source().is_empty() { 80 } else { 4 }));
         let grown = system.grow(Seed(1), &Control::default()).unwrap();
         assert!(grown.tree.skeleton().len() > 3, "{}", preset.name());
         if let Some(height) = system.turtle.height {

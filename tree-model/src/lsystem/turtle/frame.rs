@@ -22,8 +22,7 @@ const VERTICAL: f64 = 1e-9;
 
 impl Frame {
     /// Upright, seen from +Z: the left is −X, and the turtle's back looks at the viewer.
-    pub(crate) const START: Self =
-        Self { heading: DVec3::Y, left: DVec3::NEG_X, up: DVec3::Z };
+    pub(crate) const START: Self = Self { heading: DVec3::Y, left: DVec3::NEG_X, up: DVec3::Z };
 
     /// `+`: turns left, about U.
     #[inline]
@@ -76,9 +75,8 @@ impl Frame {
         let (axis, turn) = (torque / size, Turn::radians(elasticity * size));
         for vector in [&mut self.heading, &mut self.left, &mut self.up] {
             let v = *vector;
-            *vector = turn.cos * v
-                + turn.sin * axis.cross(v)
-                + (1.0 - turn.cos) * axis.dot(v) * axis;
+            *vector =
+                turn.cos * v + turn.sin * axis.cross(v) + (1.0 - turn.cos) * axis.dot(v) * axis;
         }
     }
 }

@@ -29,7 +29,8 @@
 //! in the report. A gap made by `f` is bridged, because a skeleton hangs together. Wood between braces is not
 //! drawn. Widths become tapered internodes instead of cylinders, see [`Taper`].
 //!
-//! Cost: O(modules), about 10 ns each; 32 bytes a node, 80 a leaf, and 120 for each open bracket.
+//! Cost: O(modules), 8 to 20 ns each (the more different angles, the more), and the radius rule where the word sets no
+//! width; 36 bytes a node, 80 a leaf, and 136 for each open bracket.
 
 mod action;
 pub(crate) mod frame;

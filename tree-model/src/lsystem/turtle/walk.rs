@@ -214,8 +214,9 @@ impl<'a, S: Sink> Turtle<'a, S> {
     fn advance(&mut self, module: usize, given: &[f64], draw: bool, corner: bool) -> Result<()> {
         let length = given.first().copied().unwrap_or(self.params.step);
         let to = self.state.position + length * self.state.frame.heading;
-        // NaN is refused too.
-        if !(to.abs().max_element() <= REACH) {
+        // A NaN is in no range. Asked of each coordinate, since a maximum may pass over one.
+        let reach = -REACH..=REACH;
+        if !(reach.contains(&to.x) && reach.contains(&to.y) && reach.contains(&to.z)) {
             let problem = format!(
                 "a step of {length} leads to {to}; coordinates up to {REACH:e} units are allowed"
             );
@@ -306,10 +307,8 @@ impl<'a, S: Sink> Turtle<'a, S> {
 
     fn close(&mut self, module: usize) -> Result<()> {
         let problem = || "'}' without a '{' before it".into();
-        let outline = self
-            .outlines
-            .pop()
-            .ok_or_else(|| ModelError::Word { module, problem: problem() })?;
+        let outline =
+            self.outlines.pop().ok_or_else(|| ModelError::Word { module, problem: problem() })?;
         if outline.corners.len() < 3 {
             self.report.thin_polygons += 1;
             return Ok(());
@@ -318,9 +317,8 @@ impl<'a, S: Sink> Turtle<'a, S> {
     }
 
     fn finish(&self) -> Result<()> {
-        let fail = |module, problem: &str| {
-            Err(ModelError::Word { module, problem: problem.into() })
-        };
+        let fail =
+            |module, problem: &str| Err(ModelError::Word { module, problem: problem.into() });
         if let Some(outline) = self.outlines.last() {
             return fail(outline.module, "'{' without a '}' after it");
         }

@@ -48,8 +48,7 @@ impl Sink for Wood<'_> {
 
     fn leaf(&mut self, module: usize, turtle: &State, size: f64, kind: f64) -> Result<()> {
         if !(0.0..self.n_kinds as f64).contains(&kind) {
-            let problem =
-                format!("there is no leaf kind {kind}: the species has {}", self.n_kinds);
+            let problem = format!("there is no leaf kind {kind}: the species has {}", self.n_kinds);
             return Err(ModelError::Word { module, problem });
         }
         let frame = turtle.frame;
@@ -159,9 +158,8 @@ impl<'a> Wood<'a> {
 
     /// Metres a unit.
     fn scale(&self, params: &TurtleParams) -> Result<f64> {
-        let fold = |start: f64, of: fn(&DVec3) -> f64| {
-            self.positions.iter().map(of).fold(start, f64::max)
-        };
+        let fold =
+            |start: f64, of: fn(&DVec3) -> f64| self.positions.iter().map(of).fold(start, f64::max);
         let extent = fold(0.0, |position| position.abs().max_element());
         let scale = match params.height {
             Some(height) if extent > 0.0 => {
