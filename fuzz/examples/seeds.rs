@@ -60,6 +60,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     save("sketch", "json", json.as_bytes())?;
     save("sketch", "bare", b"[[[5,10],[5,2]],[[5,6],[8,3]]]")?;
     save("sketch", "quickdraw", br#"{"word":"tree","drawing":[[[5,5],[10,2]],[[1,9,9],[3,0,3]]]}"#)?;
+    save("lsystem", "signal", b"#ignore +-F\naxiom: J[+I]I[-I]FI\nJ < I > [I]F -> J\nI -> I")?;
+    save("lsystem", "tree", b"#define r .7\nsteps: 4\nangle: 25.7\naxiom: A(1)\np1: A(l) : l > .1 && itNum < maxIt -> F(l)[+(ran(30))A(l*r)]A(if(l>.5,l/2,sin(l))) : .7\nA(l) -(.3)-> B(nran(l,.1))\ndecomposition\nmaximum depth: 3\nB(x) -> [C]B(x^2)\nhomomorphism\nC -> /* leaf */ \\\n~L\nendlsystem\n")?;
+    save("lsystem", "names", b"#symbols Apex Fl\n\xcf\x89 : Apex(1)\nl : * < Apex(t) > * : * \xe2\x86\x92 Fl[Apex(-t%2)] // end")?;
     Ok(())
 }
 

@@ -11,6 +11,9 @@ use crate::error::{ModelError, Result};
 use crate::lsystem::grammar::{Item, Rule};
 use crate::lsystem::{Symbols, Word};
 
+/// Branches and unseen modules that one context with brackets looks past, at most: without an end to it, a long
+/// row of them would take time with the square of its length.
+const MOST_SEARCHED: u32 = 4096;
 /// No neighbour.
 const NONE: u32 = u32::MAX;
 
@@ -97,7 +100,8 @@ impl Pass<'_> {
             }
             scratch.matched.push(place);
         }
-        self.matches_right(neighbours, &rule.right, module as u32, scratch)
+        let mut left_to_search = MOST_SEARCHED;
+        self.matches_right(neighbours, &rule.right, module as u32, scratch, &mut left_to_search)
     }
 
     /// Matches items behind a place. It recurses into branches, as deep as the grammar's reader allows.
@@ -107,6 +111,7 @@ impl Pass<'_> {
         items: &[Item],
         from: u32,
         scratch: &mut Scratch,
+        left_to_search: &mut u32,
     ) -> bool {
         let kinds = self.word.kinds();
         // The last module matched, and how far the branches behind it were searched.
@@ -127,10 +132,11 @@ impl Pass<'_> {
                     let inside = items.get(i..i + n).unwrap_or_default();
                     i += n + 1;
                     loop {
-                        let Some(branch) = self.next_branch(neighbours, searched) else { return false };
+                        let branch = self.next_branch(neighbours, searched, left_to_search);
+                        let Some(branch) = branch else { return false };
                         searched = at(&neighbours.close, branch);
                         let n_matched = scratch.matched.len();
-                        if self.matches_right(neighbours, inside, branch, scratch) {
+                        if self.matches_right(neighbours, inside, branch, scratch, left_to_search) {
                             break;
                         }
                         scratch.matched.truncate(n_matched);
@@ -143,9 +149,15 @@ impl Pass<'_> {
     }
 
     /// The next branch behind a place, before the next module of the axis.
-    fn next_branch(&self, neighbours: &Neighbours, behind: u32) -> Option<u32> {
+    fn next_branch(
+        &self,
+        neighbours: &Neighbours,
+        behind: u32,
+        left_to_search: &mut u32,
+    ) -> Option<u32> {
         let mut place = behind.checked_add(1)?;
         loop {
+            *left_to_search = left_to_search.checked_sub(1)?;
             match *self.word.kinds().get(place as usize)? {
                 Symbols::PUSH => return Some(place),
                 Symbols::POP => return None,

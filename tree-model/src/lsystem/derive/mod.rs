@@ -59,10 +59,9 @@ pub(super) fn axiom(grammar: &Grammar, seed: Seed) -> Result<Word> {
     kinds.extend_from_slice(&start.kinds);
     let steps = f64::from(grammar.steps());
     let env = Env { step: 0.0, steps, stream: seed.stream("axiom"), module: 0 };
-    start.write_params(&[], &env, &mut Vec::new(), params).map_err(|fault| ModelError::Word {
-        module: 0,
-        problem: format!("axiom: {}", fault.0),
-    })?;
+    start
+        .write_params(&[], &env, &mut Vec::new(), params)
+        .map_err(|fault| ModelError::Word { module: 0, problem: format!("axiom: {}", fault.0) })?;
     Ok(word)
 }
 
@@ -137,7 +136,8 @@ fn decompose(
     seed: Seed,
     control: &Control,
 ) -> Result<Word> {
-    let (rules, stream) = (grammar.decomposition(), seed.stream("decomposition").child(after.into()));
+    let (rules, stream) =
+        (grammar.decomposition(), seed.stream("decomposition").child(after.into()));
     let decomposed = to_depth(grammar, rules, &word, stream, [after, of], control)?;
     Ok(decomposed.unwrap_or(word))
 }

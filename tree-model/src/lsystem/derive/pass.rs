@@ -174,7 +174,8 @@ impl<'a> Pass<'a> {
             let module = chunk.modules.start + i;
             env.module = module as u64;
             let own = self.params(begin..end);
-            let frame = if rule.gathers { self.gather(rule, module, own, &mut scratch) } else { own };
+            let frame =
+                if rule.gathers { self.gather(rule, module, own, &mut scratch) } else { own };
             let written = rule.successor.write_params(frame, &env, &mut stack, out_params);
             written.map_err(|fault| self.fault(module, own, rule, &fault))?;
         }
@@ -206,7 +207,8 @@ impl<'a> Pass<'a> {
     ) -> ModelError {
         let name = self.symbols.get(rule.kind).map_or("?", |(name, _)| name);
         let params: Vec<String> = own.iter().map(ToString::to_string).collect();
-        let params = if params.is_empty() { String::new() } else { format!("({})", params.join(",")) };
+        let params =
+            if params.is_empty() { String::new() } else { format!("({})", params.join(",")) };
         let (label, line, fault) = (&rule.name, rule.line, &fault.0);
         let problem = format!("{fault} in {label} (line {line}) of {name}{params}");
         ModelError::Word { module, problem }

@@ -35,7 +35,12 @@ impl Expr {
     /// # Errors
     /// The first operation whose result is not finite.
     #[inline]
-    pub(crate) fn eval(&self, frame: &[f64], env: &Env, stack: &mut Vec<f64>) -> Result<f64, Fault> {
+    pub(crate) fn eval(
+        &self,
+        frame: &[f64],
+        env: &Env,
+        stack: &mut Vec<f64>,
+    ) -> Result<f64, Fault> {
         match self {
             Self::Value(value) => Ok(*value),
             Self::Param(slot) => Ok(param(frame, *slot)),

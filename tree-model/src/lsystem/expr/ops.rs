@@ -174,8 +174,20 @@ impl Binary {
             Self::Eq => truth(a == b),
             Self::Ne => truth(a != b),
             // f64::min leaves open which of two zeros it gives.
-            Self::Min => if b < a { b } else { a },
-            Self::Max => if b > a { b } else { a },
+            Self::Min => {
+                if b < a {
+                    b
+                } else {
+                    a
+                }
+            }
+            Self::Max => {
+                if b > a {
+                    b
+                } else {
+                    a
+                }
+            }
             Self::Atan2 => libm::atan2(a, b).to_degrees(),
         }
     }

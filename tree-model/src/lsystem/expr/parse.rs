@@ -9,6 +9,9 @@ use std::collections::BTreeMap;
 /// Open parentheses and waiting operators of one expression, at most. Deeper ones are machine-made.
 const MOST_DEPTH: usize = 256;
 
+/// Names in a hint, at most.
+const MOST_PROPOSED: usize = 8;
+
 /// What names mean in an expression.
 pub(crate) struct Scope<'a> {
     /// Constants by name.
@@ -88,6 +91,21 @@ pub(crate) fn parse(cursor: &mut Cursor<'_>, scope: &mut Scope<'_>) -> Result<Ex
     }
 }
 
+/// A hint for a name that has no meaning.
+fn known(name: &str, scope: &Scope<'_>) -> String {
+    let params = scope.params.iter().map(|&(param, _)| param);
+    let constants = scope.constants.keys().map(String::as_str);
+    let hint = did_you_mean(name, params.clone().chain(constants.clone()).chain([STEP, STEPS]));
+    let names: Vec<&str> = params.chain(constants).take(MOST_PROPOSED).collect();
+    if !hint.is_empty() {
+        hint
+    } else if names.is_empty() {
+        "there are no constants and no formal parameters here".into()
+    } else {
+        format!("known are {}", names.join(", "))
+    }
+}
+
 struct Yard {
     ops: Vec<Op>,
     /// Operations before this one are the target of a jump, and are not folded.
@@ -155,17 +173,17 @@ impl Yard {
             self.draw(Draw::Rand, scope);
         } else if function(name).is_some() {
             let hint = format!("write {name}(...)");
-            return Err(cursor.error_at(at, format!("the function '{name}' lacks its arguments"), hint));
+            return Err(cursor.error_at(
+                at,
+                format!("the function '{name}' lacks its arguments"),
+                hint,
+            ));
         } else {
-            let params = scope.params.iter().map(|&(param, _)| param);
-            let constants = scope.constants.keys().map(String::as_str);
-            let hint = did_you_mean(name, params.chain(constants).chain([STEP, STEPS]));
-            let hint = if hint.is_empty() {
-                "it must be a formal parameter of the production or a constant".into()
-            } else {
-                hint
-            };
-            return Err(cursor.error_at(at, format!("nothing is named '{name}'"), hint));
+            return Err(cursor.error_at(
+                at,
+                format!("nothing is named '{name}'"),
+                known(name, scope),
+            ));
         }
         Ok(true)
     }
@@ -208,7 +226,9 @@ impl Yard {
     /// Reads an operator; false when there is none.
     fn operator(&mut self, cursor: &mut Cursor<'_>) -> Result<bool> {
         cursor.peek();
-        for (words, is_and, strength) in [(["&&", "&", "and"], true, 2), (["||", "|", "or"], false, 1)] {
+        for (words, is_and, strength) in
+            [(["&&", "&", "and"], true, 2), (["||", "|", "or"], false, 1)]
+        {
             let Some(word) = words.into_iter().find(|word| cursor.rest().starts_with(word)) else {
                 continue;
             };
@@ -262,7 +282,8 @@ impl Yard {
     /// A comma between arguments.
     fn argument(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         self.reduce(0);
-        let Some(Pending::Call { function, at, n_arguments, jump }) = self.pending.last_mut() else {
+        let Some(Pending::Call { function, at, n_arguments, jump }) = self.pending.last_mut()
+        else {
             return Err(cursor.error("',' in parentheses that belong to no function", ""));
         };
         if *n_arguments >= function.n_arguments() {
@@ -291,7 +312,8 @@ impl Yard {
             return Ok(());
         };
         if n_arguments < function.n_arguments() {
-            let problem = format!("{n_arguments} argument(s), {} are needed", function.n_arguments());
+            let problem =
+                format!("{n_arguments} argument(s), {} are needed", function.n_arguments());
             return Err(cursor.error_at(at, problem, ""));
         }
         match function {
@@ -309,7 +331,8 @@ impl Yard {
     }
 
     fn unary(&mut self, op: Unary) {
-        if let Some((Op::Value(value), before)) = self.ops.split_last_mut().map(|(l, b)| (l, b.len()))
+        if let Some((Op::Value(value), before)) =
+            self.ops.split_last_mut().map(|(l, b)| (l, b.len()))
             && before >= self.fixed
             && op.apply(*value).is_finite()
         {

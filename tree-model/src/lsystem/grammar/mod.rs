@@ -144,27 +144,30 @@ impl Grammar {
         self.settings.constants.iter().map(|(name, &value)| (name.as_str(), value))
     }
 
-    /// Gives a constant of the text another value; all that depends on it is computed anew. `steps` and
-    /// `angle` can be set as well.
+    /// Gives a constant of the text another value; all that depends on it is computed anew. `steps` (fractions
+    /// are cut off) and `angle` can be set as well.
     ///
     /// # Errors
-    /// [`ModelError::Grammar`] when the text has no such constant, the value is not finite, or an
-    /// expression of constants has no value then. The grammar stays as it was.
+    /// [`ModelError::NotFinite`]; [`ModelError::Parameter`] for steps below 0 or above 1,000,000;
+    /// [`ModelError::Grammar`] when the text has no such constant (at line 1, column 1), or an expression of
+    /// constants has no value then. The grammar stays as it was.
     ///
     /// # Complexity
     /// O(text): it is read again.
     pub fn set_constant(&mut self, name: &str, value: f64) -> Result<()> {
-        let fail = |problem, hint| {
-            Err(ModelError::Grammar { line: 1, column: 1, problem, hint })
-        };
         if !value.is_finite() {
-            return fail(format!("the constant '{name}' cannot be {value}"), String::new());
+            return Err(ModelError::NotFinite { field: format!("constant '{name}'") });
         }
-        let known = ["steps", "angle"].contains(&name) || self.settings.constants.contains_key(name);
+        if name == "steps" {
+            crate::error::check("steps", value, 0.0, settings::MOST_STEPS)?;
+        }
+        let known =
+            ["steps", "angle"].contains(&name) || self.settings.constants.contains_key(name);
         if !known {
             let names = self.settings.constants.keys().map(String::as_str);
             let hint = super::text::did_you_mean(name, names);
-            return fail(format!("there is no constant '{name}'"), hint);
+            let problem = format!("the text has no constant '{name}'");
+            return Err(ModelError::Grammar { line: 1, column: 1, problem, hint });
         }
         let mut replaced = self.replaced.clone();
         replaced.insert(name.to_owned(), value);
@@ -181,7 +184,8 @@ impl Grammar {
         let word = Word::parse(text, &mut symbols)?;
         let unknown = |kind: &super::Kind| self.symbols.get(*kind).is_none();
         if let Some(module) = word.kinds().iter().position(unknown) {
-            let (name, n) = word.kinds().get(module).and_then(|&kind| symbols.get(kind)).unwrap_or_default();
+            let (name, n) =
+                word.kinds().get(module).and_then(|&kind| symbols.get(kind)).unwrap_or_default();
             let problem = format!("the grammar has no module '{name}' with {n} parameters");
             return Err(ModelError::Word { module, problem });
         }
@@ -198,7 +202,12 @@ impl Grammar {
     ///
     /// # Complexity
     /// O(modules of all words). Memory: two words of the last step, three where more than one thread works.
-    pub fn derive(&self, steps: Option<u32>, seed: Seed, control: &Control) -> Result<derive::Derived> {
+    pub fn derive(
+        &self,
+        steps: Option<u32>,
+        seed: Seed,
+        control: &Control,
+    ) -> Result<derive::Derived> {
         derive::derive(self, steps.unwrap_or(self.settings.steps), seed, control)
     }
 
@@ -206,7 +215,14 @@ impl Grammar {
     ///
     /// # Errors
     /// As [`derive`](Self::derive), and for a word that is not of this grammar.
-    pub fn step(&self, word: &Word, step: u32, of: u32, seed: Seed, control: &Control) -> Result<Word> {
+    pub fn step(
+        &self,
+        word: &Word,
+        step: u32,
+        of: u32,
+        seed: Seed,
+        control: &Control,
+    ) -> Result<Word> {
         word.check(&self.symbols)?;
         derive::step(self, word, step, of, seed, control)
     }

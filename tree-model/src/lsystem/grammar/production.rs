@@ -2,10 +2,10 @@
 
 use super::modules::{self, Formal, Use};
 use super::rules::{Item, MOST_RULES, Rule, Successor};
-use super::settings::{Section, Settings, find_arrow};
+use super::settings::{Section, Settings};
 use crate::error::Result;
 use crate::lsystem::expr::{self, Expr, Scope};
-use crate::lsystem::text::{Cursor, Source};
+use crate::lsystem::text::{Cursor, Source, find_arrow};
 use crate::lsystem::{Kind, Symbols};
 use std::ops::Range;
 
@@ -165,6 +165,7 @@ impl<'a> Reader<'a> {
         cursor: &mut Cursor<'a>,
     ) -> Result<(Kind, Vec<Kind>, Vec<Item>, Vec<(&'a str, u16)>)> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
+        cursor.peek();
         let start = cursor.at();
         let mut strict = modules::formals(cursor, &self.symbols)?;
         if cursor.eat("<") {
@@ -207,19 +208,18 @@ impl<'a> Reader<'a> {
     where
         'a: 'f,
     {
-        let mut params: Vec<(&str, u16)> = Vec::new();
-        let mut seen = std::collections::BTreeSet::new();
-        for &(name, at) in modules.flat_map(|module| &module.params) {
-            if !seen.insert(name) {
-                let problem = format!("the formal parameter '{name}' stands here twice");
-                return Err(cursor.error_at(at, problem, "give each a name of its own"));
-            }
-            if params.len() >= MOST_FORMALS {
-                return Err(cursor.error_at(at, format!("more than {MOST_FORMALS} parameters"), ""));
-            }
-            params.push((name, params.len() as u16));
+        let all: Vec<(&str, usize)> = modules.flat_map(|module| &module.params).copied().collect();
+        let mut sorted = all.clone();
+        sorted.sort_unstable();
+        let twice = sorted.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1]);
+        if let Some((name, at)) = twice.min_by_key(|&(_, at)| at) {
+            let problem = format!("the formal parameter '{name}' stands here twice");
+            return Err(cursor.error_at(at, problem, "give each a name of its own"));
         }
-        Ok(params)
+        if let Some(&(_, at)) = all.get(MOST_FORMALS) {
+            return Err(cursor.error_at(at, format!("more than {MOST_FORMALS} parameters"), ""));
+        }
+        Ok(all.into_iter().zip(0..).map(|((name, _), slot)| (name, slot)).collect())
     }
 
     fn kind(&mut self, cursor: &Cursor<'_>, module: &Formal<'_>) -> Result<Kind> {
@@ -239,7 +239,8 @@ impl<'a> Reader<'a> {
         for module in modules {
             match module.name {
                 "[" if open.len() == DEEPEST_CONTEXT => {
-                    let problem = format!("a context with brackets more than {DEEPEST_CONTEXT} deep");
+                    let problem =
+                        format!("a context with brackets more than {DEEPEST_CONTEXT} deep");
                     return Err(cursor.error_at(module.at, problem, ""));
                 }
                 "[" => {

@@ -139,12 +139,8 @@ impl Rules {
             let arity = symbols.arity(Kind(kind as u16)) as u16;
             Row { action: Action::Keep, arity, n_modules: 1, n_params: arity.into() }
         };
-        let mut all = Self {
-            rows: (0..symbols.len()).map(keep).collect(),
-            rules,
-            order: Vec::new(),
-            depth,
-        };
+        let mut all =
+            Self { rows: (0..symbols.len()).map(keep).collect(), rules, order: Vec::new(), depth };
         let mut start = 0;
         let kind = |i: u16| all.rules.get(usize::from(i)).map(|rule| rule.kind);
         for run in order.chunk_by(|&a, &b| kind(a) == kind(b)) {

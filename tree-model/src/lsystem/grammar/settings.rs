@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::lsystem::expr::{self, Env, Scope};
-use crate::lsystem::text::{Cursor, Source, arrow, did_you_mean};
+use crate::lsystem::text::{Cursor, Source, did_you_mean, find_arrow};
 use crate::lsystem::{Kind, Symbols};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -11,9 +11,13 @@ use tree_core::Seed;
 /// More declared names than this are refused: each would cost at every symbol read.
 const MOST_NAMES: usize = 4096;
 /// More derivations than this are not what anyone meant.
-const MOST_STEPS: f64 = 1_000_000.0;
+pub(super) const MOST_STEPS: f64 = 1_000_000.0;
 /// Deepest recursion of decomposition and interpretation.
-const MOST_PASSES: f64 = 10_000.0;
+const MOST_PASSES: f64 = 1000.0;
+/// The largest seed: up to here an f64 holds every whole number.
+const MOST_SEED: f64 = 9_007_199_254_740_992.0;
+/// Longer names are refused: at every symbol read, each length that a declared name has is tried.
+const LONGEST_NAME: usize = 64;
 /// Turns without a parameter, when the text does not say: as in cpfg.
 const DEFAULT_ANGLE: f64 = 90.0;
 
@@ -169,8 +173,14 @@ impl<'a> Reader<'a> {
         while !cursor.is_done() {
             let at = cursor.at();
             let name: &str = cursor.rest().split([' ', '\t', ',', '\n']).next().unwrap_or_default();
-            if let Some(c) = name.chars().find(|&c| !crate::lsystem::text::is_symbol_char(c) || "[]".contains(c)) {
+            if let Some(c) =
+                name.chars().find(|&c| !crate::lsystem::text::is_symbol_char(c) || "[]".contains(c))
+            {
                 let problem = format!("'{}' cannot be part of a symbol", c.escape_debug());
+                return Err(cursor.error(problem, "divide names by spaces or commas"));
+            }
+            if name.len() > LONGEST_NAME {
+                let problem = format!("a symbol of more than {LONGEST_NAME} bytes");
                 return Err(cursor.error(problem, "divide names by spaces or commas"));
             }
             self.n_names += 1;
@@ -209,11 +219,16 @@ impl<'a> Reader<'a> {
         match word {
             "symbols" => Ok(()),
             "define" => {
+                cursor.peek();
                 let at = cursor.at();
                 let Some(name) = cursor.name() else { return Err(cursor.unexpected("a name")) };
                 if cursor.rest().starts_with('(') {
                     let hint = "write the expression where it is needed";
-                    return Err(cursor.error_at(at, format!("the macro '{name}' has parameters"), hint));
+                    return Err(cursor.error_at(
+                        at,
+                        format!("the macro '{name}' has parameters"),
+                        hint,
+                    ));
                 }
                 self.define(name, &mut cursor)
             }
@@ -224,7 +239,11 @@ impl<'a> Reader<'a> {
             _ => {
                 let known = ["define", "symbols", "ignore", "consider"];
                 let hint = did_you_mean(word, known.into_iter());
-                Err(cursor.error_at(cursor.at() - word.len() - 1, format!("there is no '#{word}'"), hint))
+                Err(cursor.error_at(
+                    cursor.at() - word.len() - 1,
+                    format!("there is no '#{word}'"),
+                    hint,
+                ))
             }
         }
     }
@@ -243,18 +262,26 @@ impl<'a> Reader<'a> {
             }
             Key::Axiom => self.axiom = Some(cursor.at()..cursor.at() + cursor.rest().len()),
             Key::Ignore | Key::Consider => self.seen(key == Key::Ignore, cursor, symbols)?,
-            Key::Angle => self.settings.angle = self.number("angle", &mut cursor, f64::NEG_INFINITY..f64::INFINITY)?,
-            Key::Steps => self.settings.steps = self.whole("steps", &mut cursor, MOST_STEPS)? as u32,
-            Key::Seed => self.settings.seed = self.whole("seed", &mut cursor, 9_007_199_254_740_992.0)? as u64,
+            Key::Angle => {
+                let any = f64::NEG_INFINITY..f64::INFINITY;
+                self.settings.angle = self.number("angle", &mut cursor, any)?;
+            }
+            Key::Steps => {
+                self.settings.steps = self.whole("steps", &mut cursor, MOST_STEPS)? as u32;
+            }
+            Key::Seed => {
+                self.settings.seed = self.whole("seed", &mut cursor, MOST_SEED)? as u64;
+            }
+            Key::Depth if self.section == Section::Productions => {
+                let hint = "write it after 'decomposition' or 'interpretation'";
+                return Err(cursor.error("a maximum depth of productions", hint));
+            }
             Key::Depth => {
                 let depth = self.whole("maximum depth", &mut cursor, MOST_PASSES)? as u32;
-                match self.section {
-                    Section::Decomposition => self.settings.decomposition_depth = depth,
-                    Section::Interpretation => self.settings.interpretation_depth = depth,
-                    Section::Productions => {
-                        let hint = "write it after 'decomposition' or 'interpretation'";
-                        return Err(cursor.error("a maximum depth of productions", hint));
-                    }
+                if self.section == Section::Decomposition {
+                    self.settings.decomposition_depth = depth;
+                } else {
+                    self.settings.interpretation_depth = depth;
                 }
             }
         }
@@ -277,7 +304,7 @@ impl<'a> Reader<'a> {
         cursor.eat("°");
         cursor.finish()?;
         if let Some(&replaced) = self.replaced.get(name) {
-            value = replaced;
+            value = if name == "steps" { replaced.floor() } else { replaced };
         }
         if value < range.start || value > range.end {
             let hint = format!("allowed is {} to {}", range.start, range.end);
@@ -300,7 +327,9 @@ impl<'a> Reader<'a> {
         let words = start.rest().split([':', '=']).next().unwrap_or_default().trim();
         let mut hint = did_you_mean(words, KEYS.iter().map(|&(key, _)| key));
         if hint.is_empty() {
-            hint = "write 'predecessor -> successor', 'name = value' or a setting such as 'axiom: F'".into();
+            hint =
+                "write 'predecessor -> successor', 'name = value' or a setting such as 'axiom: F'"
+                    .into();
         }
         Err(start.error("this is neither a production nor a setting", hint))
     }
@@ -319,15 +348,16 @@ impl<'a> Reader<'a> {
     fn value(&mut self, cursor: &mut Cursor<'_>) -> Result<f64> {
         cursor.peek();
         let (at, mut draws) = (cursor.at(), 0);
-        let scope = &mut Scope { constants: &self.settings.constants, params: &[], draws: &mut draws };
+        let scope =
+            &mut Scope { constants: &self.settings.constants, params: &[], draws: &mut draws };
         let value = expr::parse(cursor, scope)?;
         if draws > 0 {
             return Err(cursor.error_at(at, "a constant cannot be random", "draw in a production"));
         }
         let env = Env { step: 0.0, steps: 0.0, stream: Seed(0), module: 0 };
-        value
-            .eval(&[], &env, &mut Vec::new())
-            .map_err(|fault| cursor.error_at(at, fault.0.into_string(), "it must be a finite number"))
+        value.eval(&[], &env, &mut Vec::new()).map_err(|fault| {
+            cursor.error_at(at, fault.0.into_string(), "it must be a finite number")
+        })
     }
 
     fn seen(&mut self, ignore: bool, mut cursor: Cursor<'_>, symbols: &Symbols) -> Result<()> {
@@ -349,7 +379,13 @@ impl<'a> Reader<'a> {
             }
             (Seen::All, true) => Seen::AllBut(names),
             (Seen::All, false) => Seen::Only(names),
-            _ => return Err(cursor.error_at(at, "both 'ignore' and 'consider' are given", "keep one")),
+            _ => {
+                return Err(cursor.error_at(
+                    at,
+                    "both 'ignore' and 'consider' are given",
+                    "keep one",
+                ));
+            }
         };
         Ok(())
     }
@@ -383,22 +419,4 @@ fn key(cursor: &mut Cursor<'_>) -> Option<(Key, bool)> {
     }
     cursor.go(cursor.at() + end + usize::from(separator.is_some()));
     Some((key, long))
-}
-
-/// The first arrow outside parentheses: its byte and its length.
-pub(super) fn find_arrow(text: &str) -> Option<(usize, usize)> {
-    let mut depth = 0_usize;
-    for (i, c) in text.char_indices() {
-        match c {
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
-            '-' | '→' | '⟶' if depth == 0 => {
-                if let Some(arrow) = arrow(&text[i..]) {
-                    return Some((i, arrow.len()));
-                }
-            }
-            _ => {}
-        }
-    }
-    None
 }

@@ -75,9 +75,7 @@ impl<'a> Cursor<'a> {
     pub(crate) fn number(&mut self) -> Result<Option<f64>> {
         self.peek();
         let (rest, at) = (self.rest(), self.at);
-        let digits = |from: usize| {
-            rest[from..].bytes().take_while(u8::is_ascii_digit).count()
-        };
+        let digits = |from: usize| rest[from..].bytes().take_while(u8::is_ascii_digit).count();
         let mut n = digits(0);
         if rest[n..].starts_with('.') {
             n += 1 + digits(n + 1);
@@ -152,7 +150,7 @@ impl<'a> Cursor<'a> {
 
     /// Line of a byte.
     pub(crate) fn line(&self, at: usize) -> usize {
-        self.source.place(at).0
+        self.source.line(at)
     }
 }
 

@@ -13,10 +13,10 @@ pub(crate) fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>)
     }
     let best = known
         .filter(|other| other.len() <= LONGEST && *other != name)
-        .map(|other| (edits(name, other), other))
-        .filter(|&(edits, _)| edits <= MOST_EDITS && edits < n)
+        .map(|other| (edits(name, other), other.len(), other))
+        .filter(|&(edits, ..)| edits <= MOST_EDITS && edits < n)
         .min();
-    best.map_or_else(String::new, |(_, other)| format!("did you mean '{other}'?"))
+    best.map_or_else(String::new, |(.., other)| format!("did you mean '{other}'?"))
 }
 
 /// Insertions, deletions and exchanges between two names, upper and lower case being equal.

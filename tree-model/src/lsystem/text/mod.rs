@@ -21,3 +21,21 @@ pub(super) const ARROWS: [&str; 4] = ["-->", "->", "→", "⟶"];
 pub(super) fn arrow(text: &str) -> Option<&'static str> {
     ARROWS.into_iter().find(|arrow| text.starts_with(arrow))
 }
+
+/// The first arrow outside parentheses: its byte and its length.
+pub(super) fn find_arrow(text: &str) -> Option<(usize, usize)> {
+    let mut depth = 0_usize;
+    for (i, c) in text.char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            '-' | '→' | '⟶' if depth == 0 => {
+                if let Some(arrow) = arrow(&text[i..]) {
+                    return Some((i, arrow.len()));
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}

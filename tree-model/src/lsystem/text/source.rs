@@ -1,6 +1,6 @@
 //! Comments, continued lines and statements.
 
-use super::arrow;
+use super::{arrow, find_arrow};
 use crate::error::{ModelError, Result};
 use std::ops::Range;
 
@@ -9,42 +9,48 @@ use std::ops::Range;
 pub(crate) struct Source<'a> {
     text: &'a str,
     clean: String,
+    /// Where lines begin, but the first.
+    line_starts: Vec<usize>,
 }
+
+/// What editors put before a text to tell the order of its bytes.
+const ORDER_MARK: char = '\u{feff}';
 
 impl<'a> Source<'a> {
     /// Blanks the comments.
     pub(crate) fn new(text: &'a str) -> Result<Self> {
-        let mut source = Self { text, clean: String::with_capacity(text.len()) };
+        let line_starts = text.match_indices('\n').map(|(i, _)| i + 1).collect();
+        let mut source = Self { text, clean: String::with_capacity(text.len()), line_starts };
         let mut at = 0;
         // A mark for the order of bytes at the beginning of a file is no part of the text.
-        if text.starts_with('\u{feff}') {
-            at = source.blank(at, '\u{feff}'.len_utf8());
+        if text.starts_with(ORDER_MARK) {
+            at = source.blank(at, ORDER_MARK.len_utf8());
         }
+        let (mut line_is_empty, mut last) = (true, ' ');
         while let Some(c) = text[at..].chars().next() {
             let rest = &text[at..];
             if rest.starts_with("/*") {
                 let Some(n) = rest.find("*/") else {
-                    return Err(source.error(at, "the comment is never closed", "write '*/' after it"));
+                    let hint = "write '*/' after it";
+                    return Err(source.error(at, "the comment is never closed", hint));
                 };
                 at = source.blank(at, n + 2);
-            } else if rest.starts_with("//") && source.begins_comment(at) {
+                last = ' ';
+            } else if rest.starts_with("//")
+                && (line_is_empty || (last.is_whitespace() && !rest.starts_with("///")))
+            {
                 at = source.blank(at, rest.find('\n').unwrap_or(rest.len()));
             } else if let Some(n) = joined(rest) {
                 at = source.blank(at, n);
+                last = ' ';
             } else {
                 source.clean.push(c);
                 at += c.len_utf8();
+                line_is_empty = c == '\n' || (line_is_empty && c.is_whitespace());
+                last = c;
             }
         }
         Ok(source)
-    }
-
-    /// Whether `//` here is a comment and not two rolls of the turtle: it begins a line, or follows white
-    /// space and no third stroke follows.
-    fn begins_comment(&self, at: usize) -> bool {
-        let line = self.clean.rsplit('\n').next().unwrap_or_default();
-        line.trim().is_empty()
-            || (line.ends_with(char::is_whitespace) && !self.text[at + 2..].starts_with('/'))
     }
 
     fn blank(&mut self, at: usize, n: usize) -> usize {
@@ -57,11 +63,17 @@ impl<'a> Source<'a> {
         &self.clean
     }
 
+    /// Line of a byte, from 1.
+    pub(crate) fn line(&self, at: usize) -> usize {
+        1 + self.line_starts.partition_point(|&start| start <= at)
+    }
+
     /// Line and column of a byte, both from 1.
     pub(crate) fn place(&self, at: usize) -> (usize, usize) {
-        let before = self.text.get(..at).unwrap_or(self.text);
-        let line = before.rsplit('\n').next().unwrap_or_default();
-        (1 + before.matches('\n').count(), 1 + line.chars().filter(|&c| c != '\u{feff}').count())
+        let line = self.line(at);
+        let start = line.checked_sub(2).and_then(|i| self.line_starts.get(i)).copied();
+        let before = self.text.get(start.unwrap_or(0)..at).unwrap_or_default();
+        (line, 1 + before.chars().filter(|&c| c != ORDER_MARK).count())
     }
 
     /// An error at a byte.
@@ -75,11 +87,11 @@ impl<'a> Source<'a> {
         ModelError::Grammar { line, column, problem: problem.into(), hint: hint.into() }
     }
 
-    /// The statements: one a line, and lines joined where a bracket is open or an arrow stands at the end
-    /// of one or the beginning of the next.
+    /// The statements: one a line, and lines joined where a bracket is open, a line begins with an arrow, or an
+    /// indented line without an arrow follows one that ends with it.
     pub(crate) fn statements(&self) -> Result<Vec<Range<usize>>> {
         let mut statements: Vec<Range<usize>> = Vec::new();
-        let (mut open, mut at, mut joins) = (Vec::new(), 0, false);
+        let (mut open, mut at, mut hangs) = (Vec::new(), 0, false);
         for line in self.clean.split_inclusive('\n') {
             let (begin, text) = (at, line.trim());
             at += line.len();
@@ -88,7 +100,10 @@ impl<'a> Source<'a> {
             }
             let start = begin + line.len() - line.trim_start().len();
             let end = start + text.len();
-            let continues = joins || (arrow(text).is_some() && !statements.is_empty());
+            // A successor may be empty: behind a hanging arrow it goes on only where a line is indented.
+            let successor = hangs && start > begin && find_arrow(text).is_none();
+            let continues =
+                !open.is_empty() || successor || (arrow(text).is_some() && !statements.is_empty());
             match statements.last_mut() {
                 Some(last) if continues => last.end = end,
                 _ => statements.push(start..end),
@@ -96,7 +111,7 @@ impl<'a> Source<'a> {
             if continues || !is_list_of_symbols(text) {
                 self.pair(start, text, &mut open)?;
             }
-            joins = !open.is_empty() || super::ARROWS.iter().any(|arrow| text.ends_with(arrow));
+            hangs = super::ARROWS.iter().any(|arrow| text.ends_with(arrow));
         }
         match open.first() {
             None => Ok(statements),
@@ -139,13 +154,14 @@ impl<'a> Source<'a> {
 
 /// Bytes of a backslash that joins its line to the next, both counted.
 fn joined(rest: &str) -> Option<usize> {
-    let after = rest.strip_prefix('\\')?;
-    let line_end = after.find('\n')?;
-    after[..line_end].trim().is_empty().then_some(line_end + 2)
+    let after = rest.strip_prefix('\\')?.trim_start_matches([' ', '\t', '\r']);
+    after.starts_with('\n').then_some(rest.len() - after.len() + 1)
 }
 
 /// Whether the line lists symbols, which need not be paired when they are brackets.
 fn is_list_of_symbols(line: &str) -> bool {
     let word = line.trim_start_matches('#').split(|c: char| !c.is_alphabetic()).next();
-    word.is_some_and(|word| ["ignore", "consider"].iter().any(|key| word.eq_ignore_ascii_case(key)))
+    word.is_some_and(|word| {
+        ["ignore", "consider", "symbols"].iter().any(|key| word.eq_ignore_ascii_case(key))
+    })
 }

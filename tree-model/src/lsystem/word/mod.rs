@@ -144,11 +144,11 @@ mod tests {
     #[test]
     fn open_brackets_are_named() {
         let mut symbols = Symbols::default();
-        let at = |text: &str, symbols: &mut Symbols| {
-            match Word::parse(text, symbols).and_then(|word| word.check(symbols)) {
-                Err(ModelError::Word { module, .. }) => module,
-                other => panic!("{other:?}"),
-            }
+        let at = |text: &str, symbols: &mut Symbols| match Word::parse(text, symbols)
+            .and_then(|word| word.check(symbols))
+        {
+            Err(ModelError::Word { module, .. }) => module,
+            other => panic!("{other:?}"),
         };
         assert_eq!(at("F[+F[F]", &mut symbols), 1);
         assert_eq!(at("F]F", &mut symbols), 1);

@@ -1,7 +1,7 @@
 //! The alphabet: symbols by name and number of parameters.
 
 use crate::error::Result;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A symbol with its number of parameters: a row of [`Symbols`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -16,8 +16,10 @@ pub struct Symbols {
     names: Vec<String>,
     arities: Vec<u8>,
     kinds: BTreeMap<(String, u8), Kind>,
-    /// Names of more than one character, longest first.
-    long: Vec<String>,
+    /// Names of more than one character.
+    long: BTreeSet<String>,
+    /// Their lengths in bytes, longest first, each once: few, so that a name is found quickly.
+    lengths: Vec<usize>,
 }
 
 impl Default for Symbols {
@@ -27,7 +29,8 @@ impl Default for Symbols {
             names: vec!["[".into(), "]".into()],
             arities: vec![0, 0],
             kinds: kinds.into(),
-            long: Vec::new(),
+            long: BTreeSet::new(),
+            lengths: Vec::new(),
         }
     }
 }
@@ -59,9 +62,11 @@ impl Symbols {
 
     /// Makes a name of several characters known to readers of words, with any number of parameters.
     pub fn declare(&mut self, name: &str) {
-        if name.chars().nth(1).is_some() && !self.long.iter().any(|known| known == name) {
-            self.long.push(name.to_owned());
-            self.long.sort_by_key(|name| std::cmp::Reverse(name.len()));
+        if name.chars().nth(1).is_some() && self.long.insert(name.to_owned()) {
+            let place = self.lengths.partition_point(|&n| n > name.len());
+            if self.lengths.get(place) != Some(&name.len()) {
+                self.lengths.insert(place, name.len());
+            }
         }
     }
 
@@ -95,8 +100,10 @@ impl Symbols {
     /// The name that this text begins with: the longest declared one, or else its first character.
     #[must_use]
     pub fn first_name<'a>(&self, text: &'a str) -> Option<&'a str> {
-        let long = self.long.iter().find(|name| text.starts_with(name.as_str()));
-        let first = text.chars().next()?.len_utf8();
-        text.get(..long.map_or(first, String::len))
+        let long = self.lengths.iter().find_map(|&n| {
+            let name = text.get(..n)?;
+            self.long.contains(name).then_some(name)
+        });
+        long.or_else(|| text.get(..text.chars().next()?.len_utf8()))
     }
 }

@@ -28,9 +28,8 @@ impl Word {
                 let end = list.find(')').ok_or_else(|| fail("'(' is never closed".into()))?;
                 for number in list[..end].split(',') {
                     let number = number.trim();
-                    let value = number
-                        .parse()
-                        .map_err(|_| fail(format!("'{number}' is not a number")))?;
+                    let value =
+                        number.parse().map_err(|_| fail(format!("'{number}' is not a number")))?;
                     params.push(value);
                 }
                 rest = &list[end + 1..];

@@ -1,4 +1,8 @@
-//! Strings and counts of the books.
+//! Reading grammars: notation, mistakes, hostile text.
+
+mod mistakes;
+mod notation;
+mod robust;
 
 use super::*;
 
@@ -6,14 +10,8 @@ fn parse(text: &str) -> Grammar {
     Grammar::parse(text, &Limits::default()).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
+/// The word after so many steps as text.
 fn derived(grammar: &Grammar, steps: u32) -> String {
     let derived = grammar.derive(Some(steps), Seed(1), &Control::default()).unwrap();
     derived.word.text(grammar.symbols())
-}
-
-#[test]
-fn algae_grow_as_lindenmayer_said() {
-    let grammar = parse("axiom: b\nb -> a\na -> ab");
-    let words: Vec<String> = (0..6).map(|n| derived(&grammar, n)).collect();
-    assert_eq!(words, ["b", "a", "ab", "aba", "abaab", "abaababa"]);
 }
