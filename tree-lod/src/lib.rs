@@ -6,6 +6,7 @@ pub mod element;
 mod error;
 
 pub mod implicit;
+pub mod impostor;
 pub mod order;
 pub mod outline;
 pub mod preview;

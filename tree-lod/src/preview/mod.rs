@@ -39,9 +39,11 @@ pub(crate) use camera::Projector;
 pub use camera::{Camera, Framing, Lens, Pose};
 pub use picture::{Mask, Picture};
 pub(crate) use project::clip_loose;
-pub(crate) use raster::Filter;
+pub(crate) use raster::{Band, Filter};
 pub use render::{mask, render, silhouette};
 pub(crate) use scene::{Pattern, Scene};
+pub(crate) use texture::Srgb;
+pub(crate) use visibility::Stage as Draw;
 pub use style::{Backdrop, Style};
 
 use crate::error::{Result, check_range};
