@@ -87,7 +87,13 @@ impl Octahedral {
             radius,
             reach: radius * tile as f32 / inner,
         };
-        let grid = Grid { columns: params.grid, rows: params.grid, tile, width: params.side, height: params.side };
+        let grid = Grid {
+            columns: params.grid,
+            rows: params.grid,
+            tile,
+            width: params.side,
+            height: params.side,
+        };
         let mut atlas = Atlas::new(grid, control)?;
         let triangles: Vec<u32> = (0..scene.n_triangles()).collect();
         let window = |view: usize| {

@@ -54,11 +54,7 @@ pub fn frames(direction: Vec3, grid: u32, hemi: bool) -> [([u32; 2], f32); 3] {
     let f = (at - cell).clamp(Vec2::ZERO, Vec2::ONE);
     let (x, y) = (cell.x as u32, cell.y as u32);
     let side = if f.x > f.y { [x + 1, y] } else { [x, y + 1] };
-    [
-        ([x, y], 1.0 - f.x.max(f.y)),
-        (side, (f.x - f.y).abs()),
-        ([x + 1, y + 1], f.x.min(f.y)),
-    ]
+    [([x, y], 1.0 - f.x.max(f.y)), (side, (f.x - f.y).abs()), ([x + 1, y + 1], f.x.min(f.y))]
 }
 
 /// Right, up and towards the viewer of a frame. Up is as near to +Y as it can be; seen from straight
@@ -68,11 +64,8 @@ pub fn axes([column, row]: [u32; 2], grid: u32, hemi: bool) -> [Vec3; 3] {
     let last = (grid.max(2) - 1) as f32;
     let toward = decode(Vec2::new(column as f32, row as f32) / last, hemi);
     let flat = toward.x * toward.x + toward.z * toward.z;
-    let right = if flat < 1e-6 {
-        Vec3::X
-    } else {
-        Vec3::new(toward.z, 0.0, -toward.x) / flat.sqrt()
-    };
+    let right =
+        if flat < 1e-6 { Vec3::X } else { Vec3::new(toward.z, 0.0, -toward.x) / flat.sqrt() };
     [right, toward.cross(right), toward]
 }
 

@@ -41,7 +41,12 @@ impl Meta {
             check_range("meta.center", v.into(), -1e6, 1e6)?;
         }
         check_range("meta.radius", self.radius.into(), 1e-6, 1e6)?;
-        check_range("meta.reach", self.reach.into(), self.radius.into(), 4.0 * f64::from(self.radius))
+        check_range(
+            "meta.reach",
+            self.reach.into(),
+            self.radius.into(),
+            4.0 * f64::from(self.radius),
+        )
     }
 
     /// Metres of a texel.

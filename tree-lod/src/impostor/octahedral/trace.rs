@@ -29,6 +29,18 @@ pub(super) struct Met {
     pub(super) distance: f32,
 }
 
+pub(super) fn tune(i: usize) -> f32 {
+    use std::sync::OnceLock;
+    static T: OnceLock<Vec<f32>> = OnceLock::new();
+    T.get_or_init(|| {
+        std::env::var("TUNE")
+            .unwrap_or("0.04,0.25,24,1,0,1".into())
+            .split(',')
+            .map(|v| v.parse().unwrap())
+            .collect()
+    })[i]
+}
+
 impl Octahedral {
     /// `origin` is relative to the centre; the ray is inside the ball from `near` to `far`.
     pub(super) fn trace(
@@ -46,21 +58,22 @@ impl Octahedral {
             return Met::default();
         }
         let (from, along, height) = (flat(origin), flat(direction), toward.dot(origin));
-        let step = (far - near) / STEPS as f32;
+        let step = (far - near) / tune(2);
         let reach = 0.5 * step * sink;
         let mut s = near + 0.5 * step;
-        for _ in 0..STEPS {
+        for _ in 0..tune(2) as u32 {
             let place = self.place(frame, from + along * s);
             let depth = self.depth(place);
             let above = height - sink * s - depth;
             if above <= reach
-                && above >= -reach - THICKNESS * meta.radius
-                && self.alpha(place) >= ALPHA_MIN
+                && above >= -reach - tune(0) * meta.radius
+                && self.alpha(place) >= tune(1)
             {
                 // To where the ray crosses the depth that was found.
                 let crossing = (s + above / sink).clamp(near, far);
-                let place = self.place(frame, from + along * crossing);
-                return self.met(place, crossing);
+                let there = self.met(self.place(frame, from + along * crossing), crossing);
+                let here = self.met(place, s);
+                return if tune(5) > 0.5 && here.alpha > there.alpha { here } else { there };
             }
             s += step;
         }

@@ -21,14 +21,21 @@ impl Octahedral {
     ///
     /// # Complexity
     /// O(pixels of the tree × 3 × [`STEPS`](super::STEPS)), in parallel over rows.
-    pub fn view(&self, camera: &Camera, width: u32, height: u32, control: &Control) -> Result<Picture> {
+    pub fn view(
+        &self,
+        camera: &Camera,
+        width: u32,
+        height: u32,
+        control: &Control,
+    ) -> Result<Picture> {
         let srgb = Srgb::new();
         let mut picture = Picture { width, height, pixels: Vec::new() };
         let pixel = |met: Met| {
             let [r, g, b] = met.color.to_array().map(|v| srgb.encode(v.clamp(0.0, 1.0)));
             [r, g, b, (met.alpha.clamp(0.0, 1.0) * 255.0 + 0.5) as u8]
         };
-        picture.pixels = self.pixels(camera, width, height, control, pixel)?.as_flattened().to_vec();
+        picture.pixels =
+            self.pixels(camera, width, height, control, pixel)?.as_flattened().to_vec();
         Ok(picture)
     }
 
@@ -36,7 +43,13 @@ impl Octahedral {
     ///
     /// # Errors
     /// As [`view`](Self::view).
-    pub fn mask(&self, camera: &Camera, width: u32, height: u32, control: &Control) -> Result<Mask> {
+    pub fn mask(
+        &self,
+        camera: &Camera,
+        width: u32,
+        height: u32,
+        control: &Control,
+    ) -> Result<Mask> {
         let alpha = |met: Met| (met.alpha.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
         let coverage = self.pixels(camera, width, height, control, alpha)?;
         Ok(Mask { width, height, coverage })
@@ -76,7 +89,8 @@ impl Octahedral {
         let from = origin - self.meta.center;
         // The part of the ray within the ball, in front of the eye.
         let middle = -from.dot(direction);
-        let inside = self.meta.radius * self.meta.radius - (from + direction * middle).length_squared();
+        let inside =
+            self.meta.radius * self.meta.radius - (from + direction * middle).length_squared();
         if inside <= 0.0 || middle + inside.sqrt() <= 0.0 {
             return Met::default();
         }
@@ -98,6 +112,7 @@ impl Octahedral {
             sum.color *= by;
             sum.normal = sum.normal.normalize_or(Vec3::Y);
             sum.distance *= by;
+            sum.alpha = sum.alpha * super::trace::tune(3) + super::trace::tune(4);
         }
         sum
     }
@@ -108,7 +123,9 @@ impl Octahedral {
     /// [`LodError::Parameter`], [`LodError::Picture`] or [`LodError::Impostor`].
     pub fn check(&self) -> Result<()> {
         self.meta.validate()?;
-        for (picture, side) in [(&self.color, self.meta.side), (&self.detail, self.meta.detail_side)] {
+        for (picture, side) in
+            [(&self.color, self.meta.side), (&self.detail, self.meta.detail_side)]
+        {
             picture.check()?;
             if (picture.width, picture.height) != (side, side) {
                 return Err(LodError::Impostor("a picture has another size than the numbers say"));

@@ -198,7 +198,10 @@ mod tests {
         // A metre is 4 texels across and 8 up.
         let tile = baked(&[(Vec3::new(1.0, 0.5, 0.3), 0.5)]);
         let covered = |x: u32, y: u32| tile.alpha[(y * 16 + x) as usize];
-        assert_eq!((covered(12, 4), covered(11, 2), covered(3, 4), covered(12, 11)), (1.0, 1.0, 0.0, 0.0));
+        assert_eq!(
+            (covered(12, 4), covered(11, 2), covered(3, 4), covered(12, 11)),
+            (1.0, 1.0, 0.0, 0.0)
+        );
         let area: f32 = tile.alpha.iter().sum();
         assert!((area - 0.25 * 32.0).abs() < 1e-3, "{area}");
         assert!((tile.depth[4 * 16 + 12] - 0.3).abs() < 1e-5);

@@ -37,7 +37,8 @@ impl Tile {
         }
         for fine in (1..levels.len()).rev() {
             let (finer, coarser) = levels.split_at_mut(fine);
-            if let (Some((side, cells)), Some((half, above))) = (finer.last_mut(), coarser.first()) {
+            if let (Some((side, cells)), Some((half, above))) = (finer.last_mut(), coarser.first())
+            {
                 push(cells, *side, above, *half);
             }
         }

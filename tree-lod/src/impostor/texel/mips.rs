@@ -129,14 +129,19 @@ mod tests {
     fn colours_do_not_darken() {
         for level in &mips(&discs(64, 40, 2.0), 6).unwrap() {
             let (texels, _) = level.pixels.as_chunks::<4>();
-            assert!(texels.iter().all(|texel| texel[1].abs_diff(120) <= 1 && texel[0].abs_diff(40) <= 1));
+            assert!(
+                texels
+                    .iter()
+                    .all(|texel| texel[1].abs_diff(120) <= 1 && texel[0].abs_diff(40) <= 1)
+            );
         }
     }
 
     #[test]
     fn odd_sizes_end_at_one_texel_and_unfilled_pictures_are_refused() {
         let picture = Picture { width: 5, height: 3, pixels: vec![9; 60] };
-        let sizes: Vec<_> = mips(&picture, 9).unwrap().iter().map(|l| (l.width, l.height)).collect();
+        let sizes: Vec<_> =
+            mips(&picture, 9).unwrap().iter().map(|l| (l.width, l.height)).collect();
         assert_eq!(sizes, [(5, 3), (2, 1), (1, 1)]);
         assert!(mips(&Picture { pixels: vec![0; 59], ..picture }, 2).is_err());
     }
