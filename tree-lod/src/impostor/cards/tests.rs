@@ -47,7 +47,10 @@ fn planes_go_through_opposite_edges() {
 
 #[test]
 fn seen_along_a_normal_the_picture_is_that_of_the_leaves() {
-    let (tree, cards) = cards(900);
+    let tree = forked(900);
+    let sharp = CardParams { size: 128, ..params() };
+    let cards = Cards::bake(&tree.mesh, &tree.elements, &tree.boxes, &sharp, &Control::default());
+    let cards = cards.unwrap();
     for plane in planes(&tree.boxes.boxes()[0]) {
         let up = if plane.normal.y.abs() > 0.9 { Vec3::X } else { Vec3::Y };
         let Camera::Placed(pose) = from(plane.normal, &cards) else { unreachable!() };

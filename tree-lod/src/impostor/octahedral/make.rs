@@ -6,7 +6,7 @@ use super::{Octahedral, Report};
 use crate::error::{LodError, Result, check_range};
 use crate::impostor::texel::{Atlas, Grid, Samples, Tile, Window, bake};
 use crate::preview::{Picture, Scene};
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::{Control, Resource};
 use tree_mesh::Mesh;
@@ -75,7 +75,7 @@ impl Octahedral {
         let threads = rayon::current_num_threads().min(n_views) as u64;
         control.limits.check(Resource::Pixels, 2 * texels + threads * samples)?;
         let scene = Scene::new(mesh, true, control)?;
-        let (center, radius) = sphere(mesh)?;
+        let [center, Vec3 { x: wide, y: high, z: radius }] = extent(mesh)?;
         let inner = (tile - 2 * params.gutter) as f32;
         let meta = Meta {
             grid: params.grid,
@@ -85,7 +85,8 @@ impl Octahedral {
             detail_side: if params.half_detail { params.side / 2 } else { params.side },
             center,
             radius,
-            reach: radius * tile as f32 / inner,
+            wide: wide * tile as f32 / inner,
+            high: high * tile as f32 / inner,
         };
         let grid = Grid {
             columns: params.grid,
@@ -99,7 +100,7 @@ impl Octahedral {
         let window = |view: usize| {
             let frame = [view as u32 % params.grid, view as u32 / params.grid];
             let [right, up, toward] = axes(frame, params.grid, params.hemi);
-            Window { center, right, up, toward, half: Vec2::splat(meta.reach) }
+            Window { center, right, up, toward, half: meta.half(toward.y) }
         };
         let mut covered = 0_u64;
         // A row of views at a time, so that tiles do not pile up.
@@ -119,7 +120,7 @@ impl Octahedral {
                 .collect::<Result<_>>()?;
             for (view, tile) in views.zip(&tiles) {
                 covered += tile.alpha.iter().filter(|&&a| a >= 0.5).count() as u64;
-                atlas.put(view, tile, meta.reach, &scene.srgb);
+                atlas.put(view, tile, meta.radius, &scene.srgb);
             }
         }
         if covered == 0 {
@@ -133,17 +134,31 @@ impl Octahedral {
     }
 }
 
-/// The ball around all vertices that triangles use.
-fn sphere(mesh: &Mesh) -> Result<(Vec3, f32)> {
-    let Some((center, radius)) = mesh.bounding_sphere().filter(|_| mesh.n_triangles() > 0) else {
+/// Middle of the tree; and radius and half height of the upright cylinder around it, and radius of the ball.
+fn extent(mesh: &Mesh) -> Result<[Vec3; 2]> {
+    if mesh.n_triangles() == 0 {
         return Err(LodError::Impostor("there are no triangles to bake"));
-    };
+    }
+    let center = mesh.bounds().center();
+    let (mut wide, mut high, mut radius) = (0.0_f32, 0.0_f32, 0.0_f32);
+    for p in mesh.surfaces.iter().flat_map(|surface| &surface.positions) {
+        let d = *p - center;
+        wide = wide.max(d.x * d.x + d.z * d.z);
+        high = high.max(d.y.abs());
+        radius = radius.max(d.length_squared());
+    }
+    let (wide, radius) = (wide.sqrt(), radius.sqrt());
     check_range("mesh extent", radius.into(), 0.0, 1e6)?;
     if radius < 1e-6 {
         return Err(LodError::Impostor("all vertices lie at one point: there is nothing to see"));
     }
-    Ok((center, radius))
+    // A flat tree still has a width to divide by.
+    let least = THINNEST * radius;
+    Ok([center, Vec3::new(wide.max(least), high.max(least), radius)])
 }
+
+/// Least width and height of a view, as a share of the radius.
+const THINNEST: f32 = 0.01;
 
 /// Half the side: of four texels the one whose alpha is largest, since depths must not be mixed.
 fn nearest_half(atlas: &Atlas) -> Picture {

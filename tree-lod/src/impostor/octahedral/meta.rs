@@ -1,7 +1,7 @@
 //! What a shader needs to know about an octahedral impostor.
 
 use crate::error::{LodError, Result, check_range};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// Numbers that go with the two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,9 +20,10 @@ pub struct Meta {
     pub center: Vec3,
     /// Radius of the ball around it in metres.
     pub radius: f32,
-    /// Half the width of a view in metres, a little more than `radius`. Depths reach from −`reach` to
-    /// `reach`, towards the viewer.
-    pub reach: f32,
+    /// Radius in metres of the upright cylinder around it, and a gutter more.
+    pub wide: f32,
+    /// Half the height in metres of that cylinder, and a gutter more.
+    pub high: f32,
 }
 
 impl Meta {
@@ -41,18 +42,30 @@ impl Meta {
             check_range("meta.center", v.into(), -1e6, 1e6)?;
         }
         check_range("meta.radius", self.radius.into(), 1e-6, 1e6)?;
-        check_range(
-            "meta.reach",
-            self.reach.into(),
-            self.radius.into(),
-            4.0 * f64::from(self.radius),
-        )
+        let most = 2.0 * f64::from(self.radius);
+        check_range("meta.wide", self.wide.into(), f64::MIN_POSITIVE, most)?;
+        check_range("meta.high", self.high.into(), f64::MIN_POSITIVE, most)
     }
 
-    /// Metres of a texel.
+    /// Half width and half height in metres of a view from a direction with this y: what the cylinder
+    /// fills.
+    #[must_use]
+    pub fn half(&self, y: f32) -> Vec2 {
+        let level = (1.0 - y * y).max(0.0).sqrt();
+        Vec2::new(self.wide, self.high * level + self.wide * y.abs())
+    }
+
+    /// Half the depth of the cylinder in metres, likewise.
+    #[must_use]
+    pub fn depth(&self, y: f32) -> f32 {
+        let level = (1.0 - y * y).max(0.0).sqrt();
+        self.wide * level + self.high * y.abs()
+    }
+
+    /// Metres of a texel: the largest of any view.
     #[must_use]
     pub fn texel(&self) -> f32 {
-        2.0 * self.reach / self.tile as f32
+        2.0 * (self.wide * self.wide + self.high * self.high).sqrt() / self.tile as f32
     }
 
     /// As JSON, to be stored beside the pictures. Numbers are written so that they are read as the same
@@ -60,16 +73,17 @@ impl Meta {
     ///
     /// ```json
     /// { "kind": "octahedral", "grid": 12, "hemi": true, "side": 2048, "tile": 170,
-    ///   "detail_side": 2048, "center": [0, 5, 0], "radius": 6, "reach": 6.1 }
+    ///   "detail_side": 2048, "center": [0, 5, 0], "radius": 6,
+    ///   "wide": 4.1, "high": 5.2 }
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
-        let Self { grid, hemi, side, tile, detail_side, center, radius, reach } = self;
+        let Self { grid, hemi, side, tile, detail_side, center, radius, wide, high } = self;
         let [x, y, z] = center.to_array();
         format!(
             "{{ \"kind\": \"octahedral\", \"grid\": {grid}, \"hemi\": {hemi}, \"side\": {side}, \
              \"tile\": {tile},\n  \"detail_side\": {detail_side}, \"center\": [{x}, {y}, {z}], \
-             \"radius\": {radius}, \"reach\": {reach} }}\n"
+             \"radius\": {radius},\n  \"wide\": {wide}, \"high\": {high} }}\n"
         )
     }
 }

@@ -12,7 +12,8 @@
 //!
 //! Departures: the three views are chosen for each pixel by its own ray, not once for the tree, and depth is
 //! searched, not guessed in one step: near trees are right as well. A ray only ends on what is as deep
-//! as a leaf layer ([`THICKNESS`]), so silhouettes do not grow.
+//! as a leaf layer ([`THICKNESS`]), so silhouettes do not grow. A view is as wide and high as an upright
+//! cylinder around the tree looks, not as the ball: slender trees get more texels.
 //!
 //! Cost: see [`Octahedral::bake`]; drawing takes up to 3 × [`STEPS`] texels of depth a pixel.
 
@@ -39,7 +40,8 @@ pub struct Octahedral {
     /// sRGB colour without light, and alpha: the covered share. View (column, row) begins at
     /// (column, row) × `meta.tile` texels.
     pub color: Picture,
-    /// Normal in the space of the tree, −1 to 1 as 0 to 255, and depth, −`reach` to `reach` likewise.
+    /// Normal in the space of the tree, −1 to 1 as 0 to 255, and depth, −`radius` to `radius`
+    /// towards the viewer, likewise.
     pub detail: Picture,
     /// What went in and came out.
     pub report: Report,

@@ -28,9 +28,8 @@ impl Octahedral {
         height: u32,
         control: &Control,
     ) -> Result<Picture> {
-        let srgb = Srgb::new();
         let mut picture = Picture { width, height, pixels: Vec::new() };
-        let pixel = |met: Met| {
+        let pixel = |met: Met, srgb: &Srgb| {
             let [r, g, b] = met.color.to_array().map(|v| srgb.encode(v.clamp(0.0, 1.0)));
             [r, g, b, (met.alpha.clamp(0.0, 1.0) * 255.0 + 0.5) as u8]
         };
@@ -50,7 +49,7 @@ impl Octahedral {
         height: u32,
         control: &Control,
     ) -> Result<Mask> {
-        let alpha = |met: Met| (met.alpha.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        let alpha = |met: Met, _: &Srgb| (met.alpha.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
         let coverage = self.pixels(camera, width, height, control, alpha)?;
         Ok(Mask { width, height, coverage })
     }
@@ -61,7 +60,7 @@ impl Octahedral {
         width: u32,
         height: u32,
         control: &Control,
-        pixel: impl Fn(Met) -> T + Sync,
+        pixel: impl Fn(Met, &Srgb) -> T + Sync,
     ) -> Result<Vec<T>> {
         self.check()?;
         let view = crate::preview::View { width, height, samples: 1, camera: *camera };
@@ -72,12 +71,13 @@ impl Octahedral {
         control.limits.check(Resource::Pixels, u64::from(width) * u64::from(height))?;
         let pose = camera.pose(&Mesh::default(), 1.0)?;
         let projector = Projector::new(&pose, width, height, 2.0 * self.meta.radius);
+        let srgb = Srgb::new();
         let mut pixels = vec![T::default(); width as usize * height as usize];
         pixels.par_chunks_mut(width as usize).enumerate().try_for_each(|(y, row)| {
             control.check()?;
             for (x, out) in row.iter_mut().enumerate() {
                 let (origin, direction) = projector.ray(x as f32 + 0.5, y as f32 + 0.5);
-                *out = pixel(self.ray(origin, direction.normalize()));
+                *out = pixel(self.ray(origin, direction.normalize(), &srgb), &srgb);
             }
             Ok::<_, LodError>(())
         })?;
@@ -85,7 +85,7 @@ impl Octahedral {
     }
 
     /// What a ray with unit direction sees.
-    fn ray(&self, origin: Vec3, direction: Vec3) -> Met {
+    fn ray(&self, origin: Vec3, direction: Vec3, srgb: &Srgb) -> Met {
         let from = origin - self.meta.center;
         // The part of the ray within the ball, in front of the eye.
         let middle = -from.dot(direction);
@@ -100,7 +100,7 @@ impl Octahedral {
             if weight <= 0.0 {
                 continue;
             }
-            let met = self.trace(frame, from, direction, ends);
+            let met = self.trace(frame, from, direction, ends, srgb);
             let share = weight * met.alpha;
             sum.alpha += share;
             sum.color += share * met.color;
@@ -112,7 +112,6 @@ impl Octahedral {
             sum.color *= by;
             sum.normal = sum.normal.normalize_or(Vec3::Y);
             sum.distance *= by;
-            sum.alpha = sum.alpha * super::trace::tune(3) + super::trace::tune(4);
         }
         sum
     }
@@ -133,11 +132,4 @@ impl Octahedral {
         }
         Ok(())
     }
-}
-
-/// Linear colour of a texel, as the hardware reads sRGB.
-pub(super) fn linear(texel: [u8; 4]) -> Vec3 {
-    use std::sync::OnceLock;
-    static TABLE: OnceLock<Srgb> = OnceLock::new();
-    TABLE.get_or_init(Srgb::new).decode(texel)
 }

@@ -62,6 +62,6 @@ float tree_card_noise(vec2 pixel) {
 }
 
 // 1 where a pixel draws the plane, 0 where it draws another one of the box.
-float tree_card_kept(vec2 interval, float noise) {
-    return step(interval.x, noise) * (1.0 - step(interval.y, noise));
+float tree_card_kept(vec2 interval, float value) {
+    return step(interval.x, value) * (1.0 - step(interval.y, value));
 }

@@ -1,36 +1,37 @@
-// Planes of boxes of leaves (Lluch et al. 2010, §4.2): GLSL 1.30 or ES 3.00 and later.
+// Planes of boxes of leaves (Lluch et al. 2010, §4.2): WGSL.
 //
 // Vertex buffer: `_TREE_CENTER` (box centre, number of the plane), `_TREE_HALF` (half sides), `_TREE_TURN`
 // (quaternion from the box's axes to those of the tree), 4 floats each.
 // Vertex shader, eye in the space of the tree (all four vertices of a plane give the same):
-//   flat vec2 interval = tree_card_interval(half.xyz, tree_card_local(turn, eye - center.xyz), center.w);
+//   @interpolate(flat) interval =
+//       tree_card_interval(half.xyz, tree_card_local(turn, eye - center.xyz), center.w);
 // Fragment shader: discard unless
-//   texture(cards, uv).a >= 0.5 && tree_card_kept(interval, tree_card_noise(gl_FragCoord.xy)) > 0.5
+//   textureSample(cards, s, uv).a >= 0.5 && tree_card_kept(interval, tree_card_noise(position.xy)) > 0.5
 // ---
 // A direction of the tree along the axes of a box.
-vec3 tree_card_local(vec4 turn, vec3 direction) {
-    vec3 t = 2.0 * cross(direction, turn.xyz);
+fn tree_card_local(turn: vec4<f32>, direction: vec3<f32>) -> vec3<f32> {
+    var t: vec3<f32> = 2.0 * cross(direction, turn.xyz);
     return direction + turn.w * t + cross(t, turn.xyz);
 }
 
 // The part of 0 to 1 that belongs to a plane, for a direction to the viewer along the axes of the box.
-vec2 tree_card_interval(vec3 half_sides, vec3 direction, float plane) {
-    vec3 v = normalize(direction);
-    vec3 side = half_sides / max(half_sides.x, max(half_sides.y, half_sides.z));
-    vec3 span = sqrt(side.yzx * side.yzx + side.zxy * side.zxy);
-    vec3 p = side.yzx * v.zxy / span;
-    vec3 q = side.zxy * v.yzx / span;
-    vec3 a = abs(p - q);
-    vec3 b = abs(p + q);
-    vec3 m = max(a, b);
-    float most = max(m.x, max(m.y, m.z));
+fn tree_card_interval(half_sides: vec3<f32>, direction: vec3<f32>, plane: f32) -> vec2<f32> {
+    var v: vec3<f32> = normalize(direction);
+    var side: vec3<f32> = half_sides / max(half_sides.x, max(half_sides.y, half_sides.z));
+    var span: vec3<f32> = sqrt(side.yzx * side.yzx + side.zxy * side.zxy);
+    var p: vec3<f32> = side.yzx * v.zxy / span;
+    var q: vec3<f32> = side.zxy * v.yzx / span;
+    var a: vec3<f32> = abs(p - q);
+    var b: vec3<f32> = abs(p + q);
+    var m: vec3<f32> = max(a, b);
+    var most: f32 = max(m.x, max(m.y, m.z));
     a = a / most;
     b = b / most;
     a = a * a * a * a * a * a * a * a;
     b = b * b * b * b * b * b * b * b;
-    vec3 both = a + b;
-    float low = 0.0;
-    float share = a.x;
+    var both: vec3<f32> = a + b;
+    var low: f32 = 0.0;
+    var share: f32 = a.x;
     if (plane > 0.5) {
         low = low + share;
         share = b.x;
@@ -55,13 +56,13 @@ vec2 tree_card_interval(vec3 half_sides, vec3 direction, float plane) {
 }
 
 // A pattern over pixels, 0 to 1 (Jimenez 2014).
-float tree_card_noise(vec2 pixel) {
-    float wave = dot(pixel, vec2(0.06711056, 0.00583715));
+fn tree_card_noise(pixel: vec2<f32>) -> f32 {
+    var wave: f32 = dot(pixel, vec2(0.06711056, 0.00583715));
     wave = 52.982918 * (wave - floor(wave));
     return wave - floor(wave);
 }
 
 // 1 where a pixel draws the plane, 0 where it draws another one of the box.
-float tree_card_kept(vec2 interval, float noise) {
-    return step(interval.x, noise) * (1.0 - step(interval.y, noise));
+fn tree_card_kept(interval: vec2<f32>, value: f32) -> f32 {
+    return step(interval.x, value) * (1.0 - step(interval.y, value));
 }

@@ -203,7 +203,7 @@ mod tests {
             (1.0, 1.0, 0.0, 0.0)
         );
         let area: f32 = tile.alpha.iter().sum();
-        assert!((area - 0.25 * 32.0).abs() < 1e-3, "{area}");
+        assert!((area - 32.0).abs() < 1e-3, "{area}");
         assert!((tile.depth[4 * 16 + 12] - 0.3).abs() < 1e-5);
         assert_eq!(tile.normal[4 * 16 + 12], Vec3::Z);
     }
