@@ -56,11 +56,11 @@ fn seen_along_a_normal_the_picture_is_that_of_the_leaves() {
         let Camera::Placed(pose) = from(plane.normal, &cards) else { unreachable!() };
         let camera = Camera::Placed(Pose { up, ..pose });
         let control = Control::default();
-        let seen = cards.view(&[0], &camera, [64, 64], &control).unwrap();
-        let full = crate::cover::mask(&tree.mesh, &camera, 64, &control).unwrap();
+        let seen = cards.view(&[0], &camera, [160, 160], &control).unwrap();
+        let full = crate::cover::mask(&tree.mesh, &camera, 160, &control).unwrap();
         let (mut both, mut either) = (0, 0);
-        for i in 0..64 * 64 {
-            let (a, b) = (seen.pixel(i % 64, i / 64).unwrap()[3] > 0, full.get(i % 64, i / 64));
+        for i in 0..160 * 160 {
+            let (a, b) = (seen.pixel(i % 160, i / 160).unwrap()[3] > 0, full.get(i % 160, i / 160));
             both += u32::from(a && b);
             either += u32::from(a || b);
         }

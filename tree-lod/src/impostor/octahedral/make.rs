@@ -14,7 +14,8 @@ use tree_mesh::Mesh;
 /// How a whole tree is baked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OctahedralParams {
-    /// Views along each side of the square of directions, 2 to 64. Default 12: 144 views, 8° apart.
+    /// Views along each side of the square of directions, 2 to 64. Default 12: 144 views, 8° apart at
+    /// the horizon, up to 22° in between.
     pub grid: u32,
     /// Whether only views from the horizon up are baked, which halves the angle between them. Trees are
     /// seldom seen from below. Default true.
