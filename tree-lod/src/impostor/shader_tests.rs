@@ -40,11 +40,10 @@ fn glsl_is_valid() {
 /// The statements of a snippet, without comments and the heads of functions, in the words of GLSL.
 fn statements(source: &str, words: &[(&str, &str)]) -> Vec<String> {
     let lines = source.lines().map(|line| line.split("//").next().unwrap_or("").trim());
+    let head =
+        |line: &str| line.contains(" tree_") && line.ends_with(") {") || line.starts_with("fn ");
     lines
-        .filter(|line| {
-            !line.is_empty()
-                && !(line.contains(" tree_") && line.ends_with(") {") || line.starts_with("fn "))
-        })
+        .filter(|line| !line.is_empty() && !head(line))
         .map(|line| words.iter().fold(line.to_owned(), |line, (from, to)| line.replace(from, to)))
         .map(|line| match line.strip_prefix("var ").and_then(|rest| rest.split_once(": ")) {
             // `var name: type = value` is `type name = value`.

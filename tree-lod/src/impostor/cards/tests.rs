@@ -139,3 +139,27 @@ fn an_eye_that_is_nowhere_is_refused() {
     assert!(cards.view(&[99], &Camera::Placed(pose), [8, 8], &control).is_err());
     assert!(cards.view(&[0], &Camera::default(), [8, 8], &control).is_err());
 }
+
+#[cfg(feature = "gltf")]
+#[test]
+fn a_file_carries_what_the_shader_needs() {
+    use tree_mesh::io::gltf::GlbOptions;
+    let (tree, cards) = cards(400);
+    let glb = cards.to_glb(&[0, 2], &GlbOptions::default()).unwrap();
+    let file = ::gltf::Gltf::from_slice(&glb).unwrap();
+    let primitive = file.meshes().next().unwrap().primitives().next().unwrap();
+    assert_eq!(primitive.indices().unwrap().count(), 2 * 36);
+    let values = |name: &str| -> Vec<[f32; 4]> {
+        let semantic = ::gltf::Semantic::Extras(name.into());
+        let accessor = primitive.get(&semantic).unwrap();
+        ::gltf::accessor::Iter::new(accessor, |_| file.blob.as_deref()).unwrap().collect()
+    };
+    let boxes = tree.boxes.boxes();
+    assert_eq!(values("TREE_CENTER")[4 * 7], boxes[2].center.extend(1.0).to_array());
+    assert_eq!(values("TREE_HALF")[24], boxes[2].half.extend(2.0).to_array());
+    assert_eq!(values("TREE_TURN")[0], boxes[0].turn.to_array());
+    let material = primitive.material();
+    assert!(material.double_sided() && material.alpha_mode() == ::gltf::material::AlphaMode::Mask);
+    let quantized = GlbOptions { quantize: true, ..GlbOptions::default() };
+    assert!(matches!(cards.to_glb(&[0], &quantized), Err(LodError::Parameter { .. })));
+}
