@@ -4,6 +4,7 @@
 pub mod cover;
 pub mod element;
 mod error;
+pub mod hybrid;
 pub mod implicit;
 pub mod impostor;
 pub mod multires;

@@ -115,6 +115,16 @@ impl MultiMesh {
         Ok(n_indices / 3)
     }
 
+    /// Indices of the wood at a fractional level, clamped to 1 and all; all for NaN.
+    ///
+    /// # Complexity
+    /// O(1).
+    #[must_use]
+    pub fn wood_indices(&self, level: f32) -> u32 {
+        let whole = self.whole(level).unwrap_or(self.n_levels());
+        self.ends.first().and_then(|ends| ends.get(whole)).copied().unwrap_or_default()
+    }
+
     /// The greatest whole level with at most so many triangles of wood; at least 1.
     ///
     /// # Complexity

@@ -1,7 +1,7 @@
 //! Planes as triangles.
 
-use super::{Cards, planes};
-use crate::error::Result;
+use super::{Cards, PLANES, planes};
+use crate::error::{LodError, Result};
 use glam::Vec2;
 use std::sync::Arc;
 use tree_mesh::{Alpha, Material, Mesh, Surface, Texture};
@@ -17,9 +17,24 @@ impl Cards {
     /// # Complexity
     /// O(boxes), and a copy of the atlas.
     pub fn mesh(&self, boxes: &[u32]) -> Result<Mesh> {
+        self.mesh_of_planes(boxes, &std::array::from_fn::<_, PLANES, _>(|plane| plane))
+    }
+
+    /// As [`mesh`](Self::mesh), of some planes of each box only, by their places in [`planes`]. For programs
+    /// without the shader: 0, 2 and 4, one for each axis, cover about as much as the leaves do.
+    ///
+    /// # Errors
+    /// [`LodError::Impostor`] when there is no such box or plane.
+    ///
+    /// # Complexity
+    /// As [`mesh`](Self::mesh).
+    pub fn mesh_of_planes(&self, boxes: &[u32], chosen: &[usize]) -> Result<Mesh> {
         let mut surface = Surface::default();
         for &number in boxes {
-            for (plane, face) in planes(self.boxes.get(number)?).iter().enumerate() {
+            let faces = planes(self.boxes.get(number)?);
+            for &plane in chosen {
+                let none = LodError::Impostor("there is no plane of this number: 0 to 5");
+                let face = faces.get(plane).ok_or(none)?;
                 let first = surface.positions.len() as u32;
                 for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
                     let (right, up) = (face.right * face.half.x, face.up * face.half.y);
