@@ -12,14 +12,16 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tree_core::{Control, Seed, Tree, file};
 use tree_lod::hybrid::{Hybrid, HybridParams};
-use tree_lod::multires::stream::{StreamParams, encode};
+use tree_lod::multires::stream::{self, StreamParams};
 use tree_lod::preview::{self, Camera, Framing, Picture, Style, View};
-use tree_mesh::io::gltf::{self, GlbOptions};
+use tree_mesh::io::gltf::GlbOptions;
 use tree_mesh::{Look, Mesh, MeshParams};
 use tree_model::lsystem::LSystem;
 
 const USAGE: &str = "multires [PRESET|FILE.l] [--seed N] [--precision METRES] [--out FOLDER]";
-/// Heights of the tree on the screen in pixels: near, and three times halved twice over.
+/// Height of the screen in pixels that levels in the file are meant for.
+const SCREEN: f32 = 1080.0;
+/// Heights of the tree on the screen in pixels.
 const HEIGHTS: [f32; 4] = [1000.0, 250.0, 100.0, 40.0];
 /// Side of a shown picture in pixels.
 const SHOWN: u32 = 512;
@@ -91,11 +93,10 @@ fn run() -> Result<(), Box<dyn Error>> {
         .map_err(|error| format!("cannot make folder {}: {error}", request.out.display()))?;
     let path = |tail: &str| request.out.join(format!("{name}{tail}"));
     let options = GlbOptions::default();
-    file::write_atomic(&path("_hybrid.glb"), &hybrid.to_glb_levels(&HEIGHTS, 1080.0, &options)?)?;
-    file::write_atomic(&path("_wood.glb"), &hybrid.wood().to_glb(&options)?)?;
+    hybrid.write_glb_levels(&HEIGHTS, SCREEN, &path("_hybrid.glb"), &options)?;
+    hybrid.wood().write_glb(&path("_wood.glb"), &options)?;
     let params = StreamParams { precision: request.precision };
-    let stream = encode(hybrid.multires(), usize::MAX, &params)?;
-    file::write_atomic(&path(".trem"), &stream)?;
+    stream::write_file(hybrid.multires(), usize::MAX, &params, &path(".trem"))?;
     if let Some(cards) = hybrid.cards() {
         cards.color.save_png(path("_cards.png"))?;
     }
@@ -104,7 +105,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         tree.skeleton().len(),
         tree.foliage().len(),
         hybrid.multires().n_levels(),
-        stream.len(),
+        std::fs::metadata(path(".trem"))?.len(),
     );
     let mut shown = Vec::new();
     for height in HEIGHTS {
@@ -118,16 +119,23 @@ fn run() -> Result<(), Box<dyn Error>> {
             full.n_triangles(),
         );
         let reduced = hybrid.mesh_of(&choice)?;
-        shown.push([show(&full, &full, height, &control)?, show(&reduced, &full, height, &control)?]);
+        shown.push([
+            show(&full, &full, height, &control)?,
+            show(&reduced, &full, height, &control)?,
+        ]);
     }
     sheet(&shown).save_png(path("_distances.png"))?;
-    gltf::write_glb(&hybrid.mesh_of(&hybrid.choice_for_height(HEIGHTS[1])?)?, path("_far.glb"), &options)?;
     Ok(())
 }
 
 /// A mesh, framed as the full one is, drawn with the tree so many pixels high, and enlarged or cut to the
 /// size that is shown.
-fn show(mesh: &Mesh, full: &Mesh, height: f32, control: &Control) -> Result<Picture, Box<dyn Error>> {
+fn show(
+    mesh: &Mesh,
+    full: &Mesh,
+    height: f32,
+    control: &Control,
+) -> Result<Picture, Box<dyn Error>> {
     let side = (height.min(SHOWN as f32) as u32).max(8);
     let camera = Camera::Placed(Camera::Framed(Framing::default()).pose(full, 1.0)?);
     let view = View { width: side, height: side, camera, ..View::default() };

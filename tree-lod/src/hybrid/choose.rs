@@ -56,10 +56,9 @@ impl Hybrid {
         check_range("pixels_per_metre", pixels_per_metre.into(), 0.0, f64::INFINITY)?;
         let least = self.wood_pixels / pixels_per_metre;
         let whole = self.sizes.partition_point(|&size| size > least);
-        let (Some(&above), Some(&below)) = (
-            whole.checked_sub(1).and_then(|last| self.sizes.get(last)),
-            self.sizes.get(whole),
-        ) else {
+        let (Some(&above), Some(&below)) =
+            (whole.checked_sub(1).and_then(|last| self.sizes.get(last)), self.sizes.get(whole))
+        else {
             return Ok(whole.max(1) as f32);
         };
         // The next path is whole where it covers enough itself, and nothing where the last one just does.

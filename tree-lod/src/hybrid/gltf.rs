@@ -2,6 +2,7 @@
 
 use super::make::Hybrid;
 use crate::error::{LodError, Result, check_range};
+use std::path::Path;
 use tree_mesh::Mesh;
 use tree_mesh::io::gltf::{self, GlbOptions};
 
@@ -22,6 +23,33 @@ impl Hybrid {
         screen: f32,
         options: &GlbOptions,
     ) -> Result<Vec<u8>> {
+        self.levels(heights, screen, |levels| Ok(gltf::to_glb_levels(levels, options)?))
+    }
+
+    /// [`to_glb_levels`](Self::to_glb_levels) into a file, whole or not at all.
+    ///
+    /// # Errors
+    /// The same, and those of the file system.
+    ///
+    /// # Complexity
+    /// The same.
+    pub fn write_glb_levels(
+        &self,
+        heights: &[f32],
+        screen: f32,
+        path: &Path,
+        options: &GlbOptions,
+    ) -> Result<()> {
+        let write = |levels: &[gltf::Level<'_>]| Ok(gltf::write_glb_levels(levels, path, options)?);
+        self.levels(heights, screen, write)
+    }
+
+    fn levels<R>(
+        &self,
+        heights: &[f32],
+        screen: f32,
+        write: impl FnOnce(&[gltf::Level<'_>]) -> Result<R>,
+    ) -> Result<R> {
         check_range("screen", screen.into(), 1.0, 1e5)?;
         if heights.is_empty() || !heights.windows(2).all(|pair| pair[0] > pair[1]) {
             return Err(LodError::Order { row: 0, problem: "heights must be there, and fall" });
@@ -33,6 +61,6 @@ impl Hybrid {
             gltf::Level { coverage, ..gltf::Level::from(mesh) }
         };
         let levels: Vec<_> = meshes.iter().enumerate().map(level).collect();
-        Ok(gltf::to_glb_levels(&levels, options)?)
+        write(&levels)
     }
 }

@@ -22,8 +22,8 @@ pub struct HybridParams {
     pub cards: CardParams,
     /// When pictures take the place of leaves.
     pub choose: ChooseParams,
-    /// Side in pixels, 0.05 to 100, of the square that a path covers at least, seen from the side, or it is
-    /// not drawn. Less shows finer twigs, more saves triangles. Default 0.75.
+    /// Side in pixels, 0.01 to 100, of the square that a path must cover, seen from the side, to be drawn. Less shows finer twigs, more saves triangles.
+    /// Default 0.5.
     pub wood_pixels: f32,
 }
 
@@ -35,7 +35,7 @@ impl Default for HybridParams {
             boxes: BoxParams::default(),
             cards: CardParams::default(),
             choose: ChooseParams::default(),
-            wood_pixels: 0.75,
+            wood_pixels: 0.5,
         }
     }
 }
@@ -51,7 +51,7 @@ impl HybridParams {
         self.boxes.validate()?;
         self.cards.validate()?;
         self.choose.validate()?;
-        check_range("wood_pixels", self.wood_pixels.into(), 0.05, 100.0)
+        check_range("wood_pixels", self.wood_pixels.into(), 0.01, 100.0)
     }
 }
 
@@ -66,7 +66,7 @@ pub struct Hybrid {
     pub(super) starts: Vec<Vec<u32>>,
     /// None for a tree without leaves.
     pub(super) cards: Option<Cards>,
-    /// For each path: the side of a square that covers as much as the largest path from it on, in metres.
+    /// For each path: the side of the square that covers as much as it does, smoothed to fall, in metres.
     pub(super) sizes: Vec<f32>,
     pub(super) bounds: Aabb,
     pub(super) choose: ChooseParams,
@@ -182,21 +182,70 @@ fn bounds(mesh: &Mesh, multires: &Multires) -> Aabb {
     mesh.bounds().union(multires.tree().skeleton().bounds())
 }
 
-/// For each path the side of the square that covers as much as the largest path from it on.
+/// For each path the side of the square that it covers, smoothed so that it falls from path to path.
 fn sizes(multires: &Multires) -> Vec<f32> {
     let skeleton = multires.tree().skeleton();
     let (positions, radii) = (skeleton.positions(), skeleton.radii());
-    let mut sizes = vec![0.0_f32; multires.n_levels()];
-    let mut largest = 0.0_f32;
-    for path in (0..sizes.len()).rev() {
+    let area = |path: usize| {
         let first = if path == 0 { 1 } else { multires.counts(path).0 };
-        let area = (first..multires.counts(path + 1).0).fold(0.0, |area, node| {
+        (first..multires.counts(path + 1).0).fold(0.0, |area, node| {
             let parent = skeleton.parent(node as u32).unwrap_or(0) as usize;
             let radius = if node == first { radii[node] } else { radii[parent] };
-            area + positions[node].distance(positions[parent]) * (radius + radii[node])
-        });
-        largest = largest.max(area.max(0.0).sqrt());
-        sizes[path] = largest;
+            let length = f64::from(positions[node].distance(positions[parent]));
+            area + length * f64::from(radius + radii[node])
+        })
+    };
+    falling((0..multires.n_levels()).map(area)).map(|area| area.max(0.0).sqrt() as f32).collect()
+}
+
+/// The falling numbers that fit these best: neighbours that rise are pooled (isotonic regression, Ayer et al. 1955),
+/// and between the middles of pools numbers fall evenly, so that no two paths come at once.
+fn falling(values: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
+    // Sum and number of each pool.
+    let mut pools: Vec<(f64, f64)> = Vec::new();
+    for value in values {
+        let mut last = (value, 1.0);
+        while let Some(&(sum, n)) = pools.last().filter(|(sum, n)| sum / n <= last.0 / last.1) {
+            last = (last.0 + sum, last.1 + n);
+            pools.pop();
+        }
+        pools.push(last);
     }
-    sizes
+    let mut points = Vec::with_capacity(pools.len() + 1);
+    let mut before = 0.0;
+    for (sum, n) in &pools {
+        points.push((before + 0.5 * n, sum / n));
+        before += n;
+    }
+    // The last pool falls to half of itself.
+    points.extend(points.last().map(|&(_, value)| (before, 0.5 * value)));
+    let mut at = 0;
+    (0..before as usize).map(move |path| {
+        let middle = path as f64 + 0.5;
+        while at + 1 < points.len() && points[at + 1].0 <= middle {
+            at += 1;
+        }
+        let (x, value) = points[at];
+        match points.get(at + 1) {
+            Some(&(next, lower)) if middle > x => {
+                value + (lower - value) * (middle - x) / (next - x)
+            }
+            _ => value,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::falling;
+
+    #[test]
+    fn numbers_that_fall_stay_and_odd_ones_are_spread() {
+        let fit = |values: &[f64]| falling(values.iter().copied()).collect::<Vec<_>>();
+        assert_eq!(fit(&[8.0, 4.0, 2.0]), [8.0, 4.0, 2.0]);
+        assert!(fit(&[]).is_empty());
+        let spread = fit(&[8.0, 1.0, 1.0, 1.0, 5.0, 0.5]);
+        assert!(spread.windows(2).all(|pair| pair[0] > pair[1]), "{spread:?}");
+        assert_eq!((spread[0], spread[5]), (8.0, 0.5));
+    }
 }

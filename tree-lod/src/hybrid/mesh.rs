@@ -44,8 +44,13 @@ impl Hybrid {
             let planes = cards.mesh_of_planes(&leaves.boxes, &PLAIN)?;
             let first = mesh.materials.len() as u32;
             mesh.materials.extend(planes.materials);
+            let center = cards.boxes().get(0)?.center;
             for mut surface in planes.surfaces {
                 surface.material += first;
+                // Light as on a crown: that on flat planes would show them.
+                for (normal, p) in surface.normals.iter_mut().zip(&surface.positions) {
+                    *normal = (*p - center).try_normalize().unwrap_or(*normal);
+                }
                 mesh.surfaces.push(surface);
             }
         }

@@ -11,9 +11,8 @@
 //!
 //! # Where we depart from the paper
 //!
-//! * It does not tell how a level of branches is found for a distance. Here a path is drawn as long as it, or
-//!   one that comes after it, covers a given number of pixels, were it seen from the side; in between it
-//!   grows ([`multires::grow`](crate::multires::grow)).
+//! * It does not tell how a level of branches is found for a distance. Here paths are drawn as
+//!   long as they cover a given number of pixels, seen from the side; in between they grow ([`multires::grow`](crate::multires::grow)).
 
 mod choose;
 #[cfg(feature = "gltf")]

@@ -19,7 +19,8 @@ fn tree(with_leaves: bool) -> Tree {
         let around = Quat::from_rotation_y(2.4 * i as f32);
         let mut node = trunk;
         for k in 1..=6 {
-            let p = Vec3::new(0.0, y, 0.0) + around * Vec3::new(0.3 * k as f32, 0.1 * k as f32, 0.0);
+            let p =
+                Vec3::new(0.0, y, 0.0) + around * Vec3::new(0.3 * k as f32, 0.1 * k as f32, 0.0);
             node = builder.add(node, p, 0.03 / k as f32).unwrap();
             for l in 0..6 {
                 let rotation = around * Quat::from_rotation_x(l as f32);

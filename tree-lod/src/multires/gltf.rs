@@ -2,6 +2,7 @@
 
 use super::mesh::MultiMesh;
 use crate::error::{LodError, Result, check_range};
+use std::path::Path;
 use tree_mesh::io::gltf::{self, Attribute, GlbOptions};
 
 impl MultiMesh {
@@ -16,6 +17,25 @@ impl MultiMesh {
     /// # Complexity
     /// O(vertices + indices + pixels).
     pub fn to_glb(&self, options: &GlbOptions) -> Result<Vec<u8>> {
+        self.with_branches(options, |levels| Ok(gltf::to_glb_levels(levels, options)?))
+    }
+
+    /// [`to_glb`](Self::to_glb) into a file, whole or not at all.
+    ///
+    /// # Errors
+    /// The same, and those of the file system.
+    ///
+    /// # Complexity
+    /// The same.
+    pub fn write_glb(&self, path: &Path, options: &GlbOptions) -> Result<()> {
+        self.with_branches(options, |levels| Ok(gltf::write_glb_levels(levels, path, options)?))
+    }
+
+    fn with_branches<R>(
+        &self,
+        options: &GlbOptions,
+        write: impl FnOnce(&[gltf::Level<'_>]) -> Result<R>,
+    ) -> Result<R> {
         check_range("quantize", u8::from(options.quantize).into(), 0.0, 0.0)?;
         let attribute = |(surface, values): (usize, &Vec<[f32; 4]>)| Attribute {
             surface,
@@ -25,7 +45,7 @@ impl MultiMesh {
         };
         let attributes: Vec<_> = self.branches().iter().enumerate().map(attribute).collect();
         let level = gltf::Level { attributes: &attributes, ..self.mesh().into() };
-        Ok(gltf::to_glb_levels(&[level], options)?)
+        write(&[level])
     }
 
     /// Levels as the `MSFT_lod` of one GLB file, each a mesh of its own: for programs without shaders of ours.
@@ -39,6 +59,30 @@ impl MultiMesh {
     /// # Complexity
     /// That of as many meshes.
     pub fn to_glb_levels(&self, levels: &[(f32, f32)], options: &GlbOptions) -> Result<Vec<u8>> {
+        self.parts(levels, |levels| Ok(gltf::to_glb_levels(levels, options)?))
+    }
+
+    /// [`to_glb_levels`](Self::to_glb_levels) into a file, whole or not at all.
+    ///
+    /// # Errors
+    /// The same, and those of the file system.
+    ///
+    /// # Complexity
+    /// The same.
+    pub fn write_glb_levels(
+        &self,
+        levels: &[(f32, f32)],
+        path: &Path,
+        options: &GlbOptions,
+    ) -> Result<()> {
+        self.parts(levels, |levels| Ok(gltf::write_glb_levels(levels, path, options)?))
+    }
+
+    fn parts<R>(
+        &self,
+        levels: &[(f32, f32)],
+        write: impl FnOnce(&[gltf::Level<'_>]) -> Result<R>,
+    ) -> Result<R> {
         let falls = |pair: &[(f32, f32)]| pair[0].0 > pair[1].0 && pair[0].1 > pair[1].1;
         if levels.is_empty() || !levels.windows(2).all(falls) {
             let problem = "levels and shares of the screen must be there, and fall";
@@ -48,6 +92,6 @@ impl MultiMesh {
             levels.iter().map(|&(level, _)| self.mesh_at(level)).collect::<Result<Vec<_>>>()?;
         let level = |(mesh, &(_, coverage))| gltf::Level { coverage, ..gltf::Level::from(mesh) };
         let levels: Vec<_> = meshes.iter().zip(levels).map(level).collect();
-        Ok(gltf::to_glb_levels(&levels, options)?)
+        write(&levels)
     }
 }

@@ -53,7 +53,8 @@ impl MultiMesh {
         params.validate().map_err(LodError::from)?;
         check_range("levels", multires.n_levels() as f64, 1.0, PATHS_MAX)?;
         // The wood of this one is thrown away: as little of it as there can be.
-        let thin = MeshParams { sides_min: 3, sides_max: 3, tangents: false, lightmap: false, ..*params };
+        let thin =
+            MeshParams { sides_min: 3, sides_max: 3, tangents: false, lightmap: false, ..*params };
         let built = tree_mesh::build(multires.tree(), look, &thin, &control.part(0.0, 0.5))?;
         let mut mesh = built.mesh;
         // Their numbers are those of axes, which paths are not.
@@ -171,7 +172,8 @@ impl MultiMesh {
     /// Counts the indices of a kind of leaves level by level, and names the paths of its vertices.
     fn leaves(&mut self, multires: &Multires, kind: usize) -> Result<()> {
         let foliage = multires.tree().foliage();
-        let drawn = |leaf: usize| usize::from(foliage.kinds()[leaf]) == kind && foliage.sizes()[leaf] > 0.0;
+        let drawn =
+            |leaf: usize| usize::from(foliage.kinds()[leaf]) == kind && foliage.sizes()[leaf] > 0.0;
         let n = (0..foliage.len()).filter(|&leaf| drawn(leaf)).count();
         let Some(surface) = self.mesh.surfaces.get(kind + 1) else {
             return Err(LodError::Foliage("a kind of leaves has no surface"));

@@ -59,12 +59,17 @@ fn wood_of_every_level_is_closed_and_looks_outwards() {
         mesh.check_normals().unwrap();
         let surface = &mesh.surfaces[0];
         let examined = topology::examine(surface).unwrap();
-        let bad = [examined.boundary_edges, examined.non_manifold_edges, examined.misoriented_edges];
+        let bad =
+            [examined.boundary_edges, examined.non_manifold_edges, examined.misoriented_edges];
         assert_eq!(bad, [0; 3]);
-        let volume: f32 = surface.indices.chunks_exact(3).map(|t| {
-            let [a, b, c] = [t[0], t[1], t[2]].map(|i| surface.positions[i as usize]);
-            a.dot(b.cross(c)) / 6.0
-        }).sum();
+        let volume: f32 = surface
+            .indices
+            .chunks_exact(3)
+            .map(|t| {
+                let [a, b, c] = [t[0], t[1], t[2]].map(|i| surface.positions[i as usize]);
+                a.dot(b.cross(c)) / 6.0
+            })
+            .sum();
         assert!(volume > 0.1, "{volume}");
     }
 }
@@ -78,7 +83,8 @@ fn a_branch_grows_out_of_its_fork_without_a_step() {
     let way = tip - multires.level(8).positions[fork as usize];
     for fraction in [0.01_f32, 0.5, 0.99] {
         let mesh = reach(7.0 + fraction);
-        let far = mesh.surfaces[1].positions.iter().rev().take(4).fold(Vec3::ZERO, |s, p| s + *p / 4.0);
+        let far =
+            mesh.surfaces[1].positions.iter().rev().take(4).fold(Vec3::ZERO, |s, p| s + *p / 4.0);
         let grown = (far - (tip - way)).dot(way) / way.length_squared();
         assert!((grown - fraction).abs() < 0.15, "{fraction}: {grown}");
     }

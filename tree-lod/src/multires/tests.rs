@@ -29,8 +29,7 @@ fn branching_lengths_are_those_of_figure_1() {
     let adt = adt(CHAIN);
     let mut left = adt.lengths().to_vec();
     metric::upwards(&adt, |child, parent| left[parent] += left[child]);
-    let expected =
-        [16, 10, 5, 1, 3, 1, 1, 3, 1, 1, 1, 5, 1, 1, 2, 1].map(f64::from);
+    let expected = [16, 10, 5, 1, 3, 1, 1, 3, 1, 1, 1, 5, 1, 1, 2, 1].map(f64::from);
     assert_eq!(left, expected);
 }
 

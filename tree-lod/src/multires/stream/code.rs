@@ -94,7 +94,8 @@ pub(super) fn write_text(bytes: &mut Vec<u8>, text: &str) {
 /// The three components that are not the largest, in 10 bits each, and which that is: 32 bits.
 pub(super) fn pack_turn(turn: Quat) -> u32 {
     let parts = turn.to_array();
-    let largest = (1..4).fold(0, |best, i| if parts[i].abs() > parts[best].abs() { i } else { best });
+    let largest =
+        (1..4).fold(0, |best, i| if parts[i].abs() > parts[best].abs() { i } else { best });
     let sign = if parts[largest] < 0.0 { -1.0 } else { 1.0 };
     let mut packed = largest as u32;
     for (i, part) in parts.iter().enumerate() {

@@ -21,5 +21,5 @@ mod write;
 #[cfg(test)]
 mod tests;
 
-pub use read::{Reader, Received, decode};
-pub use write::{StreamParams, encode, encode_chain};
+pub use read::{Reader, Received, decode, read_file};
+pub use write::{StreamParams, encode, encode_chain, write_file};

@@ -5,7 +5,8 @@ use super::code::{Bad, Cursor, MAGIC, Steps, VERSION, expected, unpack_turn};
 use crate::error::{LodError, Result};
 use crc32fast::Hasher;
 use glam::{Quat, Vec3};
-use tree_core::{Foliage, Leaf, Limits, NO_PARENT, Resource, Skeleton, Species, Tree};
+use std::path::Path;
+use tree_core::{Foliage, Leaf, Limits, NO_PARENT, Resource, Skeleton, Species, Tree, file};
 
 /// Most bytes of one level's length: what LEB128 needs for 64 bits.
 const LENGTH_MAX: usize = 10;
@@ -67,6 +68,18 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<(Multires, Received)> {
     let mut reader = Reader::new(limits);
     let received = reader.push(bytes)?;
     Ok((reader.multires()?, received))
+}
+
+/// [`decode`] of a file.
+///
+/// # Errors
+/// The same, and [`LodError::Core`] when the file cannot be read; [`LodError::Limit`] also for a file that is
+/// larger than allowed.
+///
+/// # Complexity
+/// O(bytes).
+pub fn read_file(path: &Path, limits: &Limits) -> Result<(Multires, Received)> {
+    decode(&file::read_bytes(path, limits)?, limits)
 }
 
 impl Reader {
@@ -197,7 +210,8 @@ impl Reader {
         });
         if let Err(bad) = whole {
             self.columns.back_to(counts);
-            let problem = if let Bad::Wrong(problem) = bad { problem } else { "a level is too short" };
+            let problem =
+                if let Bad::Wrong(problem) = bad { problem } else { "a level is too short" };
             return Err(self.fail(inside.at, problem));
         }
         self.check = check;

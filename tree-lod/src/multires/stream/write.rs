@@ -9,7 +9,8 @@ use super::code::{
 use crate::error::{LodError, Result, check_range};
 use crc32fast::Hasher;
 use glam::Vec3;
-use tree_core::{NO_PARENT, Tree};
+use std::path::Path;
+use tree_core::{CoreError, NO_PARENT, Tree, file};
 
 /// Coordinates beyond this many metres have no steps.
 const EXTENT_MAX: f64 = 1e6;
@@ -59,6 +60,25 @@ pub fn encode(multires: &Multires, n_levels: usize, params: &StreamParams) -> Re
     Ok(writer.bytes)
 }
 
+/// [`encode`] into a file, whole or not at all.
+///
+/// # Errors
+/// The same, and [`LodError::Core`] when the file cannot be written.
+///
+/// # Complexity
+/// O(nodes + leaves).
+pub fn write_file(
+    multires: &Multires,
+    n_levels: usize,
+    params: &StreamParams,
+    path: &Path,
+) -> Result<()> {
+    let bytes = encode(multires, n_levels, params)?;
+    file::write_atomic(path, |file| {
+        file.write_all(&bytes).map_err(|error| CoreError::io(path, error).into())
+    })
+}
+
 /// The same tree as one chain with brackets, in the same code, with one check at its end: what there is
 /// without levels, to compare sizes with. Nothing reads it.
 ///
@@ -76,7 +96,8 @@ pub fn encode_chain(multires: &Multires, params: &StreamParams) -> Result<Vec<u8
         let nodes = adt.modules(branch);
         write_unsigned(&mut writer.bytes, nodes.len() as u64);
         nodes.iter().for_each(|&node| writer.node(node));
-        let rows: Vec<_> = nodes.iter().flat_map(|&node| writer.leaves_of(node, node + 1)).collect();
+        let rows: Vec<_> =
+            nodes.iter().flat_map(|&node| writer.leaves_of(node, node + 1)).collect();
         writer.leaves(&rows, nodes.first().copied().unwrap_or_default());
         // All children but the last are in brackets: '[' and ']'.
         let children = adt.children(branch);
