@@ -32,6 +32,12 @@
 // frame what is drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own
 // buffers.
 //
+// Levels as prefixes: `tree_multires_new` sorts a tree such that a level is a prefix of its columns, `tree_multires_level`.
+// `tree_multires_to_stream` makes bytes of which every prefix is a coarser tree; a `tree_stream_reader` takes them as they
+// arrive. `tree_multi_mesh_new` draws it, `tree_multi_mesh_draws` says how much of each index buffer a level draws, and
+// `tree_grow_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
+// `tree_multi_chain_new`.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -40,7 +46,8 @@
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
 //   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-//   `tree_sketch_session`, `tree_silhouette`, `tree_scene` and `tree_scene_state`: one thread at a time.
+//   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state` and `tree_stream_reader`: one
+//   thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -1267,7 +1274,7 @@ typedef struct tree_pruned tree_pruned;
 typedef struct tree_revolved tree_revolved;
 
 // Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
-// or the tips of a graph.
+// or the tips of a graph; for each row of a tree with levels the row of the tree it was made of.
 typedef struct tree_rows tree_rows;
 
 // Tree models, and where they stand (Neubert 2012, 7.2.5 and 7.4). Make one `tree_scene_state` for each view of it.
