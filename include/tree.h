@@ -32,6 +32,12 @@
 // frame what is drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own
 // buffers.
 //
+// Levels as prefixes: `tree_multires_new` sorts a tree such that a level is a prefix of its columns, `tree_multires_level`.
+// `tree_multires_to_stream` makes bytes of which every prefix is a coarser tree; a `tree_stream_reader` takes them as they
+// arrive. `tree_multi_mesh_new` draws it, `tree_multi_mesh_draws` says how much of each index buffer a level draws, and
+// `tree_grow_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
+// `tree_multi_chain_new`.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -40,7 +46,8 @@
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
 //   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-//   `tree_sketch_session`, `tree_silhouette`, `tree_scene` and `tree_scene_state`: one thread at a time.
+//   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state` and `tree_stream_reader`: one
+//   thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -439,6 +446,46 @@
 // the surface: a square with a side of a ten-millionth of the diagonal, and a tenth as high. For a tree of
 // 10 m that is 1e-13 m².
 #define TREE_FLAT_SHARE 1e-15
+
+// Any module that is no bracket, with the length that it draws.
+#define TREE_TOKEN_MODULE 0
+
+// `[`: a branch begins.
+#define TREE_TOKEN_PUSH 1
+
+// `]`: it ends.
+#define TREE_TOKEN_POP 2
+
+// A module of the plain chain; its value is its place there.
+#define TREE_ITEM_MODULE 0
+
+// `SAVE`: the turtle keeps its state under this number.
+#define TREE_ITEM_SAVE 1
+
+// `RESTORE`: the turtle goes back to the state of this number, and a level begins.
+#define TREE_ITEM_RESTORE 2
+
+// Length of the branch and of all that it bears; what has been put into a path does not count any more. What the paper
+// prefers, and the default.
+#define TREE_METRIC_BRANCHING_LENGTH 0
+
+// As `TREE_METRIC_BRANCHING_LENGTH`, with worths of your own in the place of lengths: areas of wood, numbers of leaves.
+#define TREE_METRIC_BRANCHING 1
+
+// Number of children.
+#define TREE_METRIC_CHILDREN 2
+
+// Number of descendants.
+#define TREE_METRIC_DESCENDANTS 3
+
+// Longest way to a tip, the branch itself included.
+#define TREE_METRIC_LONGEST_PATH 4
+
+// As derivations are undone: branches of low order first, siblings in the order of the chain. For comparison.
+#define TREE_METRIC_GENERATION 5
+
+// Any branch whose parent is there, by chance. For comparison.
+#define TREE_METRIC_RANDOM 6
 
 // From 0 on a branch to `blend_most` at a distance of `blend_reach` and beyond.
 #define TREE_BLEND_LINEAR 0
@@ -1033,6 +1080,10 @@
 // Part 0, transformed.
 #define TREE_SOLID_TRANSFORMED 14
 
+// The branches of a chain of modules or of a skeleton, with their modules, lengths and children (the paper's *tree
+// abstract data type*). Branch 0 is the root, and parents come before their children.
+typedef struct tree_adt tree_adt;
+
 // Cameras for several views of one tree.
 typedef struct tree_aligned tree_aligned;
 
@@ -1153,6 +1204,22 @@ typedef struct tree_metaballs tree_metaballs;
 // The middle lines of a filled area.
 typedef struct tree_midlines tree_midlines;
 
+// The modules of a chain, most relevant branches first. Its first levels are a prefix, and each prefix that ends with a
+// level is drawn by a turtle that knows `SAVE` and `RESTORE`.
+typedef struct tree_multi_chain tree_multi_chain;
+
+// Tubes and leaves in the order of their paths: the mesh of a level is a prefix of each index buffer, and a shader lets
+// the path that comes next grow out of its fork.
+typedef struct tree_multi_mesh tree_multi_mesh;
+
+// All branches, cut into paths: each begins at the root, or stems from a path before it. The first few show the
+// tree's structure best.
+typedef struct tree_multi_paths tree_multi_paths;
+
+// A tree with its nodes and leaves sorted path by path: its first levels are its coarser forms, and a level is no more
+// than a number. It is as large as the tree, and 8 bytes a level more.
+typedef struct tree_multires tree_multires;
+
 // A closed outline in metres, x to the right, y up: a polygon without crossings, against the clock.
 typedef struct tree_outline tree_outline;
 
@@ -1207,7 +1274,7 @@ typedef struct tree_pruned tree_pruned;
 typedef struct tree_revolved tree_revolved;
 
 // Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
-// or the tips of a graph.
+// or the tips of a graph; for each row of a tree with levels the row of the tree it was made of.
 typedef struct tree_rows tree_rows;
 
 // Tree models, and where they stand (Neubert 2012, 7.2.5 and 7.4). Make one `tree_scene_state` for each view of it.
@@ -1269,6 +1336,12 @@ typedef struct tree_sketch_session tree_sketch_session;
 
 // Trees that grew of one drawing: at least one.
 typedef struct tree_stand tree_stand;
+
+// Takes the bytes of a stream as they arrive, and gives the tree that they make so far.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+// on it is `TREE_ERROR_ORDER`.
+typedef struct tree_stream_reader tree_stream_reader;
 
 // Strokes read from a drawing, a session's branches as strokes, or outlines.
 typedef struct tree_strokes tree_strokes;
@@ -1385,6 +1458,8 @@ typedef struct tree_limits {
     uint64_t triangles;
     // Bytes of an input file. Default 1 GiB.
     uint64_t input_bytes;
+    // Modules of a derived L-system word. Default 100 million.
+    uint64_t modules;
 } tree_limits;
 
 // How a call is done. Begin with `tree_control_init`.
@@ -3411,6 +3486,175 @@ typedef struct tree_bounds {
     // Its radius, at most √3 times that of the smallest such ball.
     float radius;
 } tree_bounds;
+
+// What a module of a bracketed chain is: one of the `TREE_TOKEN_` constants.
+typedef uint8_t tree_token;
+
+// A bracketed chain of modules, as far as its branches are concerned.
+typedef struct tree_token_columns {
+    // `sizeof(tree_token_columns)`.
+    size_t struct_size;
+    // Number of modules, brackets included.
+    size_t n_tokens;
+    // One for each: a `TREE_TOKEN_` constant.
+    const tree_token *kinds;
+    // One for each: the length that it draws, finite and 0 or more; 0 for all that do not advance. Those of brackets
+    // are not looked at.
+    const double *lengths;
+} tree_token_columns;
+
+// Branches in columns.
+typedef struct tree_adt_columns {
+    // `sizeof(tree_adt_columns)`.
+    size_t struct_size;
+    // Number of branches, at least 1.
+    size_t n_branches;
+    // One for each branch: the branch it stems from, or `TREE_NO_PARENT` for branch 0.
+    const uint32_t *parents;
+    // One for each branch: the length of its own modules together.
+    const double *lengths;
+} tree_adt_columns;
+
+// What an item of a multi-chain is: one of the `TREE_ITEM_` constants.
+typedef uint8_t tree_item;
+
+// A multi-chain in columns.
+typedef struct tree_multi_chain_columns {
+    // `sizeof(tree_multi_chain_columns)`.
+    size_t struct_size;
+    // Number of items.
+    size_t n_items;
+    // One for each item: a `TREE_ITEM_` constant.
+    const tree_item *kinds;
+    // One for each item: the place of a module in the plain chain, or the number of a state.
+    const uint32_t *values;
+    // Number of levels, at least 1.
+    size_t n_levels;
+    // One for each level: the item it ends before. The first `k` levels are the items before `ends[k - 1]`; level `i`
+    // alone begins at `ends[i - 1]`, level 0 at 0.
+    const uint32_t *ends;
+    // Number of states that a turtle has to keep at once.
+    uint32_t n_states;
+    // 0.
+    uint32_t reserved;
+} tree_multi_chain_columns;
+
+// A level in a file, and when it is shown.
+typedef struct tree_level_share {
+    // The level, as in `tree_multi_mesh_mesh_at`.
+    float level;
+    // Share of the screen's height, 0 to 1, from which on it is shown.
+    float share;
+} tree_level_share;
+
+// How much there is of a mesh with levels.
+typedef struct tree_multi_mesh_totals {
+    // `sizeof(tree_multi_mesh_totals)`.
+    size_t struct_size;
+    // Number of levels, at least 1.
+    size_t n_levels;
+    // Number of surfaces, those without triangles included.
+    size_t n_surfaces;
+    // Triangles of all levels together.
+    uint64_t n_triangles;
+} tree_multi_mesh_totals;
+
+// One more column of a surface, for the shader that lets branches grow in.
+typedef struct tree_multi_mesh_column {
+    // `sizeof(tree_multi_mesh_column)`.
+    size_t struct_size;
+    // Four floats for each vertex of the surface: the fork that its path stems from, in metres, and the number of the
+    // path, from 0 on.
+    const float *branches;
+    // Number of vertices.
+    size_t n_vertices;
+} tree_multi_mesh_column;
+
+// What is drawn of a surface: so many of its indices, from the first on.
+typedef struct tree_multi_draw {
+    // Number of the surface.
+    uint32_t surface;
+    // Number of indices; may be 0.
+    uint32_t index_count;
+} tree_multi_draw;
+
+// What a branch is worth: one of the `TREE_METRIC_` constants.
+typedef uint32_t tree_metric;
+
+// How branches are compared. Begin with `tree_metric_params_init`.
+typedef struct tree_metric_params {
+    // `sizeof(tree_metric_params)`.
+    size_t struct_size;
+    // For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
+    // default, for all others.
+    const double *worths;
+    // Number of worths: the number of branches, or 0 for the default.
+    size_t n_worths;
+    // What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
+    tree_metric metric;
+    // 0.
+    uint32_t reserved;
+} tree_metric_params;
+
+// A skeleton's columns: as input, or as a view of a `tree_skeleton`.
+typedef struct tree_skeleton_columns {
+    // `sizeof(tree_skeleton_columns)`.
+    size_t struct_size;
+    // Number of nodes, at least 1.
+    size_t n_nodes;
+    // Three floats for each node: where it is, in metres.
+    const float *positions;
+    // One for each node: radius of the wood in metres, 0 or more.
+    const float *radii;
+    // One for each node: the node it stands on, or `TREE_NO_PARENT` for the root.
+    const uint32_t *parents;
+} tree_skeleton_columns;
+
+// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
+typedef struct tree_foliage {
+    // `sizeof(tree_foliage)`.
+    size_t struct_size;
+    // Number of rows.
+    size_t n_leaves;
+    // One for each leaf: the skeleton's node that bears it.
+    const uint32_t *nodes;
+    // Three floats for each leaf: the base of the blade, in metres.
+    const float *positions;
+    // Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
+    // along +Y, upper face to +Z) into the tree's.
+    const float *rotations;
+    // One for each leaf: length from base to apex in metres, 0 or more.
+    const float *sizes;
+    // One for each leaf: its kind, an index into the species' leaf kinds.
+    const uint16_t *kinds;
+} tree_foliage;
+
+// How much of a stream has arrived.
+typedef struct tree_stream_report {
+    // `sizeof(tree_stream_report)`.
+    size_t struct_size;
+    // Levels that are whole and checked.
+    size_t n_levels;
+    // Levels of the whole stream; 0 while its head is not there.
+    size_t n_levels_in_all;
+    // Bytes that have been read.
+    uint64_t n_bytes;
+    // 1 when all has arrived and its check holds, otherwise 0.
+    uint32_t is_complete;
+    // 0.
+    uint32_t reserved;
+} tree_stream_report;
+
+// How a stream is written. Begin with `tree_stream_params_init`.
+typedef struct tree_stream_params {
+    // `sizeof(tree_stream_params)`.
+    size_t struct_size;
+    // Precision of positions and leaf sizes in metres, 0 or 1e-6 to 1; radii are eight times as precise, leaves are
+    // turned by at most 0.2 degrees. Default 0: exact, to the last bit, in two to three times the bytes.
+    float precision;
+    // 0.
+    uint32_t reserved;
+} tree_stream_params;
 
 // The camera of one photograph. The tree's base is the world's origin, +Y is up. Begin with
 // `tree_particle_camera_init`, or let `tree_align` find it.
@@ -5543,20 +5787,6 @@ typedef struct tree_sub_report {
     float curves[16];
 } tree_sub_report;
 
-// A skeleton's columns: as input, or as a view of a `tree_skeleton`.
-typedef struct tree_skeleton_columns {
-    // `sizeof(tree_skeleton_columns)`.
-    size_t struct_size;
-    // Number of nodes, at least 1.
-    size_t n_nodes;
-    // Three floats for each node: where it is, in metres.
-    const float *positions;
-    // One for each node: radius of the wood in metres, 0 or more.
-    const float *radii;
-    // One for each node: the node it stands on, or `TREE_NO_PARENT` for the root.
-    const uint32_t *parents;
-} tree_skeleton_columns;
-
 // The axes in columns. Parent axes come first; axis 0 is the trunk.
 typedef struct tree_axis_columns {
     // `sizeof(tree_axis_columns)`.
@@ -5680,25 +5910,6 @@ typedef struct tree_mesh_part {
     // 0.
     uint32_t reserved;
 } tree_mesh_part;
-
-// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
-typedef struct tree_foliage {
-    // `sizeof(tree_foliage)`.
-    size_t struct_size;
-    // Number of rows.
-    size_t n_leaves;
-    // One for each leaf: the skeleton's node that bears it.
-    const uint32_t *nodes;
-    // Three floats for each leaf: the base of the blade, in metres.
-    const float *positions;
-    // Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
-    // along +Y, upper face to +Z) into the tree's.
-    const float *rotations;
-    // One for each leaf: length from base to apex in metres, 0 or more.
-    const float *sizes;
-    // One for each leaf: its kind, an index into the species' leaf kinds.
-    const uint16_t *kinds;
-} tree_foliage;
 
 // A view of the kinds of leaves that were found.
 typedef struct tree_leaf_kinds {
@@ -8293,6 +8504,331 @@ tree_status tree_mesh_check_colors(const struct tree_mesh *mesh);
 // Checks that normals have unit length, within half a percent, on which file formats and engines rely;
 // drawing does not.
 tree_status tree_mesh_check_normals(const struct tree_mesh *mesh);
+
+// Finds the branches of a chain: one for each pair of brackets, and one for what is in none. Modules are named by
+// their places in the chain, from 0 on, brackets counted. `control` may be NULL; `modules` of its limits caps the
+// chain. Free the branches with `tree_adt_free`. `TREE_ERROR_INVALID` for brackets that do not match and for lengths
+// that are negative or not finite, and says at which module.
+tree_status tree_adt_of_tokens(const struct tree_token_columns *columns,
+                               const struct tree_control *control,
+                               struct tree_adt **adt);
+
+// Finds the branches of a skeleton: the runs of nodes between forks. Its modules are its nodes; the length of a node is
+// that of the segment to its parent, in metres. `control` may be NULL; of it only a cancellation before the work
+// begins matters. Free the branches with `tree_adt_free`.
+tree_status tree_adt_of_skeleton(const struct tree_skeleton *skeleton,
+                                 const struct tree_control *control,
+                                 struct tree_adt **adt);
+
+// Views the branches. Set `columns->struct_size` first.
+tree_status tree_adt_view(const struct tree_adt *adt, struct tree_adt_columns *columns);
+
+// Views the modules of a branch, in their order: places in the chain, or nodes of the skeleton. `TREE_ERROR_PARAMETER`
+// when there is no such branch.
+tree_status tree_adt_modules(const struct tree_adt *adt,
+                             uint32_t branch,
+                             const uint32_t **modules,
+                             size_t *n_modules);
+
+// Views the branches that stem from a branch, in the order of the chain. `TREE_ERROR_PARAMETER` when there is no such
+// branch.
+tree_status tree_adt_children(const struct tree_adt *adt,
+                              uint32_t branch,
+                              const uint32_t **children,
+                              size_t *n_children);
+
+// Frees the branches. Paths that were made of them stay.
+tree_status tree_adt_free(struct tree_adt *adt);
+
+// Writes paths one after another as a chain. States have numbers from 0 on, and only those that are needed are saved.
+// `control` may be NULL; of it only a cancellation before the work begins matters. Free the chain with
+// `tree_multi_chain_free`.
+tree_status tree_multi_chain_new(const struct tree_multi_paths *paths,
+                                 const struct tree_control *control,
+                                 struct tree_multi_chain **chain);
+
+// Views the items. Set `columns->struct_size` first.
+tree_status tree_multi_chain_view(const struct tree_multi_chain *chain,
+                                  struct tree_multi_chain_columns *columns);
+
+// The first `n_levels` levels as text, at most all, with `SAVE(0)` and `RESTORE(0)`. `text`, in UTF-8, is the plain
+// chain of `text_len` bytes, or ends with a NUL and `text_len` is `TREE_NUL_TERMINATED`; `ends` has for each of its
+// `n_ends` modules, brackets counted, the byte before which it ends. `control` may be NULL; `input_bytes` of its
+// limits caps the text. Free the bytes, which are UTF-8, with `tree_bytes_free`.
+//
+// `TREE_ERROR_INVALID` when ends fall, lie within a letter or behind the text, or a module of the chain has none.
+tree_status tree_multi_chain_to_text(const struct tree_multi_chain *chain,
+                                     size_t n_levels,
+                                     const char *text,
+                                     size_t text_len,
+                                     const uint32_t *ends,
+                                     size_t n_ends,
+                                     const struct tree_control *control,
+                                     struct tree_bytes **bytes);
+
+// Frees a chain.
+tree_status tree_multi_chain_free(struct tree_multi_chain *chain);
+
+// A mesh with all its levels as a GLB file in memory, for engines that draw prefixes: an attribute `_TREE_BRANCH` of 4
+// floats a vertex, as in `tree_multi_mesh_column`, is what lets branches grow in. Other programs show the whole tree.
+// `options` and `control` may be NULL, as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`.
+// `TREE_ERROR_PARAMETER` for `quantize`: shaders need positions in metres.
+tree_status tree_multi_mesh_to_glb(const struct tree_multi_mesh *multi_mesh,
+                                   const struct tree_glb_options *options,
+                                   const struct tree_control *control,
+                                   struct tree_bytes **bytes);
+
+// As `tree_multi_mesh_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_multi_mesh_write_glb(const struct tree_multi_mesh *multi_mesh,
+                                      const char *path,
+                                      size_t path_len,
+                                      const struct tree_glb_options *options,
+                                      const struct tree_control *control);
+
+// Levels, at most 1024 of them, as the `MSFT_lod` of one GLB file, each a mesh of its own: for programs without shaders
+// of ours. Both levels and shares fall. `options` and `control` may be NULL, as in `tree_mesh_write_glb`. Free the
+// bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no levels, or levels or shares do not fall.
+tree_status tree_multi_mesh_to_glb_levels(const struct tree_multi_mesh *multi_mesh,
+                                          const struct tree_level_share *levels,
+                                          size_t n_levels,
+                                          const struct tree_glb_options *options,
+                                          const struct tree_control *control,
+                                          struct tree_bytes **bytes);
+
+// As `tree_multi_mesh_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_multi_mesh_write_glb_levels(const struct tree_multi_mesh *multi_mesh,
+                                             const struct tree_level_share *levels,
+                                             size_t n_levels,
+                                             const char *path,
+                                             size_t path_len,
+                                             const struct tree_glb_options *options,
+                                             const struct tree_control *control);
+
+// The function `tree_grow_position` for a shader: text to be put into your own. It tells what it takes and where that
+// comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+tree_status tree_grow_shader(tree_shader language,
+                             struct tree_str *text);
+
+// Where a shader draws a vertex at a level: `vertex`, three floats, drawn together about its fork while its path grows
+// in. `branch` is four floats of `tree_multi_mesh_column.branches`. For shaders of your own, and for checking them.
+tree_status tree_grow_position(const float *vertex,
+                               const float *branch,
+                               float level,
+                               float (*drawn)[3]);
+
+// Draws a tree: each path is a closed tube of its own, with a cap at either end, and begins inside the wood that bears
+// it; it has a ring at each node, and as many sides all along as `params` ask for. Surface 0 is the wood, surface 1 + k
+// the leaves of kind k. Of `params` those of curves, flares, tangents and light maps are not used.
+//
+// `look` may be NULL: the built-in textures that the tree's species names. `params` and `control` may be NULL. Free
+// the mesh with `tree_multi_mesh_free`. `TREE_ERROR_PARAMETER` for more than 16,777,216 levels; otherwise as
+// `tree_mesh_build`.
+tree_status tree_multi_mesh_new(const struct tree_multires *multires,
+                                const struct tree_look *look,
+                                const struct tree_mesh_params *params,
+                                const struct tree_control *control,
+                                struct tree_multi_mesh **multi_mesh);
+
+// Tells how large a mesh is. Set `totals->struct_size` first.
+tree_status tree_multi_mesh_measure(const struct tree_multi_mesh *multi_mesh,
+                                    struct tree_multi_mesh_totals *totals);
+
+// The mesh to upload, with all levels, nothing copied. Free it with `tree_mesh_free`; it keeps alive what it is of.
+tree_status tree_multi_mesh_mesh(const struct tree_multi_mesh *multi_mesh,
+                                 struct tree_mesh **mesh);
+
+// Views what shaders need of the vertices of surface `number`. Set `column->struct_size` first. `TREE_ERROR_PARAMETER`
+// when there is no such surface.
+tree_status tree_multi_mesh_branches(const struct tree_multi_mesh *multi_mesh,
+                                     size_t number,
+                                     struct tree_multi_mesh_column *column);
+
+// What is drawn at a level: 3.25 draws three paths whole and a quarter of the fourth, drawn together about its fork by
+// the shader; levels are clamped to 1 and all. `draws` has room for `capacity` rows, at least one for each surface, in
+// their order; `n_triangles` is how many triangles that is. It is quick enough for every frame.
+// `TREE_ERROR_PARAMETER` for NaN.
+tree_status tree_multi_mesh_draws(const struct tree_multi_mesh *multi_mesh,
+                                  float level,
+                                  struct tree_multi_draw *draws,
+                                  size_t capacity,
+                                  uint64_t *n_triangles);
+
+// The greatest whole level with at most `n_triangles` triangles of wood; at least 1.
+tree_status tree_multi_mesh_level_of_wood(const struct tree_multi_mesh *multi_mesh,
+                                          uint64_t n_triangles,
+                                          size_t *n_levels);
+
+// A level, clamped to 1 and all, as a plain mesh: what is not drawn is left out, and the last path has grown as the
+// shader lets it. `control` may be NULL; of it only threads matter, and a cancellation before the work begins. Free
+// the mesh with `tree_mesh_free`. `TREE_ERROR_PARAMETER` for NaN.
+tree_status tree_multi_mesh_mesh_at(const struct tree_multi_mesh *multi_mesh,
+                                    float level,
+                                    const struct tree_control *control,
+                                    struct tree_mesh **mesh);
+
+// Frees a mesh with levels, and with it all views of its columns. Meshes made of it stay.
+tree_status tree_multi_mesh_free(struct tree_multi_mesh *multi_mesh);
+
+// Sorts a tree, which is copied, by a metric, NULL for the default; its branches are those of `tree_adt_of_skeleton`.
+// `seed` matters to `TREE_METRIC_RANDOM` alone. `control` may be NULL. Free what is made with `tree_multires_free`.
+//
+// `TREE_ERROR_INVALID` when there are not as many worths as branches, `TREE_ERROR_PARAMETER` when one is out of range.
+tree_status tree_multires_new(const struct tree_tree *tree,
+                              const struct tree_metric_params *params,
+                              uint64_t seed,
+                              const struct tree_control *control,
+                              struct tree_multires **multires);
+
+// Sorts a tree, which is copied, by paths of its own branches, and tells where rows went: `nodes` and `leaves`, each
+// of which may be NULL, get for each node and leaf its number in the tree that came in. Free them with
+// `tree_rows_free`, and what is made with `tree_multires_free`. `control` may be NULL; of it only a cancellation before
+// the work begins matters. `TREE_ERROR_INVALID` when the paths are those of another tree, or of a chain.
+tree_status tree_multires_of_paths(const struct tree_tree *tree,
+                                   const struct tree_multi_paths *paths,
+                                   const struct tree_control *control,
+                                   struct tree_rows **nodes,
+                                   struct tree_rows **leaves,
+                                   struct tree_multires **multires);
+
+// Number of levels: of tips, at least 1.
+tree_status tree_multires_count(const struct tree_multires *multires, size_t *n_levels);
+
+// Nodes and leaves of the first `n_levels` levels, at least one level, at most all.
+tree_status tree_multires_counts(const struct tree_multires *multires,
+                                 size_t n_levels,
+                                 size_t *n_nodes,
+                                 size_t *n_leaves);
+
+// Views the first `n_levels` levels, at least one, at most all: their nodes are a skeleton, and their leaves stand on
+// these. Nothing is copied, and all levels begin at the same places. Each of `columns` and `foliage` may be NULL; set
+// its `struct_size` first.
+tree_status tree_multires_level(const struct tree_multires *multires,
+                                size_t n_levels,
+                                struct tree_skeleton_columns *columns,
+                                struct tree_foliage *foliage);
+
+// A copy of the first `n_levels` levels, at least one, at most all, as a tree of its own, with its species. `control`
+// may be NULL; of it only a cancellation before the work begins matters. Free the tree with `tree_tree_free`.
+tree_status tree_multires_tree_at(const struct tree_multires *multires,
+                                  size_t n_levels,
+                                  const struct tree_control *control,
+                                  struct tree_tree **tree);
+
+// How many levels have at most `n_nodes` nodes together; one if none has so few.
+tree_status tree_multires_level_of_nodes(const struct tree_multires *multires,
+                                         size_t n_nodes,
+                                         size_t *n_levels);
+
+// Frees a multiresolution tree, and with it all views of its levels.
+tree_status tree_multires_free(struct tree_multires *multires);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_metric_params_init(struct tree_metric_params *params, size_t size);
+
+// Cuts branches into paths and sorts them, the most relevant first: from the root to a tip along the branches of most
+// worth, again and again, on what is left. `params` may be NULL for the default metric. `seed` matters to
+// `TREE_METRIC_RANDOM` alone. `control` may be NULL. Free the paths with `tree_multi_paths_free`.
+//
+// `TREE_ERROR_INVALID` when there are not as many worths as branches, `TREE_ERROR_PARAMETER` when one is out of range.
+tree_status tree_multi_paths_new(const struct tree_adt *adt,
+                                 const struct tree_metric_params *params,
+                                 uint64_t seed,
+                                 const struct tree_control *control,
+                                 struct tree_multi_paths **paths);
+
+// Number of paths: of levels of detail, at least 1.
+tree_status tree_multi_paths_count(const struct tree_multi_paths *paths, size_t *n_paths);
+
+// Views the branches of all paths one after another; those of the first few paths are a prefix.
+tree_status tree_multi_paths_branches(const struct tree_multi_paths *paths,
+                                      const uint32_t **branches,
+                                      size_t *n_branches);
+
+// Views the branches of one path, from its fork up. `TREE_ERROR_PARAMETER` when there is no such path.
+tree_status tree_multi_paths_path(const struct tree_multi_paths *paths,
+                                  size_t number,
+                                  const uint32_t **branches,
+                                  size_t *n_branches);
+
+// Frees the paths.
+tree_status tree_multi_paths_free(struct tree_multi_paths *paths);
+
+// Makes a reader that nothing has reached yet. `control` may be NULL; the limits that it has now hold for all bytes to
+// come: `nodes` and `leaves`, asked for as the head arrives, and `input_bytes` for all bytes together. Free the reader
+// with `tree_stream_reader_free`.
+tree_status tree_stream_reader_new(const struct tree_control *control,
+                                   struct tree_stream_reader **reader);
+
+// Takes the next bytes, any number of them; they are needed during the call only, and never trusted. `report` may be
+// NULL. `TREE_ERROR_FORMAT` for bytes that are no stream, are damaged, or follow its end, and `TREE_ERROR_LIMIT`: the
+// levels before stay there, and the same comes again for more bytes.
+tree_status tree_stream_reader_push(struct tree_stream_reader *reader,
+                                    const uint8_t *data,
+                                    size_t len,
+                                    struct tree_stream_report *report);
+
+// How much has arrived. Set `report->struct_size` first.
+tree_status tree_stream_reader_received(const struct tree_stream_reader *reader,
+                                        struct tree_stream_report *report);
+
+// The tree of all levels that have arrived, a copy; the reader goes on. `control` may be NULL; of it only a
+// cancellation before the work begins matters. Free what is made with `tree_multires_free`. `TREE_ERROR_FORMAT` when
+// the first level is not there yet.
+tree_status tree_stream_reader_multires(const struct tree_stream_reader *reader,
+                                        const struct tree_control *control,
+                                        struct tree_multires **multires);
+
+// Frees a reader. Trees that came of it stay.
+tree_status tree_stream_reader_free(struct tree_stream_reader *reader);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_stream_params_init(struct tree_stream_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_stream_params_check(const struct tree_stream_params *params);
+
+// The first `n_levels` levels of a tree, at least one, at most all, as bytes of which every prefix is a coarser tree:
+// the stream of `k` levels begins that of `k + 1`. `params` and `control` may be NULL; of `control` only a
+// cancellation before the work begins matters. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for
+// coordinates beyond 1000 km when there is a precision; `TREE_ERROR_FORMAT` for names of more than 4096 bytes.
+tree_status tree_multires_to_stream(const struct tree_multires *multires,
+                                    size_t n_levels,
+                                    const struct tree_stream_params *params,
+                                    const struct tree_control *control,
+                                    struct tree_bytes **bytes);
+
+// As `tree_multires_to_stream`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_multires_write_stream(const struct tree_multires *multires,
+                                       size_t n_levels,
+                                       const char *path,
+                                       size_t path_len,
+                                       const struct tree_stream_params *params,
+                                       const struct tree_control *control);
+
+// The tree as one chain with brackets, in the same code but without levels, to compare sizes with: nothing reads it.
+// Otherwise as `tree_multires_to_stream`.
+tree_status tree_multires_to_bracketed(const struct tree_multires *multires,
+                                       const struct tree_stream_params *params,
+                                       const struct tree_control *control,
+                                       struct tree_bytes **bytes);
+
+// Reads a stream, or what there is of it: levels up to the first that is cut off. The bytes are needed during the call
+// only, and never trusted. `control` and `report` may be NULL; `nodes`, `leaves` and `input_bytes` of the limits cap
+// what is read. Free what is made with `tree_multires_free`. `TREE_ERROR_FORMAT` when not even the first level is
+// whole, and for bytes that are no stream or are damaged.
+tree_status tree_multires_from_stream(const uint8_t *data,
+                                      size_t len,
+                                      const struct tree_control *control,
+                                      struct tree_stream_report *report,
+                                      struct tree_multires **multires);
+
+// As `tree_multires_from_stream`, from a file; the path as in `tree_mesh_write_glb`. A file that was cut off is read as
+// far as it goes.
+tree_status tree_multires_read_stream(const char *path,
+                                      size_t path_len,
+                                      const struct tree_control *control,
+                                      struct tree_stream_report *report,
+                                      struct tree_multires **multires);
 
 // The density of a tree from `n_views` views, at least one: optical depth per metre, such that looking
 // through the grid gives the mattes. It is `tree_carved_new` and `tree_carved_solve` in one.

@@ -390,6 +390,7 @@ inline void rethrow(const Field &field) { field.rethrow(); }
 
 } // namespace detail
 
+class Adt;
 class Aligned;
 class Arranged;
 class Attractor;
@@ -426,6 +427,10 @@ class Matte;
 class Mesh;
 class Metaballs;
 class Midlines;
+class MultiChain;
+class MultiMesh;
+class MultiPaths;
+class Multires;
 class Outline;
 class OutlineDrawing;
 class OutlinePlan;
@@ -450,6 +455,7 @@ class Skeleton;
 class SketchBranches;
 class SketchSession;
 class Stand;
+class StreamReader;
 class Strokes;
 class Swc;
 class Templates;
@@ -463,6 +469,7 @@ class Unpacked;
 class Volume;
 class Way;
 class WindBranches;
+struct AdtColumns;
 struct AlignParams;
 struct AlignReport;
 using AlignWarning = tree_align_warning;
@@ -553,6 +560,7 @@ struct LeafOutlineColumns;
 struct LeafParams;
 struct LeafReport;
 struct LeafShape;
+using LevelShare = tree_level_share;
 struct Limits;
 struct LinkParams;
 struct LivewireParams;
@@ -574,7 +582,12 @@ struct MeshParams;
 struct MeshPart;
 struct MeshReport;
 struct MeshTotals;
+struct MetricParams;
 struct MidlineParams;
+struct MultiChainColumns;
+using MultiDraw = tree_multi_draw;
+struct MultiMeshColumn;
+struct MultiMeshTotals;
 struct NaturalParams;
 struct NaturalReport;
 struct OcclusionParams;
@@ -666,6 +679,8 @@ struct StandParams;
 struct StandTree;
 struct StandWhole;
 using Stream = tree_stream;
+struct StreamParams;
+struct StreamReport;
 struct StrewParams;
 struct StrokeParams;
 struct StrokeReport;
@@ -683,6 +698,7 @@ struct TemplateView;
 struct TexturePixels;
 struct TierColumns;
 struct TiersParams;
+struct TokenColumns;
 struct Topology;
 struct TracesColumns;
 struct TrimapColumns;
@@ -695,6 +711,10 @@ using VertexWind = tree_vertex_wind;
 struct View;
 struct Wind;
 using WindBranch = tree_wind_branch;
+
+struct AdtColumns : tree_adt_columns {
+    AdtColumns() : tree_adt_columns{} { struct_size = sizeof *this; }
+};
 
 struct AlignParams : tree_align_params {
     AlignParams() : tree_align_params{} { tree_align_params_init(this, sizeof(tree_align_params)); }
@@ -1096,8 +1116,24 @@ struct MeshTotals : tree_mesh_totals {
     MeshTotals() : tree_mesh_totals{} { struct_size = sizeof *this; }
 };
 
+struct MetricParams : tree_metric_params {
+    MetricParams() : tree_metric_params{} { tree_metric_params_init(this, sizeof(tree_metric_params)); }
+};
+
 struct MidlineParams : tree_midline_params {
     MidlineParams() : tree_midline_params{} { tree_midline_params_init(this, sizeof(tree_midline_params)); }
+};
+
+struct MultiChainColumns : tree_multi_chain_columns {
+    MultiChainColumns() : tree_multi_chain_columns{} { struct_size = sizeof *this; }
+};
+
+struct MultiMeshColumn : tree_multi_mesh_column {
+    MultiMeshColumn() : tree_multi_mesh_column{} { struct_size = sizeof *this; }
+};
+
+struct MultiMeshTotals : tree_multi_mesh_totals {
+    MultiMeshTotals() : tree_multi_mesh_totals{} { struct_size = sizeof *this; }
 };
 
 struct NaturalParams : tree_natural_params {
@@ -1423,6 +1459,15 @@ struct StandWhole : tree_stand_whole {
     StandWhole() : tree_stand_whole{} { struct_size = sizeof *this; }
 };
 
+struct StreamParams : tree_stream_params {
+    StreamParams() : tree_stream_params{} { tree_stream_params_init(this, sizeof(tree_stream_params)); }
+    bool check() const;
+};
+
+struct StreamReport : tree_stream_report {
+    StreamReport() : tree_stream_report{} { struct_size = sizeof *this; }
+};
+
 struct StrewParams : tree_strew_params {
     StrewParams() : tree_strew_params{} { tree_strew_params_init(this, sizeof(tree_strew_params)); }
 };
@@ -1496,6 +1541,10 @@ struct TiersParams : tree_tiers_params {
     bool check() const;
 };
 
+struct TokenColumns : tree_token_columns {
+    TokenColumns() : tree_token_columns{} { struct_size = sizeof *this; }
+};
+
 struct Topology : tree_topology {
     Topology() : tree_topology{} { struct_size = sizeof *this; }
 };
@@ -1536,6 +1585,19 @@ struct View : tree_view {
 
 struct Wind : tree_wind {
     Wind() : tree_wind{} { tree_wind_init(this, sizeof(tree_wind)); }
+};
+
+class Adt : public detail::Object<tree_adt, tree_adt_free> {
+public:
+    using Object::Object;
+    static Adt of_tokens(Ref<tree_token_columns> columns, Ref<tree_control> control = nullptr);
+    static Adt of_skeleton(const Skeleton &skeleton, Ref<tree_control> control = nullptr);
+    AdtColumns view() const &;
+    AdtColumns view() const && = delete;
+    Span<const uint32_t> modules(uint32_t branch) const &;
+    Span<const uint32_t> modules(uint32_t branch) const && = delete;
+    Span<const uint32_t> children(uint32_t branch) const &;
+    Span<const uint32_t> children(uint32_t branch) const && = delete;
 };
 
 class Aligned : public detail::Object<tree_aligned, tree_aligned_free> {
@@ -1990,6 +2052,62 @@ public:
     Span<const float> half_widths() const && = delete;
 };
 
+class MultiChain : public detail::Object<tree_multi_chain, tree_multi_chain_free> {
+public:
+    using Object::Object;
+    static MultiChain make(const MultiPaths &paths, Ref<tree_control> control = nullptr);
+    MultiChainColumns view() const &;
+    MultiChainColumns view() const && = delete;
+    Bytes to_text(size_t n_levels, std::string_view text, Span<const uint32_t> ends, Ref<tree_control> control = nullptr) const;
+};
+
+class MultiMesh : public detail::Object<tree_multi_mesh, tree_multi_mesh_free> {
+public:
+    using Object::Object;
+    Bytes to_glb(Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb(std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    Bytes to_glb_levels(Span<const tree_level_share> levels, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb_levels(Span<const tree_level_share> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    static MultiMesh make(const Multires &multires, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr);
+    MultiMeshTotals measure() const;
+    Mesh mesh() const;
+    MultiMeshColumn branches(size_t number) const &;
+    MultiMeshColumn branches(size_t number) const && = delete;
+    std::tuple<std::vector<tree_multi_draw>, uint64_t> draws(float level) const;
+    uint64_t draws(float level, Span<tree_multi_draw> draws) const;
+    size_t level_of_wood(uint64_t n_triangles) const;
+    Mesh mesh_at(float level, Ref<tree_control> control = nullptr) const;
+};
+
+class MultiPaths : public detail::Object<tree_multi_paths, tree_multi_paths_free> {
+public:
+    using Object::Object;
+    static MultiPaths make(const Adt &adt, Ref<tree_metric_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    Span<const uint32_t> branches() const &;
+    Span<const uint32_t> branches() const && = delete;
+    Span<const uint32_t> path(size_t number) const &;
+    Span<const uint32_t> path(size_t number) const && = delete;
+};
+
+class Multires : public detail::Object<tree_multires, tree_multires_free> {
+public:
+    using Object::Object;
+    static Multires make(const Tree &tree, Ref<tree_metric_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    static std::tuple<Rows, Rows, Multires> of_paths(const Tree &tree, const MultiPaths &paths, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    std::tuple<size_t, size_t> counts(size_t n_levels) const;
+    std::tuple<SkeletonColumns, Foliage> level(size_t n_levels) const &;
+    std::tuple<SkeletonColumns, Foliage> level(size_t n_levels) const && = delete;
+    Tree tree_at(size_t n_levels, Ref<tree_control> control = nullptr) const;
+    size_t level_of_nodes(size_t n_nodes) const;
+    Bytes to_stream(size_t n_levels, Ref<tree_stream_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_stream(size_t n_levels, std::string_view path, Ref<tree_stream_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    Bytes to_bracketed(Ref<tree_stream_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    static Multires from_stream(Span<const uint8_t> data, Ref<tree_control> control = nullptr, tree_stream_report *report = nullptr);
+    static Multires read_stream(std::string_view path, Ref<tree_control> control = nullptr, tree_stream_report *report = nullptr);
+};
+
 class Outline : public detail::Object<tree_outline, tree_outline_free> {
 public:
     using Object::Object;
@@ -2411,6 +2529,15 @@ public:
     Silhouette silhouette(size_t index, tree_silhouette_play_report *report = nullptr) const;
 };
 
+class StreamReader : public detail::Object<tree_stream_reader, tree_stream_reader_free> {
+public:
+    using Object::Object;
+    static StreamReader make(Ref<tree_control> control = nullptr);
+    StreamReport push(Span<const uint8_t> data) const;
+    StreamReport received() const;
+    Multires multires(Ref<tree_control> control = nullptr) const;
+};
+
 class Strokes : public detail::Object<tree_strokes, tree_strokes_free> {
 public:
     using Object::Object;
@@ -2639,6 +2766,8 @@ void memory_reset_peak();
 void memory_set_budget(uint64_t bytes);
 uint64_t memory_budget();
 bool memory_set_allocator(Ref<tree_allocator> allocator = nullptr);
+std::string_view grow_shader(tree_shader language);
+std::array<float, 3> grow_position(const Floats<3> &vertex, const Floats<4> &branch, float level);
 Tree from_photos(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_photo_report *report = nullptr);
 Tree path_grow(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
 std::tuple<Bytes, Tree> path_grow_with_levels(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
@@ -3935,6 +4064,223 @@ inline bool Mesh::check_colors() const {
 }
 inline bool Mesh::check_normals() const {
     return detail::done(tree_mesh_check_normals(get()));
+}
+inline Adt Adt::of_tokens(Ref<tree_token_columns> columns, Ref<tree_control> control) {
+    Adt adt;
+    detail::done(tree_adt_of_tokens(columns, control, adt.place()), control);
+    return adt;
+}
+inline Adt Adt::of_skeleton(const Skeleton &skeleton, Ref<tree_control> control) {
+    Adt adt;
+    detail::done(tree_adt_of_skeleton(skeleton.get(), control, adt.place()), control);
+    return adt;
+}
+inline AdtColumns Adt::view() const & {
+    AdtColumns columns;
+    if (!(detail::done(tree_adt_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Span<const uint32_t> Adt::modules(uint32_t branch) const & {
+    const uint32_t *modules = nullptr;
+    size_t n_modules = 0;
+    detail::done(tree_adt_modules(get(), branch, &modules, &n_modules));
+    return Span<const uint32_t>(modules, n_modules);
+}
+inline Span<const uint32_t> Adt::children(uint32_t branch) const & {
+    const uint32_t *children = nullptr;
+    size_t n_children = 0;
+    detail::done(tree_adt_children(get(), branch, &children, &n_children));
+    return Span<const uint32_t>(children, n_children);
+}
+inline MultiChain MultiChain::make(const MultiPaths &paths, Ref<tree_control> control) {
+    MultiChain chain;
+    detail::done(tree_multi_chain_new(paths.get(), control, chain.place()), control);
+    return chain;
+}
+inline MultiChainColumns MultiChain::view() const & {
+    MultiChainColumns columns;
+    if (!(detail::done(tree_multi_chain_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Bytes MultiChain::to_text(size_t n_levels, std::string_view text, Span<const uint32_t> ends, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_multi_chain_to_text(get(), n_levels, text.data() ? text.data() : "", text.size(), ends.data(), ends.size(), control, bytes.place()), control);
+    return bytes;
+}
+inline Bytes MultiMesh::to_glb(Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_multi_mesh_to_glb(get(), options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool MultiMesh::write_glb(std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_multi_mesh_write_glb(get(), path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline Bytes MultiMesh::to_glb_levels(Span<const tree_level_share> levels, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_multi_mesh_to_glb_levels(get(), levels.data(), levels.size(), options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool MultiMesh::write_glb_levels(Span<const tree_level_share> levels, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_multi_mesh_write_glb_levels(get(), levels.data(), levels.size(), path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline std::string_view grow_shader(tree_shader language) {
+    tree_str text{};
+    detail::done(tree_grow_shader(language, &text));
+    return detail::text(text);
+}
+inline std::array<float, 3> grow_position(const Floats<3> &vertex, const Floats<4> &branch, float level) {
+    std::array<float, 3> drawn{};
+    detail::done(tree_grow_position(vertex, branch, level, reinterpret_cast<float(*)[3]>(drawn.data())));
+    return drawn;
+}
+inline MultiMesh MultiMesh::make(const Multires &multires, Maybe<tree_look> look, Ref<tree_mesh_params> params, Ref<tree_control> control) {
+    MultiMesh multi_mesh;
+    static_cast<void>(detail::expect(look.fits(), TREE_ERROR_NULL, "look: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_multi_mesh_new(multires.get(), look, params, control, multi_mesh.place()), control));
+    return multi_mesh;
+}
+inline MultiMeshTotals MultiMesh::measure() const {
+    MultiMeshTotals totals;
+    if (!(detail::done(tree_multi_mesh_measure(get(), &totals)))) { totals.struct_size = 0; }
+    return totals;
+}
+inline Mesh MultiMesh::mesh() const {
+    Mesh mesh;
+    detail::done(tree_multi_mesh_mesh(get(), mesh.place()));
+    return mesh;
+}
+inline MultiMeshColumn MultiMesh::branches(size_t number) const & {
+    MultiMeshColumn column;
+    if (!(detail::done(tree_multi_mesh_branches(get(), number, &column)))) { column.struct_size = 0; }
+    return column;
+}
+inline std::tuple<std::vector<tree_multi_draw>, uint64_t> MultiMesh::draws(float level) const {
+    std::vector<tree_multi_draw> draws(measure().n_surfaces);
+    uint64_t n_triangles{};
+    if (!(detail::done(tree_multi_mesh_draws(get(), level, draws.data(), draws.size(), &n_triangles)))) { draws.clear(); }
+    return {std::move(draws), std::move(n_triangles)};
+}
+inline uint64_t MultiMesh::draws(float level, Span<tree_multi_draw> draws) const {
+    uint64_t n_triangles{};
+    detail::done(tree_multi_mesh_draws(get(), level, draws.data(), draws.size(), &n_triangles));
+    return n_triangles;
+}
+inline size_t MultiMesh::level_of_wood(uint64_t n_triangles) const {
+    size_t n_levels{};
+    detail::done(tree_multi_mesh_level_of_wood(get(), n_triangles, &n_levels));
+    return n_levels;
+}
+inline Mesh MultiMesh::mesh_at(float level, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_multi_mesh_mesh_at(get(), level, control, mesh.place()), control);
+    return mesh;
+}
+inline Multires Multires::make(const Tree &tree, Ref<tree_metric_params> params, uint64_t seed, Ref<tree_control> control) {
+    Multires multires;
+    detail::done(tree_multires_new(tree.get(), params, seed, control, multires.place()), control);
+    return multires;
+}
+inline std::tuple<Rows, Rows, Multires> Multires::of_paths(const Tree &tree, const MultiPaths &paths, Ref<tree_control> control) {
+    Rows nodes;
+    Rows leaves;
+    Multires multires;
+    detail::done(tree_multires_of_paths(tree.get(), paths.get(), control, nodes.place(), leaves.place(), multires.place()), control);
+    return {std::move(nodes), std::move(leaves), std::move(multires)};
+}
+inline size_t Multires::count() const {
+    size_t n_levels{};
+    detail::done(tree_multires_count(get(), &n_levels));
+    return n_levels;
+}
+inline std::tuple<size_t, size_t> Multires::counts(size_t n_levels) const {
+    size_t n_nodes{};
+    size_t n_leaves{};
+    detail::done(tree_multires_counts(get(), n_levels, &n_nodes, &n_leaves));
+    return {std::move(n_nodes), std::move(n_leaves)};
+}
+inline std::tuple<SkeletonColumns, Foliage> Multires::level(size_t n_levels) const & {
+    SkeletonColumns columns;
+    Foliage foliage;
+    if (!(detail::done(tree_multires_level(get(), n_levels, &columns, &foliage)))) { columns.struct_size = 0; foliage.struct_size = 0; }
+    return {std::move(columns), std::move(foliage)};
+}
+inline Tree Multires::tree_at(size_t n_levels, Ref<tree_control> control) const {
+    Tree tree;
+    detail::done(tree_multires_tree_at(get(), n_levels, control, tree.place()), control);
+    return tree;
+}
+inline size_t Multires::level_of_nodes(size_t n_nodes) const {
+    size_t n_levels{};
+    detail::done(tree_multires_level_of_nodes(get(), n_nodes, &n_levels));
+    return n_levels;
+}
+inline MultiPaths MultiPaths::make(const Adt &adt, Ref<tree_metric_params> params, uint64_t seed, Ref<tree_control> control) {
+    MultiPaths paths;
+    detail::done(tree_multi_paths_new(adt.get(), params, seed, control, paths.place()), control);
+    return paths;
+}
+inline size_t MultiPaths::count() const {
+    size_t n_paths{};
+    detail::done(tree_multi_paths_count(get(), &n_paths));
+    return n_paths;
+}
+inline Span<const uint32_t> MultiPaths::branches() const & {
+    const uint32_t *branches = nullptr;
+    size_t n_branches = 0;
+    detail::done(tree_multi_paths_branches(get(), &branches, &n_branches));
+    return Span<const uint32_t>(branches, n_branches);
+}
+inline Span<const uint32_t> MultiPaths::path(size_t number) const & {
+    const uint32_t *branches = nullptr;
+    size_t n_branches = 0;
+    detail::done(tree_multi_paths_path(get(), number, &branches, &n_branches));
+    return Span<const uint32_t>(branches, n_branches);
+}
+inline StreamReader StreamReader::make(Ref<tree_control> control) {
+    StreamReader reader;
+    detail::done(tree_stream_reader_new(control, reader.place()), control);
+    return reader;
+}
+inline StreamReport StreamReader::push(Span<const uint8_t> data) const {
+    StreamReport report;
+    if (!(detail::done(tree_stream_reader_push(get(), data.data(), data.size(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline StreamReport StreamReader::received() const {
+    StreamReport report;
+    if (!(detail::done(tree_stream_reader_received(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline Multires StreamReader::multires(Ref<tree_control> control) const {
+    Multires multires;
+    detail::done(tree_stream_reader_multires(get(), control, multires.place()), control);
+    return multires;
+}
+inline bool StreamParams::check() const {
+    return detail::done(tree_stream_params_check(this));
+}
+inline Bytes Multires::to_stream(size_t n_levels, Ref<tree_stream_params> params, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_multires_to_stream(get(), n_levels, params, control, bytes.place()), control);
+    return bytes;
+}
+inline bool Multires::write_stream(size_t n_levels, std::string_view path, Ref<tree_stream_params> params, Ref<tree_control> control) const {
+    return detail::done(tree_multires_write_stream(get(), n_levels, path.data() ? path.data() : "", path.size(), params, control), control);
+}
+inline Bytes Multires::to_bracketed(Ref<tree_stream_params> params, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_multires_to_bracketed(get(), params, control, bytes.place()), control);
+    return bytes;
+}
+inline Multires Multires::from_stream(Span<const uint8_t> data, Ref<tree_control> control, tree_stream_report *report) {
+    Multires multires;
+    detail::done(tree_multires_from_stream(data.data(), data.size(), control, report, multires.place()), control);
+    return multires;
+}
+inline Multires Multires::read_stream(std::string_view path, Ref<tree_control> control, tree_stream_report *report) {
+    Multires multires;
+    detail::done(tree_multires_read_stream(path.data() ? path.data() : "", path.size(), control, report, multires.place()), control);
+    return multires;
 }
 inline std::tuple<std::vector<tree_density_view>, Grid> Grid::from_views(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report) {
     std::vector<tree_density_view> rows(views.size());

@@ -15,6 +15,12 @@ using System.Runtime.InteropServices;
 namespace TreeFamily.Native
 {
     /// <summary>
+    /// The branches of a chain of modules or of a skeleton, with their modules, lengths and children (the paper's *tree
+    /// abstract data type*). Branch 0 is the root, and parents come before their children.
+    /// </summary>
+    public struct tree_adt { }
+
+    /// <summary>
     /// Cameras for several views of one tree.
     /// </summary>
     public struct tree_aligned { }
@@ -207,6 +213,30 @@ namespace TreeFamily.Native
     public struct tree_midlines { }
 
     /// <summary>
+    /// The modules of a chain, most relevant branches first. Its first levels are a prefix, and each prefix that ends with a
+    /// level is drawn by a turtle that knows `SAVE` and `RESTORE`.
+    /// </summary>
+    public struct tree_multi_chain { }
+
+    /// <summary>
+    /// Tubes and leaves in the order of their paths: the mesh of a level is a prefix of each index buffer, and a shader lets
+    /// the path that comes next grow out of its fork.
+    /// </summary>
+    public struct tree_multi_mesh { }
+
+    /// <summary>
+    /// All branches, cut into paths: each begins at the root, or stems from a path before it. The first few show the
+    /// tree's structure best.
+    /// </summary>
+    public struct tree_multi_paths { }
+
+    /// <summary>
+    /// A tree with its nodes and leaves sorted path by path: its first levels are its coarser forms, and a level is no more
+    /// than a number. It is as large as the tree, and 8 bytes a level more.
+    /// </summary>
+    public struct tree_multires { }
+
+    /// <summary>
     /// A closed outline in metres, x to the right, y up: a polygon without crossings, against the clock.
     /// </summary>
     public struct tree_outline { }
@@ -287,7 +317,7 @@ namespace TreeFamily.Native
 
     /// <summary>
     /// Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
-    /// or the tips of a graph.
+    /// or the tips of a graph; for each row of a tree with levels the row of the tree it was made of.
     /// </summary>
     public struct tree_rows { }
 
@@ -370,6 +400,14 @@ namespace TreeFamily.Native
     /// Trees that grew of one drawing: at least one.
     /// </summary>
     public struct tree_stand { }
+
+    /// <summary>
+    /// Takes the bytes of a stream as they arrive, and gives the tree that they make so far.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+    /// on it is `TREE_ERROR_ORDER`.
+    /// </summary>
+    public struct tree_stream_reader { }
 
     /// <summary>
     /// Strokes read from a drawing, a session's branches as strokes, or outlines.
@@ -614,6 +652,10 @@ namespace TreeFamily.Native
         /// Bytes of an input file. Default 1 GiB.
         /// </summary>
         public ulong input_bytes;
+        /// <summary>
+        /// Modules of a derived L-system word. Default 100 million.
+        /// </summary>
+        public ulong modules;
     }
 
     /// <summary>
@@ -4349,6 +4391,320 @@ namespace TreeFamily.Native
         /// Its radius, at most √3 times that of the smallest such ball.
         /// </summary>
         public float radius;
+    }
+
+    /// <summary>
+    /// A bracketed chain of modules, as far as its branches are concerned.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_token_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_token_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of modules, brackets included.
+        /// </summary>
+        public UIntPtr n_tokens;
+        /// <summary>
+        /// One for each: a `TREE_TOKEN_` constant.
+        /// </summary>
+        public byte* kinds;
+        /// <summary>
+        /// One for each: the length that it draws, finite and 0 or more; 0 for all that do not advance. Those of brackets
+        /// are not looked at.
+        /// </summary>
+        public double* lengths;
+    }
+
+    /// <summary>
+    /// Branches in columns.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_adt_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_adt_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of branches, at least 1.
+        /// </summary>
+        public UIntPtr n_branches;
+        /// <summary>
+        /// One for each branch: the branch it stems from, or `TREE_NO_PARENT` for branch 0.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// One for each branch: the length of its own modules together.
+        /// </summary>
+        public double* lengths;
+    }
+
+    /// <summary>
+    /// A multi-chain in columns.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_multi_chain_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_multi_chain_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of items.
+        /// </summary>
+        public UIntPtr n_items;
+        /// <summary>
+        /// One for each item: a `TREE_ITEM_` constant.
+        /// </summary>
+        public byte* kinds;
+        /// <summary>
+        /// One for each item: the place of a module in the plain chain, or the number of a state.
+        /// </summary>
+        public uint* values;
+        /// <summary>
+        /// Number of levels, at least 1.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// One for each level: the item it ends before. The first `k` levels are the items before `ends[k - 1]`; level `i`
+        /// alone begins at `ends[i - 1]`, level 0 at 0.
+        /// </summary>
+        public uint* ends;
+        /// <summary>
+        /// Number of states that a turtle has to keep at once.
+        /// </summary>
+        public uint n_states;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A level in a file, and when it is shown.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_level_share
+    {
+        /// <summary>
+        /// The level, as in `tree_multi_mesh_mesh_at`.
+        /// </summary>
+        public float level;
+        /// <summary>
+        /// Share of the screen's height, 0 to 1, from which on it is shown.
+        /// </summary>
+        public float share;
+    }
+
+    /// <summary>
+    /// How much there is of a mesh with levels.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_multi_mesh_totals
+    {
+        /// <summary>
+        /// `sizeof(tree_multi_mesh_totals)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of levels, at least 1.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// Number of surfaces, those without triangles included.
+        /// </summary>
+        public UIntPtr n_surfaces;
+        /// <summary>
+        /// Triangles of all levels together.
+        /// </summary>
+        public ulong n_triangles;
+    }
+
+    /// <summary>
+    /// One more column of a surface, for the shader that lets branches grow in.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_multi_mesh_column
+    {
+        /// <summary>
+        /// `sizeof(tree_multi_mesh_column)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Four floats for each vertex of the surface: the fork that its path stems from, in metres, and the number of the
+        /// path, from 0 on.
+        /// </summary>
+        public float* branches;
+        /// <summary>
+        /// Number of vertices.
+        /// </summary>
+        public UIntPtr n_vertices;
+    }
+
+    /// <summary>
+    /// What is drawn of a surface: so many of its indices, from the first on.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_multi_draw
+    {
+        /// <summary>
+        /// Number of the surface.
+        /// </summary>
+        public uint surface;
+        /// <summary>
+        /// Number of indices; may be 0.
+        /// </summary>
+        public uint index_count;
+    }
+
+    /// <summary>
+    /// How branches are compared. Begin with `tree_metric_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_metric_params
+    {
+        /// <summary>
+        /// `sizeof(tree_metric_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
+        /// default, for all others.
+        /// </summary>
+        public double* worths;
+        /// <summary>
+        /// Number of worths: the number of branches, or 0 for the default.
+        /// </summary>
+        public UIntPtr n_worths;
+        /// <summary>
+        /// What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
+        /// </summary>
+        public uint metric; // tree_metric
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A skeleton's columns: as input, or as a view of a `tree_skeleton`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_skeleton_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_skeleton_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes, at least 1.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// Three floats for each node: where it is, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// One for each node: radius of the wood in metres, 0 or more.
+        /// </summary>
+        public float* radii;
+        /// <summary>
+        /// One for each node: the node it stands on, or `TREE_NO_PARENT` for the root.
+        /// </summary>
+        public uint* parents;
+    }
+
+    /// <summary>
+    /// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_foliage
+    {
+        /// <summary>
+        /// `sizeof(tree_foliage)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of rows.
+        /// </summary>
+        public UIntPtr n_leaves;
+        /// <summary>
+        /// One for each leaf: the skeleton's node that bears it.
+        /// </summary>
+        public uint* nodes;
+        /// <summary>
+        /// Three floats for each leaf: the base of the blade, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
+        /// along +Y, upper face to +Z) into the tree's.
+        /// </summary>
+        public float* rotations;
+        /// <summary>
+        /// One for each leaf: length from base to apex in metres, 0 or more.
+        /// </summary>
+        public float* sizes;
+        /// <summary>
+        /// One for each leaf: its kind, an index into the species' leaf kinds.
+        /// </summary>
+        public ushort* kinds;
+    }
+
+    /// <summary>
+    /// How much of a stream has arrived.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stream_report
+    {
+        /// <summary>
+        /// `sizeof(tree_stream_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Levels that are whole and checked.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// Levels of the whole stream; 0 while its head is not there.
+        /// </summary>
+        public UIntPtr n_levels_in_all;
+        /// <summary>
+        /// Bytes that have been read.
+        /// </summary>
+        public ulong n_bytes;
+        /// <summary>
+        /// 1 when all has arrived and its check holds, otherwise 0.
+        /// </summary>
+        public uint is_complete;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a stream is written. Begin with `tree_stream_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_stream_params
+    {
+        /// <summary>
+        /// `sizeof(tree_stream_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Precision of positions and leaf sizes in metres, 0 or 1e-6 to 1; radii are eight times as precise, leaves are
+        /// turned by at most 0.2 degrees. Default 0: exact, to the last bit, in two to three times the bytes.
+        /// </summary>
+        public float precision;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
     }
 
     /// <summary>
@@ -8320,34 +8676,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// A skeleton's columns: as input, or as a view of a `tree_skeleton`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_skeleton_columns
-    {
-        /// <summary>
-        /// `sizeof(tree_skeleton_columns)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Number of nodes, at least 1.
-        /// </summary>
-        public UIntPtr n_nodes;
-        /// <summary>
-        /// Three floats for each node: where it is, in metres.
-        /// </summary>
-        public float* positions;
-        /// <summary>
-        /// One for each node: radius of the wood in metres, 0 or more.
-        /// </summary>
-        public float* radii;
-        /// <summary>
-        /// One for each node: the node it stands on, or `TREE_NO_PARENT` for the root.
-        /// </summary>
-        public uint* parents;
-    }
-
-    /// <summary>
     /// The axes in columns. Parent axes come first; axis 0 is the trunk.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -8564,43 +8892,6 @@ namespace TreeFamily.Native
         /// 0.
         /// </summary>
         public uint reserved;
-    }
-
-    /// <summary>
-    /// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_foliage
-    {
-        /// <summary>
-        /// `sizeof(tree_foliage)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Number of rows.
-        /// </summary>
-        public UIntPtr n_leaves;
-        /// <summary>
-        /// One for each leaf: the skeleton's node that bears it.
-        /// </summary>
-        public uint* nodes;
-        /// <summary>
-        /// Three floats for each leaf: the base of the blade, in metres.
-        /// </summary>
-        public float* positions;
-        /// <summary>
-        /// Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
-        /// along +Y, upper face to +Z) into the tree's.
-        /// </summary>
-        public float* rotations;
-        /// <summary>
-        /// One for each leaf: length from base to apex in metres, 0 or more.
-        /// </summary>
-        public float* sizes;
-        /// <summary>
-        /// One for each leaf: its kind, an index into the species' leaf kinds.
-        /// </summary>
-        public ushort* kinds;
     }
 
     /// <summary>
@@ -10181,6 +10472,12 @@ namespace TreeFamily.Native
         /// frame what is drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own
         /// buffers.
         ///
+        /// Levels as prefixes: `tree_multires_new` sorts a tree such that a level is a prefix of its columns, `tree_multires_level`.
+        /// `tree_multires_to_stream` makes bytes of which every prefix is a coarser tree; a `tree_stream_reader` takes them as they
+        /// arrive. `tree_multi_mesh_new` draws it, `tree_multi_mesh_draws` says how much of each index buffer a level draws, and
+        /// `tree_grow_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
+        /// `tree_multi_chain_new`.
+        ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
         /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -10189,7 +10486,8 @@ namespace TreeFamily.Native
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
         /// its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene` and `tree_scene_state`: one thread at a time.
+        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state` and `tree_stream_reader`: one
+        /// thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -10810,6 +11108,72 @@ namespace TreeFamily.Native
         /// 10 m that is 1e-13 m².
         /// </summary>
         public const float TREE_FLAT_SHARE = 1e-15f;
+
+        /// <summary>
+        /// Any module that is no bracket, with the length that it draws.
+        /// </summary>
+        public const int TREE_TOKEN_MODULE = 0;
+
+        /// <summary>
+        /// `[`: a branch begins.
+        /// </summary>
+        public const int TREE_TOKEN_PUSH = 1;
+
+        /// <summary>
+        /// `]`: it ends.
+        /// </summary>
+        public const int TREE_TOKEN_POP = 2;
+
+        /// <summary>
+        /// A module of the plain chain; its value is its place there.
+        /// </summary>
+        public const int TREE_ITEM_MODULE = 0;
+
+        /// <summary>
+        /// `SAVE`: the turtle keeps its state under this number.
+        /// </summary>
+        public const int TREE_ITEM_SAVE = 1;
+
+        /// <summary>
+        /// `RESTORE`: the turtle goes back to the state of this number, and a level begins.
+        /// </summary>
+        public const int TREE_ITEM_RESTORE = 2;
+
+        /// <summary>
+        /// Length of the branch and of all that it bears; what has been put into a path does not count any more. What the paper
+        /// prefers, and the default.
+        /// </summary>
+        public const int TREE_METRIC_BRANCHING_LENGTH = 0;
+
+        /// <summary>
+        /// As `TREE_METRIC_BRANCHING_LENGTH`, with worths of your own in the place of lengths: areas of wood, numbers of leaves.
+        /// </summary>
+        public const int TREE_METRIC_BRANCHING = 1;
+
+        /// <summary>
+        /// Number of children.
+        /// </summary>
+        public const int TREE_METRIC_CHILDREN = 2;
+
+        /// <summary>
+        /// Number of descendants.
+        /// </summary>
+        public const int TREE_METRIC_DESCENDANTS = 3;
+
+        /// <summary>
+        /// Longest way to a tip, the branch itself included.
+        /// </summary>
+        public const int TREE_METRIC_LONGEST_PATH = 4;
+
+        /// <summary>
+        /// As derivations are undone: branches of low order first, siblings in the order of the chain. For comparison.
+        /// </summary>
+        public const int TREE_METRIC_GENERATION = 5;
+
+        /// <summary>
+        /// Any branch whose parent is there, by chance. For comparison.
+        /// </summary>
+        public const int TREE_METRIC_RANDOM = 6;
 
         /// <summary>
         /// From 0 on a branch to `blend_most` at a distance of `blend_reach` and beyond.
@@ -13889,6 +14253,366 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_check_normals(tree_mesh* mesh);
+
+        /// <summary>
+        /// Finds the branches of a chain: one for each pair of brackets, and one for what is in none. Modules are named by
+        /// their places in the chain, from 0 on, brackets counted. `control` may be NULL; `modules` of its limits caps the
+        /// chain. Free the branches with `tree_adt_free`. `TREE_ERROR_INVALID` for brackets that do not match and for lengths
+        /// that are negative or not finite, and says at which module.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adt_of_tokens(tree_token_columns* columns, tree_control* control, tree_adt** adt);
+
+        /// <summary>
+        /// Finds the branches of a skeleton: the runs of nodes between forks. Its modules are its nodes; the length of a node is
+        /// that of the segment to its parent, in metres. `control` may be NULL; of it only a cancellation before the work
+        /// begins matters. Free the branches with `tree_adt_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adt_of_skeleton(tree_skeleton* skeleton, tree_control* control, tree_adt** adt);
+
+        /// <summary>
+        /// Views the branches. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adt_view(tree_adt* adt, tree_adt_columns* columns);
+
+        /// <summary>
+        /// Views the modules of a branch, in their order: places in the chain, or nodes of the skeleton. `TREE_ERROR_PARAMETER`
+        /// when there is no such branch.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adt_modules(tree_adt* adt, uint branch, uint** modules, UIntPtr* n_modules);
+
+        /// <summary>
+        /// Views the branches that stem from a branch, in the order of the chain. `TREE_ERROR_PARAMETER` when there is no such
+        /// branch.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adt_children(tree_adt* adt, uint branch, uint** children, UIntPtr* n_children);
+
+        /// <summary>
+        /// Frees the branches. Paths that were made of them stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adt_free(tree_adt* adt);
+
+        /// <summary>
+        /// Writes paths one after another as a chain. States have numbers from 0 on, and only those that are needed are saved.
+        /// `control` may be NULL; of it only a cancellation before the work begins matters. Free the chain with
+        /// `tree_multi_chain_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_chain_new(tree_multi_paths* paths, tree_control* control, tree_multi_chain** chain);
+
+        /// <summary>
+        /// Views the items. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_chain_view(tree_multi_chain* chain, tree_multi_chain_columns* columns);
+
+        /// <summary>
+        /// The first `n_levels` levels as text, at most all, with `SAVE(0)` and `RESTORE(0)`. `text`, in UTF-8, is the plain
+        /// chain of `text_len` bytes, or ends with a NUL and `text_len` is `TREE_NUL_TERMINATED`; `ends` has for each of its
+        /// `n_ends` modules, brackets counted, the byte before which it ends. `control` may be NULL; `input_bytes` of its
+        /// limits caps the text. Free the bytes, which are UTF-8, with `tree_bytes_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when ends fall, lie within a letter or behind the text, or a module of the chain has none.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_chain_to_text(tree_multi_chain* chain, UIntPtr n_levels, byte* text, UIntPtr text_len, uint* ends, UIntPtr n_ends, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// Frees a chain.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_chain_free(tree_multi_chain* chain);
+
+        /// <summary>
+        /// A mesh with all its levels as a GLB file in memory, for engines that draw prefixes: an attribute `_TREE_BRANCH` of 4
+        /// floats a vertex, as in `tree_multi_mesh_column`, is what lets branches grow in. Other programs show the whole tree.
+        /// `options` and `control` may be NULL, as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`.
+        /// `TREE_ERROR_PARAMETER` for `quantize`: shaders need positions in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_to_glb(tree_multi_mesh* multi_mesh, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_multi_mesh_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_write_glb(tree_multi_mesh* multi_mesh, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// Levels, at most 1024 of them, as the `MSFT_lod` of one GLB file, each a mesh of its own: for programs without shaders
+        /// of ours. Both levels and shares fall. `options` and `control` may be NULL, as in `tree_mesh_write_glb`. Free the
+        /// bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no levels, or levels or shares do not fall.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_to_glb_levels(tree_multi_mesh* multi_mesh, tree_level_share* levels, UIntPtr n_levels, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_multi_mesh_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_write_glb_levels(tree_multi_mesh* multi_mesh, tree_level_share* levels, UIntPtr n_levels, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// The function `tree_grow_position` for a shader: text to be put into your own. It tells what it takes and where that
+        /// comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grow_shader(uint language, tree_str* text);
+
+        /// <summary>
+        /// Where a shader draws a vertex at a level: `vertex`, three floats, drawn together about its fork while its path grows
+        /// in. `branch` is four floats of `tree_multi_mesh_column.branches`. For shaders of your own, and for checking them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grow_position(float* vertex, float* branch, float level, float* drawn);
+
+        /// <summary>
+        /// Draws a tree: each path is a closed tube of its own, with a cap at either end, and begins inside the wood that bears
+        /// it; it has a ring at each node, and as many sides all along as `params` ask for. Surface 0 is the wood, surface 1 + k
+        /// the leaves of kind k. Of `params` those of curves, flares, tangents and light maps are not used.
+        ///
+        /// `look` may be NULL: the built-in textures that the tree's species names. `params` and `control` may be NULL. Free
+        /// the mesh with `tree_multi_mesh_free`. `TREE_ERROR_PARAMETER` for more than 16,777,216 levels; otherwise as
+        /// `tree_mesh_build`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_new(tree_multires* multires, tree_look* look, tree_mesh_params* @params, tree_control* control, tree_multi_mesh** multi_mesh);
+
+        /// <summary>
+        /// Tells how large a mesh is. Set `totals-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_measure(tree_multi_mesh* multi_mesh, tree_multi_mesh_totals* totals);
+
+        /// <summary>
+        /// The mesh to upload, with all levels, nothing copied. Free it with `tree_mesh_free`; it keeps alive what it is of.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_mesh(tree_multi_mesh* multi_mesh, tree_mesh** mesh);
+
+        /// <summary>
+        /// Views what shaders need of the vertices of surface `number`. Set `column-&gt;struct_size` first. `TREE_ERROR_PARAMETER`
+        /// when there is no such surface.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_branches(tree_multi_mesh* multi_mesh, UIntPtr number, tree_multi_mesh_column* column);
+
+        /// <summary>
+        /// What is drawn at a level: 3.25 draws three paths whole and a quarter of the fourth, drawn together about its fork by
+        /// the shader; levels are clamped to 1 and all. `draws` has room for `capacity` rows, at least one for each surface, in
+        /// their order; `n_triangles` is how many triangles that is. It is quick enough for every frame.
+        /// `TREE_ERROR_PARAMETER` for NaN.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_draws(tree_multi_mesh* multi_mesh, float level, tree_multi_draw* draws, UIntPtr capacity, ulong* n_triangles);
+
+        /// <summary>
+        /// The greatest whole level with at most `n_triangles` triangles of wood; at least 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_level_of_wood(tree_multi_mesh* multi_mesh, ulong n_triangles, UIntPtr* n_levels);
+
+        /// <summary>
+        /// A level, clamped to 1 and all, as a plain mesh: what is not drawn is left out, and the last path has grown as the
+        /// shader lets it. `control` may be NULL; of it only threads matter, and a cancellation before the work begins. Free
+        /// the mesh with `tree_mesh_free`. `TREE_ERROR_PARAMETER` for NaN.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_mesh_at(tree_multi_mesh* multi_mesh, float level, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// Frees a mesh with levels, and with it all views of its columns. Meshes made of it stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_free(tree_multi_mesh* multi_mesh);
+
+        /// <summary>
+        /// Sorts a tree, which is copied, by a metric, NULL for the default; its branches are those of `tree_adt_of_skeleton`.
+        /// `seed` matters to `TREE_METRIC_RANDOM` alone. `control` may be NULL. Free what is made with `tree_multires_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when there are not as many worths as branches, `TREE_ERROR_PARAMETER` when one is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_new(tree_tree* tree, tree_metric_params* @params, ulong seed, tree_control* control, tree_multires** multires);
+
+        /// <summary>
+        /// Sorts a tree, which is copied, by paths of its own branches, and tells where rows went: `nodes` and `leaves`, each
+        /// of which may be NULL, get for each node and leaf its number in the tree that came in. Free them with
+        /// `tree_rows_free`, and what is made with `tree_multires_free`. `control` may be NULL; of it only a cancellation before
+        /// the work begins matters. `TREE_ERROR_INVALID` when the paths are those of another tree, or of a chain.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_of_paths(tree_tree* tree, tree_multi_paths* paths, tree_control* control, tree_rows** nodes, tree_rows** leaves, tree_multires** multires);
+
+        /// <summary>
+        /// Number of levels: of tips, at least 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_count(tree_multires* multires, UIntPtr* n_levels);
+
+        /// <summary>
+        /// Nodes and leaves of the first `n_levels` levels, at least one level, at most all.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_counts(tree_multires* multires, UIntPtr n_levels, UIntPtr* n_nodes, UIntPtr* n_leaves);
+
+        /// <summary>
+        /// Views the first `n_levels` levels, at least one, at most all: their nodes are a skeleton, and their leaves stand on
+        /// these. Nothing is copied, and all levels begin at the same places. Each of `columns` and `foliage` may be NULL; set
+        /// its `struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_level(tree_multires* multires, UIntPtr n_levels, tree_skeleton_columns* columns, tree_foliage* foliage);
+
+        /// <summary>
+        /// A copy of the first `n_levels` levels, at least one, at most all, as a tree of its own, with its species. `control`
+        /// may be NULL; of it only a cancellation before the work begins matters. Free the tree with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_tree_at(tree_multires* multires, UIntPtr n_levels, tree_control* control, tree_tree** tree);
+
+        /// <summary>
+        /// How many levels have at most `n_nodes` nodes together; one if none has so few.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_level_of_nodes(tree_multires* multires, UIntPtr n_nodes, UIntPtr* n_levels);
+
+        /// <summary>
+        /// Frees a multiresolution tree, and with it all views of its levels.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_free(tree_multires* multires);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_metric_params_init(tree_metric_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Cuts branches into paths and sorts them, the most relevant first: from the root to a tip along the branches of most
+        /// worth, again and again, on what is left. `params` may be NULL for the default metric. `seed` matters to
+        /// `TREE_METRIC_RANDOM` alone. `control` may be NULL. Free the paths with `tree_multi_paths_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when there are not as many worths as branches, `TREE_ERROR_PARAMETER` when one is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_paths_new(tree_adt* adt, tree_metric_params* @params, ulong seed, tree_control* control, tree_multi_paths** paths);
+
+        /// <summary>
+        /// Number of paths: of levels of detail, at least 1.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_paths_count(tree_multi_paths* paths, UIntPtr* n_paths);
+
+        /// <summary>
+        /// Views the branches of all paths one after another; those of the first few paths are a prefix.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_paths_branches(tree_multi_paths* paths, uint** branches, UIntPtr* n_branches);
+
+        /// <summary>
+        /// Views the branches of one path, from its fork up. `TREE_ERROR_PARAMETER` when there is no such path.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_paths_path(tree_multi_paths* paths, UIntPtr number, uint** branches, UIntPtr* n_branches);
+
+        /// <summary>
+        /// Frees the paths.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_paths_free(tree_multi_paths* paths);
+
+        /// <summary>
+        /// Makes a reader that nothing has reached yet. `control` may be NULL; the limits that it has now hold for all bytes to
+        /// come: `nodes` and `leaves`, asked for as the head arrives, and `input_bytes` for all bytes together. Free the reader
+        /// with `tree_stream_reader_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stream_reader_new(tree_control* control, tree_stream_reader** reader);
+
+        /// <summary>
+        /// Takes the next bytes, any number of them; they are needed during the call only, and never trusted. `report` may be
+        /// NULL. `TREE_ERROR_FORMAT` for bytes that are no stream, are damaged, or follow its end, and `TREE_ERROR_LIMIT`: the
+        /// levels before stay there, and the same comes again for more bytes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stream_reader_push(tree_stream_reader* reader, byte* data, UIntPtr len, tree_stream_report* report);
+
+        /// <summary>
+        /// How much has arrived. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stream_reader_received(tree_stream_reader* reader, tree_stream_report* report);
+
+        /// <summary>
+        /// The tree of all levels that have arrived, a copy; the reader goes on. `control` may be NULL; of it only a
+        /// cancellation before the work begins matters. Free what is made with `tree_multires_free`. `TREE_ERROR_FORMAT` when
+        /// the first level is not there yet.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stream_reader_multires(tree_stream_reader* reader, tree_control* control, tree_multires** multires);
+
+        /// <summary>
+        /// Frees a reader. Trees that came of it stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stream_reader_free(tree_stream_reader* reader);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stream_params_init(tree_stream_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_stream_params_check(tree_stream_params* @params);
+
+        /// <summary>
+        /// The first `n_levels` levels of a tree, at least one, at most all, as bytes of which every prefix is a coarser tree:
+        /// the stream of `k` levels begins that of `k + 1`. `params` and `control` may be NULL; of `control` only a
+        /// cancellation before the work begins matters. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for
+        /// coordinates beyond 1000 km when there is a precision; `TREE_ERROR_FORMAT` for names of more than 4096 bytes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_to_stream(tree_multires* multires, UIntPtr n_levels, tree_stream_params* @params, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_multires_to_stream`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_write_stream(tree_multires* multires, UIntPtr n_levels, byte* path, UIntPtr path_len, tree_stream_params* @params, tree_control* control);
+
+        /// <summary>
+        /// The tree as one chain with brackets, in the same code but without levels, to compare sizes with: nothing reads it.
+        /// Otherwise as `tree_multires_to_stream`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_to_bracketed(tree_multires* multires, tree_stream_params* @params, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// Reads a stream, or what there is of it: levels up to the first that is cut off. The bytes are needed during the call
+        /// only, and never trusted. `control` and `report` may be NULL; `nodes`, `leaves` and `input_bytes` of the limits cap
+        /// what is read. Free what is made with `tree_multires_free`. `TREE_ERROR_FORMAT` when not even the first level is
+        /// whole, and for bytes that are no stream or are damaged.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_from_stream(byte* data, UIntPtr len, tree_control* control, tree_stream_report* report, tree_multires** multires);
+
+        /// <summary>
+        /// As `tree_multires_from_stream`, from a file; the path as in `tree_mesh_write_glb`. A file that was cut off is read as
+        /// far as it goes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multires_read_stream(byte* path, UIntPtr path_len, tree_control* control, tree_stream_report* report, tree_multires** multires);
 
         /// <summary>
         /// The density of a tree from `n_views` views, at least one: optical depth per metre, such that looking

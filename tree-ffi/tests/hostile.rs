@@ -170,6 +170,15 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_tiers", "tree_tiers_full(live_tree_mesh(), live_tree_elements(), &made)"),
     ("tree_pruned", "tree_pruned_new(one_subject(), live_tree_lod_table(), NULL, NULL, &made)"),
     ("tree_scene_levels", "tree_pruned_scene_levels(live_tree_pruned(), 2, NULL, &made)"),
+    ("tree_adt", "tree_adt_of_skeleton(live_tree_skeleton(), NULL, &made)"),
+    ("tree_multi_paths", "tree_multi_paths_new(live_tree_adt(), NULL, 1, NULL, &made)"),
+    ("tree_multi_chain", "tree_multi_chain_new(live_tree_multi_paths(), NULL, &made)"),
+    ("tree_multires", "tree_multires_new(live_tree_tree(), NULL, 1, NULL, &made)"),
+    ("tree_stream_reader", "tree_stream_reader_new(NULL, &made)"),
+    (
+        "tree_multi_mesh",
+        "tree_multi_mesh_new(live_tree_multires(), live_tree_look(), NULL, NULL, &made)",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

@@ -7,7 +7,7 @@ use crate::skeleton::tree_skeleton;
 use tree_model::foliage::refine;
 
 /// Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
-/// or the tips of a graph.
+/// or the tips of a graph; for each row of a tree with levels the row of the tree it was made of.
 pub struct tree_rows(Vec<u32>);
 
 impl Handle for tree_rows {

@@ -23,6 +23,7 @@ use crate::memory::ask;
 use ::tree_mesh::Mesh;
 use ::tree_mesh::instance::InstancedTree;
 use std::sync::Arc;
+use tree_lod::multires::MultiMesh;
 use tree_lod::prune::PrunedModel;
 
 /// Surfaces with their materials, and the branches that move in the wind.
@@ -32,12 +33,13 @@ pub struct tree_mesh {
     leaf_fallbacks: Vec<u32>,
 }
 
-/// A mesh of its own, or part of an instanced tree or a pruned model, which it keeps alive.
+/// A mesh of its own, or part of an instanced tree, a pruned model or a mesh with levels, which it keeps alive.
 enum Held {
     Own(Arc<Mesh>),
     Base(Arc<InstancedTree>),
     Twig(Arc<InstancedTree>, usize),
     Pruned(Arc<PrunedModel>),
+    Multi(Arc<MultiMesh>),
 }
 
 impl Handle for tree_mesh {
@@ -73,6 +75,11 @@ impl tree_mesh {
         Self::holding(Held::Pruned(model))
     }
 
+    /// A mesh with all its levels.
+    pub(crate) fn multi(mesh: Arc<MultiMesh>) -> Self {
+        Self::holding(Held::Multi(mesh))
+    }
+
     fn built(mesh: Mesh, leaf_fallbacks: Vec<u32>) -> Self {
         Self { leaf_fallbacks, ..Self::new(mesh) }
     }
@@ -82,6 +89,7 @@ impl tree_mesh {
             Held::Own(mesh) => mesh,
             Held::Base(tree) => &tree.base,
             Held::Pruned(model) => model.mesh(),
+            Held::Multi(multi) => multi.mesh(),
             Held::Twig(tree, number) => {
                 tree.twigs.get(*number).map_or(&tree.base, |twig| &twig.mesh)
             }
