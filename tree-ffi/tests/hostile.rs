@@ -26,6 +26,7 @@ const NULL_IS_FINE: &[&str] = &[
     "tree_convert_uvs",
     "tree_convert_triangles",
     "tree_order_check",
+    "tree_turtle_params_check",
 ];
 
 /// Numbers that say how long a call works: a large one is a wish, not a defect.
@@ -170,6 +171,12 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_tiers", "tree_tiers_full(live_tree_mesh(), live_tree_elements(), &made)"),
     ("tree_pruned", "tree_pruned_new(one_subject(), live_tree_lod_table(), NULL, NULL, &made)"),
     ("tree_scene_levels", "tree_pruned_scene_levels(live_tree_pruned(), 2, NULL, &made)"),
+    ("tree_grammar", "tree_grammar_from_text(a_bush, sizeof a_bush - 1, NULL, NULL, &made)"),
+    ("tree_word", "tree_grammar_axiom(live_tree_grammar(), &made)"),
+    (
+        "tree_turtle_trace",
+        "tree_word_interpret(live_tree_word(), NULL, NULL, NULL, &made, other_tree())",
+    ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 
