@@ -24,6 +24,10 @@
 // find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
 // parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
 //
+// From grammars: `tree_lsystem_preset`, `tree_grammar_from_text` or `tree_grammar_read` gives a grammar,
+// `tree_lsystem_grow` a tree of it. Step by step, `tree_grammar_derive` makes a `tree_word`, `tree_grammar_interpretation` what
+// a turtle sees of it, `tree_word_interpret` a tree, `tree_word_lines` lines; `tree_tree_to_word` writes any tree as a word.
+//
 // Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the
 // order in which it is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh`
 // makes outlines simpler, `tree_lod_plan` says when; `tree_pruned_new` makes a `tree_pruned` of it all,
@@ -8374,8 +8378,8 @@ tree_status tree_chain_params_init(struct tree_chain_params *params, size_t size
 // turns `+(a)` `&(b)`, a diameter `!(w)` and a length `F(l)`, as far as they change; what leaves the axis at a node
 // is in brackets, and so is each leaf, `~(size,kind)`. `tree_word_interpret` with `tree_chain_turtle` draws it.
 // `tree_word_past` says which node and leaf is which. `params` and `control` may be NULL. `TREE_ERROR_INVALID`
-// for a leaf on a node that is not there, `TREE_ERROR_LIMIT` before `tree_limits.modules` is exceeded. Free the
-// word with `tree_word_free`.
+// for a leaf on a node that is not there, `TREE_ERROR_LIMIT` for a word of many more modules than
+// `tree_limits.modules`, which is looked at from time to time. Free the word with `tree_word_free`.
 tree_status tree_skeleton_to_word(const struct tree_skeleton *skeleton,
                                   const struct tree_foliage *foliage,
                                   const struct tree_chain_params *params,

@@ -69,8 +69,8 @@ unsafe fn write(
 /// turns `+(a)` `&(b)`, a diameter `!(w)` and a length `F(l)`, as far as they change; what leaves the axis at a node
 /// is in brackets, and so is each leaf, `~(size,kind)`. `tree_word_interpret` with `tree_chain_turtle` draws it.
 /// `tree_word_past` says which node and leaf is which. `params` and `control` may be NULL. `TREE_ERROR_INVALID`
-/// for a leaf on a node that is not there, `TREE_ERROR_LIMIT` before `tree_limits.modules` is exceeded. Free the
-/// word with `tree_word_free`.
+/// for a leaf on a node that is not there, `TREE_ERROR_LIMIT` for a word of many more modules than
+/// `tree_limits.modules`, which is looked at from time to time. Free the word with `tree_word_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_skeleton_to_word(
     skeleton: *const tree_skeleton,

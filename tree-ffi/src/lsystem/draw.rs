@@ -10,8 +10,8 @@ use crate::border::{
 use crate::control::{run, tree_control};
 use crate::sketch::fill_some;
 use crate::tree::tree_tree;
-use tree_model::lsystem::LSystem;
 use tree_model::lsystem::turtle::{interpret, lines};
+use tree_model::lsystem::{Grammar, LSystem};
 use tree_model::tree_core::Seed;
 
 /// Draws a word as a tree: a turtle reads it from left to right.
@@ -113,13 +113,19 @@ pub unsafe extern "C" fn tree_lsystem_grow(
         let (word, trace, place) = (word?, trace?, place?);
         unsafe { foresee(report, "report") }?;
         let grammar = unsafe { get(grammar, "grammar") }?.rust();
-        let mut system = LSystem::new((**grammar).clone())?;
-        system.steps = self::steps(steps)?;
-        if !turtle.is_null() {
-            let turtle = unsafe { read(turtle, "turtle") }?;
-            system.species = unsafe { turtle.species("turtle") }?;
-            system.turtle = unsafe { turtle.rust("turtle") }?;
-        }
+        let steps = self::steps(steps)?;
+        let own = Grammar::clone(grammar);
+        let system = if turtle.is_null() {
+            LSystem { steps, ..LSystem::new(own)? }
+        } else {
+            let given = unsafe { read(turtle, "turtle") }?;
+            LSystem {
+                grammar: own,
+                steps,
+                turtle: unsafe { given.rust("turtle") }?,
+                species: unsafe { given.species("turtle") }?,
+            }
+        };
         let grown = unsafe { run(control, |control| Ok(system.grow(Seed(seed), control)?)) }?;
         let derivation = grown.report.derivation;
         let told = tree_turtle_report {

@@ -158,7 +158,7 @@ static void words(void) {
     FAILS(TREE_ERROR_INVALID, "999",
           tree_grammar_word_from_columns(grammar, &wrong, NULL, &report, &none));
 
-    FAILS(TREE_ERROR_INVALID, "'Q'", tree_grammar_word(grammar, "FQ", 2, NULL, &report, &none));
+    FAILS(TREE_ERROR_INVALID, "'F' with 0", tree_grammar_word(grammar, "FQ", 2, NULL, &report, &none));
     FAILS(TREE_ERROR_INVALID, "module",
           tree_grammar_word(grammar, "F(1)Q", 5, NULL, &report, &none));
     CHECK(report.place == TREE_GRAMMAR_PLACE_MODULE && report.module == 1 && report.line == 0);
@@ -464,6 +464,15 @@ static void growing(void) {
           tree_lsystem_grow(grammar, 1, &turtle, 3, NULL, NULL, NULL, NULL, &none));
     OK(tree_grammar_free(grammar));
 
+    /* A turtle of the caller's stands for the text's, right or wrong. */
+    small = a_grammar("elasticity = 1e9\naxiom: F");
+    FAILS(TREE_ERROR_PARAMETER, "elasticity",
+          tree_lsystem_grow(small, 0, NULL, 1, NULL, NULL, NULL, NULL, &none));
+    OK(tree_turtle_params_init(&turtle, sizeof turtle));
+    OK(tree_lsystem_grow(small, 0, &turtle, 1, NULL, NULL, NULL, NULL, &tree));
+    OK(tree_tree_free(tree));
+    OK(tree_grammar_free(small));
+
     /* The text may say all there is to say. */
     small = a_grammar("steps: 4\nangle: 30\nheight = 3\naxiom: X\nX -> F[+X][-X]FX\nF -> FF");
     OK(tree_lsystem_grow(small, TREE_STEPS_OF_TEXT, NULL, 1, NULL, NULL, NULL, NULL, &tree));
@@ -541,13 +550,15 @@ static void chains(void) {
     OK(tree_word_free(again));
     OK(tree_bytes_free(bytes));
     OK(tree_word_free(word));
-    tree_limits limits;
-    OK(tree_limits_init(&limits, sizeof limits));
-    limits.modules = 3;
+    tree_cancel *cancel;
+    OK(tree_cancel_new(&cancel));
+    OK(tree_cancel_set(cancel));
     tree_control control;
     OK(tree_control_init(&control, sizeof control));
-    control.limits = &limits;
-    FAILS(TREE_ERROR_LIMIT, "modules", tree_tree_to_word(twig, NULL, &control, &none));
+    control.cancel = cancel;
+    FAILS(TREE_ERROR_CANCELLED, "cancel", tree_tree_to_word(twig, NULL, &control, &none));
+    CHECK(none == NULL);
+    OK(tree_cancel_free(cancel));
     OK(tree_tree_free(twig));
 }
 
