@@ -24,6 +24,10 @@
 // find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
 // parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
 //
+// From grammars: `tree_lsystem_preset`, `tree_grammar_from_text` or `tree_grammar_read` gives a grammar,
+// `tree_lsystem_grow` a tree of it. Step by step, `tree_grammar_derive` makes a `tree_word`, `tree_grammar_interpretation` what
+// a turtle sees of it, `tree_word_interpret` a tree, `tree_word_lines` lines; `tree_tree_to_word` writes any tree as a word.
+//
 // Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the
 // order in which it is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh`
 // makes outlines simpler, `tree_lod_plan` says when; `tree_pruned_new` makes a `tree_pruned` of it all,
@@ -425,6 +429,39 @@
 
 // Pixels with alpha below the material's `alpha_cutoff` are not drawn.
 #define TREE_ALPHA_MASK 1
+
+// Kind of the module `[`, in every alphabet: a branch begins.
+#define TREE_KIND_PUSH 0
+
+// Kind of the module `]`, in every alphabet: a branch ends.
+#define TREE_KIND_POP 1
+
+// As many derivations as the text of the grammar asks for.
+#define TREE_STEPS_OF_TEXT 4294967295u
+
+// None: there is no mistake, or it has no place.
+#define TREE_GRAMMAR_PLACE_NONE 0
+
+// A line and a column of the text.
+#define TREE_GRAMMAR_PLACE_TEXT 1
+
+// A module of the word.
+#define TREE_GRAMMAR_PLACE_MODULE 2
+
+// The width is that of a segment's base; it narrows to the thickest segment that follows. The default.
+#define TREE_TAPER_SMOOTH 0
+
+// The width is that of a segment's upper end, as words of skeletons have it.
+#define TREE_TAPER_ENDS 1
+
+// From the widths of the word where it sets any with `!` or `#`, or else from `radii`. The default.
+#define TREE_THICKNESS_AUTO 0
+
+// From the widths of the word.
+#define TREE_THICKNESS_WORD 1
+
+// From `radii`, whatever the word says.
+#define TREE_THICKNESS_RULE 2
 
 // Straight from node to node.
 #define TREE_CURVE_STRAIGHT 0
@@ -1154,6 +1191,9 @@ typedef struct tree_gltf_attributes tree_gltf_attributes;
 // Leaves of a tree, one small mesh for each kind and where its copies stand.
 typedef struct tree_gltf_leaves tree_gltf_leaves;
 
+// An L-system's grammar: alphabet, axiom, productions, and rules of decomposition and interpretation.
+typedef struct tree_grammar tree_grammar;
+
 // An undirected graph with costs.
 typedef struct tree_graph tree_graph;
 
@@ -1369,6 +1409,9 @@ typedef struct tree_tree tree_tree;
 // What is known of each pixel of a photograph.
 typedef struct tree_trimap tree_trimap;
 
+// What a turtle drew beside the tree: filled polygons; and the symbols that said nothing to it.
+typedef struct tree_turtle_trace tree_turtle_trace;
+
 // A tree as a base mesh and a few unique twigs, set down many times: at a tenth of its memory and less.
 typedef struct tree_twigs tree_twigs;
 
@@ -1384,6 +1427,9 @@ typedef struct tree_way tree_way;
 
 // The branches of a skeleton, as the wind sees them.
 typedef struct tree_wind_branches tree_wind_branches;
+
+// A string of modules with their parameters, such as `F(1)[+(30)F(0.5)]`, and the alphabet of their kinds.
+typedef struct tree_word tree_word;
 
 // What a function says of itself: `TREE_OK`, or one of the `TREE_ERROR_` codes. New codes may be
 // added: treat those you do not know as errors.
@@ -3252,6 +3298,228 @@ typedef struct tree_texture_pixels {
     // Height in pixels, 1 or more.
     uint32_t height;
 } tree_texture_pixels;
+
+// How a skeleton becomes a word. Begin with `tree_chain_params_init`.
+typedef struct tree_chain_params {
+    // `sizeof(tree_chain_params)`.
+    size_t struct_size;
+    // How far a node may be from its place, as a share of the tree's extent, 0 to 0.01: numbers are rounded to
+    // as few decimals as this allows. 0 writes all digits. Default 1e-5.
+    double tolerance;
+    // Which child goes on at a fork; the others are in brackets. Default `TREE_CONTINUATION_THICKEST`.
+    tree_continuation continuation;
+    // 0.
+    uint32_t reserved;
+} tree_chain_params;
+
+// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
+typedef struct tree_foliage {
+    // `sizeof(tree_foliage)`.
+    size_t struct_size;
+    // Number of rows.
+    size_t n_leaves;
+    // One for each leaf: the skeleton's node that bears it.
+    const uint32_t *nodes;
+    // Three floats for each leaf: the base of the blade, in metres.
+    const float *positions;
+    // Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
+    // along +Y, upper face to +Z) into the tree's.
+    const float *rotations;
+    // One for each leaf: length from base to apex in metres, 0 or more.
+    const float *sizes;
+    // One for each leaf: its kind, an index into the species' leaf kinds.
+    const uint16_t *kinds;
+} tree_foliage;
+
+// How the width of segments becomes the radius of nodes: one of the `TREE_TAPER_` constants.
+typedef uint32_t tree_taper;
+
+// Where radii come from: one of the `TREE_THICKNESS_` constants.
+typedef uint32_t tree_thickness;
+
+// What a word leaves open when a turtle draws it. Lengths and widths are in the word's own units, which `unit`
+// or `height` makes metres. Begin with `tree_turtle_params_init`, `tree_grammar_turtle`, `tree_chain_turtle` or
+// `tree_lsystem_preset`.
+typedef struct tree_turtle_params {
+    // `sizeof(tree_turtle_params)`.
+    size_t struct_size;
+    // Length of an `F`, `f` or `G` without parameter, 0 to 1e6 units. Default 1.
+    double step;
+    // Diameter of wood before the first `!`, 0 to 1e6 units. Default 0.1.
+    double width;
+    // Angle of a turn without parameter in degrees, -3600 to 3600. Default 22.5.
+    double angle;
+    // What a `!` without parameter multiplies the width by, 0.01 to 1; `#` divides by it. Default √½: the
+    // cross-section halves.
+    double width_ratio;
+    // Size of a `~` without parameter, 0 to 1e6 units. Default 1.
+    double leaf_size;
+    // How readily shoots bend towards `tropism`: after each `F` the heading turns by this times the sine of the
+    // angle between them, in radians. -10 to 10, default 0. A module `_(e)` sets it for the rest of its branch.
+    double elasticity;
+    // Metres in a unit, 1e-6 to 1e6. Default 1.
+    double unit;
+    // The direction shoots bend to, each number -1000 to 1000. Default straight down.
+    float tropism[3];
+    // Height of the tree in metres, 0.001 to 1000, in place of `unit`. Default 0: `unit` decides.
+    float height;
+    // Radius of the base in metres, 1e-6 to 100: all radii are multiplied by the one factor that makes it so.
+    // Default 0: widths are in the same unit as lengths.
+    float trunk_radius;
+    // How widths become radii. Default `TREE_TAPER_SMOOTH`.
+    tree_taper taper;
+    // Where radii come from. Default `TREE_THICKNESS_AUTO`.
+    tree_thickness thickness;
+    // Whether polygons that look like leaves become leaves too. Default 1.
+    uint32_t polygon_leaves;
+    // The rule for radii. Default NULL: that of `tree_radius_rule_init`.
+    const struct tree_radius_rule *radii;
+    // What the tree is; its leaf kinds are those of `~(size, kind)`. Default NULL: an oak.
+    const struct tree_species *species;
+} tree_turtle_params;
+
+// What drawing a word took, and what was left out.
+typedef struct tree_turtle_report {
+    // `sizeof(tree_turtle_report)`.
+    size_t struct_size;
+    // `tree_lsystem_grow`: steps of the derivation. Else 0.
+    uint64_t n_steps;
+    // `tree_lsystem_grow`: modules that all steps wrote together. Else 0.
+    uint64_t n_produced;
+    // Modules read by the turtle.
+    uint64_t n_modules;
+    // Most brackets open at a time.
+    uint64_t depth;
+    // Gaps made by `f` before wood was drawn again. The skeleton runs on through them: a tree is connected.
+    uint64_t gaps;
+    // `F` and `G` of no length, which make no node.
+    uint64_t merged;
+    // Modules that a `%` cut off.
+    uint64_t cut;
+    // Polygons with fewer than three corners, left out.
+    uint64_t thin_polygons;
+    // Polygons that became leaves as well.
+    uint64_t polygon_leaves;
+    // Symbols that say nothing to the turtle: `tree_turtle_trace_skipped` names them.
+    uint64_t n_skipped;
+    // Metres in a unit of length.
+    double scale;
+    // Whether the word set any width: 1 or 0.
+    uint32_t widths;
+    // 0.
+    uint32_t reserved;
+} tree_turtle_report;
+
+// What kind of place a mistake has: one of the `TREE_GRAMMAR_PLACE_` constants.
+typedef uint32_t tree_grammar_place;
+
+// Where a text or a word is wrong, for an editor that marks the place; what is wrong is in
+// `tree_error_text`. Written when the call fails, too.
+typedef struct tree_grammar_report {
+    // `sizeof(tree_grammar_report)`.
+    size_t struct_size;
+    // `TREE_GRAMMAR_PLACE_TEXT`: line of the text, from 1; else 0.
+    uint64_t line;
+    // `TREE_GRAMMAR_PLACE_TEXT`: column in characters, from 1; else 0.
+    uint64_t column;
+    // `TREE_GRAMMAR_PLACE_MODULE`: index of the module in the word, from 0; else 0.
+    uint64_t module;
+    // Which of these hold.
+    tree_grammar_place place;
+    // 0.
+    uint32_t reserved;
+} tree_grammar_report;
+
+// What a grammar says beside its productions.
+typedef struct tree_grammar_info {
+    // `sizeof(tree_grammar_info)`.
+    size_t struct_size;
+    // The text it was read from.
+    struct tree_str text;
+    // Angle of turns without a parameter in degrees (`angle:`). 90 where the text does not say.
+    double angle;
+    // Seed that the text proposes (`seed:`). 0 where it does not.
+    uint64_t seed;
+    // Number of productions, without those of decomposition and interpretation.
+    size_t n_productions;
+    // Number of named constants: `tree_grammar_constant`.
+    size_t n_constants;
+    // Number of kinds of modules: `tree_grammar_kind`.
+    size_t n_kinds;
+    // Number of derivations that the text asks for (`steps:`), 0 to 1,000,000. 0 where it does not.
+    uint32_t steps;
+    // 0.
+    uint32_t reserved;
+} tree_grammar_info;
+
+// What is known of a preset. All texts are valid for ever.
+typedef struct tree_lsystem_preset_info {
+    // `sizeof(tree_lsystem_preset_info)`.
+    size_t struct_size;
+    // Its name: `oak`, `honda-a`, `abop-1.24f`.
+    struct tree_str name;
+    // What it looks like, in a few words.
+    struct tree_str title;
+    // Where it was published; empty for those of this library.
+    struct tree_str source;
+    // The text of its grammar, before its constants are changed.
+    struct tree_str text;
+    // Number of constants of the text that it changes: `tree_lsystem_preset_constant`.
+    size_t n_constants;
+} tree_lsystem_preset_info;
+
+// A view of the polygons that a turtle drew between `{` and `}`, leaf or not, in the order of their ends.
+typedef struct tree_turtle_polygons {
+    // `sizeof(tree_turtle_polygons)`.
+    size_t struct_size;
+    // Number of polygons.
+    size_t n_polygons;
+    // `n_polygons` + 1 places: polygon i has the corners from `starts[i]` to before `starts[i + 1]`, three or
+    // more.
+    const uint64_t *starts;
+    // Number of corners of all polygons.
+    size_t n_vertices;
+    // Three floats for each corner, in metres, in the order they were drawn.
+    const float *vertices;
+    // One for each polygon: the colour number when it was closed (`'`).
+    const uint32_t *colors;
+    // One for each polygon: the skeleton's node it hangs on.
+    const uint32_t *nodes;
+} tree_turtle_polygons;
+
+// A word in columns: as input, or as a view of a `tree_word`.
+typedef struct tree_word_columns {
+    // `sizeof(tree_word_columns)`.
+    size_t struct_size;
+    // Number of modules.
+    size_t n_modules;
+    // One for each module: its kind, which says its symbol and number of parameters (`tree_word_kind`).
+    const uint16_t *kinds;
+    // Number of parameters of all modules together.
+    size_t n_params;
+    // The parameters of all modules, one after another.
+    const double *params;
+    // Number of kinds in the alphabet. Not used as input.
+    size_t n_kinds;
+} tree_word_columns;
+
+// What a word came from. Columns that do not apply are NULL.
+typedef struct tree_word_history {
+    // `sizeof(tree_word_history)`.
+    size_t struct_size;
+    // Derived words: number of steps, and 1. Else 0.
+    size_t n_growth;
+    // Number of modules of the axiom, and then of the word after each step.
+    const uint64_t *growth;
+    // Words of skeletons: number of nodes that the word draws. Else 0.
+    size_t n_nodes;
+    // For each of these, in the order of the word, the node of the skeleton it stands for.
+    const uint32_t *nodes;
+    // Words of skeletons: number of leaves that the word draws. Else 0.
+    size_t n_leaves;
+    // For each of these, in the order of the word, the leaf of the foliage it stands for.
+    const uint32_t *leaves;
+} tree_word_history;
 
 // The host's allocator. Its functions are called from any thread and must not call the library.
 typedef struct tree_allocator {
@@ -8300,6 +8568,302 @@ tree_status tree_texture_write_png(const struct tree_texture *texture,
 
 // Frees a texture's handle. Materials and meshes that have the picture keep it.
 tree_status tree_texture_free(struct tree_texture *texture);
+
+// Symbol and number of parameters of a kind of module, 0 to `tree_grammar_info.n_kinds` less 1. `F(1)` and
+// `F(1,2)` are of two kinds. The name is valid until the grammar is freed.
+tree_status tree_grammar_kind(const struct tree_grammar *grammar,
+                              uint16_t kind,
+                              struct tree_str *name,
+                              size_t *n_params);
+
+// The kind of the symbol `name`, of `len` bytes or `TREE_NUL_TERMINATED`, with so many parameters.
+// `TREE_ERROR_UNKNOWN_NAME` when the grammar has no such module.
+tree_status tree_grammar_find_kind(const struct tree_grammar *grammar,
+                                   const char *name,
+                                   size_t len,
+                                   size_t n_params,
+                                   uint16_t *kind);
+
+// Symbol and number of parameters of a kind of module, 0 to `tree_word_columns.n_kinds` less 1. The name is
+// valid until the word is freed.
+tree_status tree_word_kind(const struct tree_word *word,
+                           uint16_t kind,
+                           struct tree_str *name,
+                           size_t *n_params);
+
+// The kind of the symbol `name`, of `len` bytes or `TREE_NUL_TERMINATED`, with so many parameters.
+// `TREE_ERROR_UNKNOWN_NAME` when the word's alphabet has no such module.
+tree_status tree_word_find_kind(const struct tree_word *word,
+                                const char *name,
+                                size_t len,
+                                size_t n_params,
+                                uint16_t *kind);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_chain_params_init(struct tree_chain_params *params, size_t size);
+
+// Writes a skeleton as a word in metres from its base, with leaves in columns, or NULL for none: an internode is
+// turns `+(a)` `&(b)`, a diameter `!(w)` and a length `F(l)`, as far as they change; what leaves the axis at a node
+// is in brackets, and so is each leaf, `~(size,kind)`. `tree_word_interpret` with `tree_chain_turtle` draws it.
+// `tree_word_past` says which node and leaf is which. `params` and `control` may be NULL. `TREE_ERROR_INVALID`
+// for a leaf on a node that is not there, `TREE_ERROR_LIMIT` for a word of many more modules than
+// `tree_limits.modules`, which is looked at from time to time. Free the word with `tree_word_free`.
+tree_status tree_skeleton_to_word(const struct tree_skeleton *skeleton,
+                                  const struct tree_foliage *foliage,
+                                  const struct tree_chain_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_word **word);
+
+// Writes a tree, wood and leaves, as a word. Otherwise as `tree_skeleton_to_word`.
+tree_status tree_tree_to_word(const struct tree_tree *tree,
+                              const struct tree_chain_params *params,
+                              const struct tree_control *control,
+                              struct tree_word **word);
+
+// Applies a grammar's productions to all modules at once, `steps` times (0 to 1,000,000), beginning with the
+// axiom; `TREE_STEPS_OF_TEXT` takes the number from the text. The same `seed` gives the same word for any number
+// of threads. `control` may be NULL. `TREE_ERROR_INVALID` names module and production where an expression has no
+// finite value; `TREE_ERROR_LIMIT` comes before the word grows beyond `tree_limits.modules`. `tree_word_past`
+// tells how it grew. Free the word with `tree_word_free`.
+tree_status tree_grammar_derive(const struct tree_grammar *grammar,
+                                uint32_t steps,
+                                uint64_t seed,
+                                const struct tree_control *control,
+                                struct tree_word **word);
+
+// Applies a grammar's productions to a word once: step `step`, counted from 0, of `of` steps, which conditions
+// see as `itNum` and `maxIt`. Steps one by one from `tree_grammar_axiom` give the word of `tree_grammar_derive`
+// (where the axiom is not random and not decomposed). `control` may be NULL. Errors are those of
+// `tree_grammar_derive`, and `TREE_ERROR_INVALID` for a word of another alphabet. Free the new word with
+// `tree_word_free`.
+tree_status tree_grammar_step(const struct tree_grammar *grammar,
+                              const struct tree_word *word,
+                              uint32_t step,
+                              uint32_t of,
+                              uint64_t seed,
+                              const struct tree_control *control,
+                              struct tree_word **next);
+
+// The word as a turtle is to see it: the grammar's rules of interpretation applied, again to what they give,
+// down to their `maximum depth`. Without such rules it is a copy. Otherwise as `tree_grammar_step`.
+tree_status tree_grammar_interpretation(const struct tree_grammar *grammar,
+                                        const struct tree_word *word,
+                                        uint64_t seed,
+                                        const struct tree_control *control,
+                                        struct tree_word **seen);
+
+// Draws a word as a tree: a turtle reads it from left to right.
+//
+// * `F(l)` draws wood of length l, `f(l)` moves without drawing, `G(l)` draws as `F` does;
+// * `+(a)` `-(a)` turn left and right by a degrees, `&(a)` `^(a)` pitch down and up, `\(a)` `/(a)` roll left and
+//   right, `|` turns round, `$` rolls until the turtle's left is horizontal;
+// * `!(w)` `#(w)` set the diameter; without w it falls, or rises, by the width ratio; `_(e)` sets the elasticity;
+// * `[` `]` are a branch, which saves and restores all this; `%` cuts off the rest of one;
+// * `{` `.` `}` are a polygon, a corner where the turtle stands, and its end; in it `F` and `f` set corners;
+// * `~(s,k)` is a leaf of size s and kind k; `'(n)` is colour n, `'` the next.
+//
+// Other symbols do nothing, and are counted. `turtle` may be NULL for the default, `control`, `report` and the
+// place `trace` may be NULL. `TREE_ERROR_INVALID` names the module: a bracket or brace without its partner, a
+// width or size below 0, a leaf kind that the species lacks. Free the tree with `tree_tree_free`, the trace with
+// `tree_turtle_trace_free`.
+tree_status tree_word_interpret(const struct tree_word *word,
+                                const struct tree_turtle_params *turtle,
+                                const struct tree_control *control,
+                                struct tree_turtle_report *report,
+                                struct tree_turtle_trace **trace,
+                                struct tree_tree **tree);
+
+// Draws every `F` and `G` of a word as a line, in its order: six floats, where it begins and where it ends, in
+// units times `turtle->unit`. The turtle starts at the origin and looks along +Y; `+` turns it to -X. Gaps stay
+// open, braces draw nothing. `lines` has room for `capacity` floats; six for each module are always enough.
+// `n_lines` says how many lines there are, also when the room was too small (`TREE_ERROR_BUFFER`, nothing is
+// written). `turtle` and `control` may be NULL. Other errors are those of `tree_word_interpret`.
+tree_status tree_word_lines(const struct tree_word *word,
+                            const struct tree_turtle_params *turtle,
+                            const struct tree_control *control,
+                            float *lines,
+                            size_t capacity,
+                            size_t *n_lines);
+
+// Grows a tree of a grammar: derives the word, applies the rules of interpretation, and draws it. `steps` is the
+// number of derivations, 0 to 1,000,000, or `TREE_STEPS_OF_TEXT`. `turtle` may be NULL for that of
+// `tree_grammar_turtle`. The same grammar, parameters and `seed` give the same bits for any number of threads.
+// `control`, `report` and the places `word` and `trace` may be NULL; the word is the one that was drawn, with the
+// growth of the derivation as its past. Errors are those of `tree_grammar_derive` and `tree_word_interpret`. Free
+// the tree with `tree_tree_free`, the others with `tree_word_free` and `tree_turtle_trace_free`.
+tree_status tree_lsystem_grow(const struct tree_grammar *grammar,
+                              uint32_t steps,
+                              const struct tree_turtle_params *turtle,
+                              uint64_t seed,
+                              const struct tree_control *control,
+                              struct tree_turtle_report *report,
+                              struct tree_word **word,
+                              struct tree_turtle_trace **trace,
+                              struct tree_tree **tree);
+
+// Reads a grammar in the notation of *The Algorithmic Beauty of Plants* and of the programs cpfg and L-studio,
+// `text` of `len` bytes or `TREE_NUL_TERMINATED`. One line is a statement:
+//
+// * `#define r 0.5` or `r = 0.5`: a constant; `#symbols Apex`: symbols of more than one character;
+// * `steps: 7`, `angle: 25.7`, `seed: 3`, `#ignore +-F`, `#consider AB`: settings;
+// * `axiom: A(1)`: the word to begin with;
+// * `A(x) : x > 1 -> F(x)[+A(x*r)]A(x*r)`: a production; `B(y) < A(x) > C` gives it a context,
+//   `A -(.3)-> B` or `A -> B : .3` a weight among others;
+// * `decomposition`, `interpretation`, `productions`: what follows are rules of that section.
+//
+// `control` may be NULL; only its limits matter. `report` may be NULL; it says in which line and column a
+// mistake is, with `TREE_ERROR_INVALID`. Free the grammar with `tree_grammar_free`.
+tree_status tree_grammar_from_text(const char *text,
+                                   size_t len,
+                                   const struct tree_control *control,
+                                   struct tree_grammar_report *report,
+                                   struct tree_grammar **grammar);
+
+// Reads a grammar from a file in UTF-8. The path, in UTF-8, has `path_len` bytes, or ends with a NUL and
+// `path_len` is `TREE_NUL_TERMINATED`. Otherwise as `tree_grammar_from_text`.
+tree_status tree_grammar_read(const char *path,
+                              size_t path_len,
+                              const struct tree_control *control,
+                              struct tree_grammar_report *report,
+                              struct tree_grammar **grammar);
+
+// Views what a grammar says. Set `info->struct_size` first.
+tree_status tree_grammar_view(const struct tree_grammar *grammar, struct tree_grammar_info *info);
+
+// Name and value of a constant of the text, in the order of their names; `steps` and `angle` are among them
+// where the text sets them. `index` is below `tree_grammar_info.n_constants`. The name is valid until the
+// grammar is freed.
+tree_status tree_grammar_constant(const struct tree_grammar *grammar,
+                                  size_t index,
+                                  struct tree_str *name,
+                                  double *value);
+
+// A copy of the grammar in which a constant of the text has another value; all that depends on it is computed
+// anew. `steps` (fractions are cut off) and `angle` can be set as well. `name` has `len` bytes or
+// `TREE_NUL_TERMINATED`. `TREE_ERROR_PARAMETER` for a value that is not finite or steps beyond 0 to 1,000,000,
+// `TREE_ERROR_INVALID` when the text has no such constant, or an expression of constants has no value then:
+// `report`, which may be NULL, says where. Words of the one grammar are words of the other. Free the copy with
+// `tree_grammar_free`.
+tree_status tree_grammar_with_constant(const struct tree_grammar *grammar,
+                                       const char *name,
+                                       size_t len,
+                                       double value,
+                                       struct tree_grammar_report *report,
+                                       struct tree_grammar **changed);
+
+// Frees a grammar. Its words live on.
+tree_status tree_grammar_free(struct tree_grammar *grammar);
+
+// Number of ready-made L-systems: leafy species of this library first, then those of the books.
+size_t tree_lsystem_preset_count(void);
+
+// Tells name, title, source and text of a preset. `index` is below `tree_lsystem_preset_count`. Set
+// `info->struct_size` first.
+tree_status tree_lsystem_preset_view(size_t index, struct tree_lsystem_preset_info *info);
+
+// Name and value of a constant of the text that a preset changes: presets of one figure share a text. `constant`
+// is below `tree_lsystem_preset_info.n_constants`. The name is valid for ever.
+tree_status tree_lsystem_preset_constant(size_t index,
+                                         size_t constant,
+                                         struct tree_str *name,
+                                         double *value);
+
+// The preset called `name` (`len` bytes, or `TREE_NUL_TERMINATED`): `turtle`, of `size` bytes, becomes how it is
+// drawn, what that points at belongs to the library and lives for ever; `grammar` what it derives. Give both to
+// `tree_lsystem_grow`. Free the grammar with `tree_grammar_free`. `TREE_ERROR_UNKNOWN_NAME` lists the names there
+// are.
+tree_status tree_lsystem_preset(const char *name,
+                                size_t len,
+                                struct tree_turtle_params *turtle,
+                                size_t size,
+                                struct tree_grammar **grammar);
+
+// Views the polygons. Set `polygons->struct_size` first.
+tree_status tree_turtle_trace_view(const struct tree_turtle_trace *trace,
+                                   struct tree_turtle_polygons *polygons);
+
+// A symbol that says nothing to the turtle, and how often it was met. `index` is below
+// `tree_turtle_report.n_skipped`. The name is valid until the trace is freed.
+tree_status tree_turtle_trace_skipped(const struct tree_turtle_trace *trace,
+                                      size_t index,
+                                      struct tree_str *name,
+                                      size_t *n_times);
+
+// All that may surprise, a sentence for each; there may be none. Free the lines with `tree_lines_free`.
+tree_status tree_turtle_trace_warnings(const struct tree_turtle_trace *trace,
+                                       struct tree_lines **warnings);
+
+// Frees what a turtle drew beside the tree.
+tree_status tree_turtle_trace_free(struct tree_turtle_trace *trace);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_turtle_params_init(struct tree_turtle_params *params, size_t size);
+
+// Checks that all parameters lie in their ranges, as functions that take them do first. `params` may be NULL for
+// the default.
+tree_status tree_turtle_params_check(const struct tree_turtle_params *params);
+
+// Makes `params`, of `size` bytes, what a grammar says: its angle, and the constants of its text that have the
+// names `step`, `width`, `width_ratio`, `leaf_size`, `elasticity`, `tropism_x`, `tropism_y`, `tropism_z`, `unit`,
+// `height` and `trunk_radius`. `TREE_ERROR_PARAMETER` names one that is out of its range.
+tree_status tree_grammar_turtle(const struct tree_grammar *grammar,
+                                struct tree_turtle_params *params,
+                                size_t size);
+
+// Makes `params`, of `size` bytes, the turtle that draws words of `tree_skeleton_to_word`: in metres, widths at
+// the upper ends of internodes.
+tree_status tree_chain_turtle(struct tree_turtle_params *params,
+                              size_t size);
+
+// Reads a word without a grammar: a symbol is one character, its parameters are numbers in parentheses, divided
+// by commas. `text` has `len` bytes or `TREE_NUL_TERMINATED`. Brackets need not pair; `tree_word_check` looks.
+// `control` may be NULL; only its limits matter. `report` may be NULL; it says which module is wrong, with
+// `TREE_ERROR_INVALID`. Free the word with `tree_word_free`.
+tree_status tree_word_from_text(const char *text,
+                                size_t len,
+                                const struct tree_control *control,
+                                struct tree_grammar_report *report,
+                                struct tree_word **word);
+
+// Reads a word of a grammar's modules, such as `F(1)[+F(0.5)]`. `TREE_ERROR_INVALID` also for modules that the
+// grammar does not have, and for brackets that do not pair. Otherwise as `tree_word_from_text`.
+tree_status tree_grammar_word(const struct tree_grammar *grammar,
+                              const char *text,
+                              size_t len,
+                              const struct tree_control *control,
+                              struct tree_grammar_report *report,
+                              struct tree_word **word);
+
+// Makes a word of a grammar's modules from columns, which are copied: kinds are those of the grammar, each
+// module has as many parameters as its kind says. `control` may be NULL; only its limits matter. `report` may
+// be NULL; it says which module is wrong, with `TREE_ERROR_INVALID`. Free the word with `tree_word_free`.
+tree_status tree_grammar_word_from_columns(const struct tree_grammar *grammar,
+                                           const struct tree_word_columns *columns,
+                                           const struct tree_control *control,
+                                           struct tree_grammar_report *report,
+                                           struct tree_word **word);
+
+// The word that the grammar's derivations begin with; random numbers in it come from the seed of the text.
+// Free it with `tree_word_free`.
+tree_status tree_grammar_axiom(const struct tree_grammar *grammar,
+                               struct tree_word **word);
+
+// Views a word. Set `columns->struct_size` first.
+tree_status tree_word_view(const struct tree_word *word, struct tree_word_columns *columns);
+
+// Views what a word came from. Set `history->struct_size` first.
+tree_status tree_word_past(const struct tree_word *word, struct tree_word_history *history);
+
+// Writes a word as text, which `tree_word_from_text` and `tree_grammar_word` read back to the same bits (the
+// former where all symbols are of one character). Free it with `tree_bytes_free`.
+tree_status tree_word_to_text(const struct tree_word *word,
+                              struct tree_bytes **text);
+
+// Checks that every bracket of a word has its partner. `TREE_ERROR_INVALID` names the module that has none.
+tree_status tree_word_check(const struct tree_word *word);
+
+// Frees a word.
+tree_status tree_word_free(struct tree_word *word);
 
 // Bytes that the library has allocated and not freed, objects and work in progress together.
 uint64_t tree_memory_used(void);

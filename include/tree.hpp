@@ -412,6 +412,7 @@ class FactorGraph;
 class FoundLeaves;
 class GltfAttributes;
 class GltfLeaves;
+class Grammar;
 class Graph;
 class GraphNodes;
 class Grid;
@@ -464,12 +465,14 @@ class Tiers;
 class Traces;
 class Tree;
 class Trimap;
+class TurtleTrace;
 class Twigs;
 class Unpacked;
 class Volume;
 class Way;
 class WindBranches;
 struct AdtColumns;
+class Word;
 struct AlignParams;
 struct AlignReport;
 using AlignWarning = tree_align_warning;
@@ -499,6 +502,7 @@ using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
 struct CarvedColumns;
+struct ChainParams;
 using Choice = tree_choice;
 struct CleanParams;
 using CleanRepair = tree_clean_repair;
@@ -539,6 +543,8 @@ struct GlbOptions;
 struct GltfAttribute;
 struct GltfInstances;
 struct GltfLevel;
+struct GrammarInfo;
+struct GrammarReport;
 using GraphArc = tree_graph_arc;
 struct GraphColumns;
 struct GraphNodesColumns;
@@ -573,6 +579,7 @@ struct LodScreen;
 struct LodSubject;
 struct LodTableParams;
 using LodWindow = tree_lod_window;
+struct LsystemPresetInfo;
 struct MainBranches;
 using Mark = tree_mark;
 struct MaskColumns;
@@ -703,6 +710,9 @@ struct Topology;
 struct TracesColumns;
 struct TrimapColumns;
 struct TrimapStroke;
+struct TurtleParams;
+struct TurtlePolygons;
+struct TurtleReport;
 struct TwigInstances;
 struct TwigParams;
 struct TwigReport;
@@ -711,6 +721,8 @@ using VertexWind = tree_vertex_wind;
 struct View;
 struct Wind;
 using WindBranch = tree_wind_branch;
+struct WordColumns;
+struct WordHistory;
 
 struct AdtColumns : tree_adt_columns {
     AdtColumns() : tree_adt_columns{} { struct_size = sizeof *this; }
@@ -817,6 +829,10 @@ struct CapsuleReport : tree_capsule_report {
 
 struct CarvedColumns : tree_carved_columns {
     CarvedColumns() : tree_carved_columns{} { struct_size = sizeof *this; }
+};
+
+struct ChainParams : tree_chain_params {
+    ChainParams() : tree_chain_params{} { tree_chain_params_init(this, sizeof(tree_chain_params)); }
 };
 
 struct CleanParams : tree_clean_params {
@@ -962,6 +978,14 @@ struct GltfLevel : tree_gltf_level {
     GltfLevel() : tree_gltf_level{} { struct_size = sizeof *this; }
 };
 
+struct GrammarInfo : tree_grammar_info {
+    GrammarInfo() : tree_grammar_info{} { struct_size = sizeof *this; }
+};
+
+struct GrammarReport : tree_grammar_report {
+    GrammarReport() : tree_grammar_report{} { struct_size = sizeof *this; }
+};
+
 struct GraphColumns : tree_graph_columns {
     GraphColumns() : tree_graph_columns{} { struct_size = sizeof *this; }
 };
@@ -1079,6 +1103,10 @@ struct LodSubject : tree_lod_subject {
 struct LodTableParams : tree_lod_table_params {
     LodTableParams() : tree_lod_table_params{} { tree_lod_table_params_init(this, sizeof(tree_lod_table_params)); }
     bool check() const;
+};
+
+struct LsystemPresetInfo : tree_lsystem_preset_info {
+    LsystemPresetInfo() : tree_lsystem_preset_info{} { struct_size = sizeof *this; }
 };
 
 struct MainBranches : tree_main_branches {
@@ -1561,6 +1589,19 @@ struct TrimapStroke : tree_trimap_stroke {
     TrimapStroke() : tree_trimap_stroke{} { tree_trimap_stroke_init(this, sizeof(tree_trimap_stroke)); }
 };
 
+struct TurtleParams : tree_turtle_params {
+    TurtleParams() : tree_turtle_params{} { tree_turtle_params_init(this, sizeof(tree_turtle_params)); }
+    bool check() const;
+};
+
+struct TurtlePolygons : tree_turtle_polygons {
+    TurtlePolygons() : tree_turtle_polygons{} { struct_size = sizeof *this; }
+};
+
+struct TurtleReport : tree_turtle_report {
+    TurtleReport() : tree_turtle_report{} { struct_size = sizeof *this; }
+};
+
 struct TwigInstances : tree_twig_instances {
     TwigInstances() : tree_twig_instances{} { struct_size = sizeof *this; }
 };
@@ -1598,6 +1639,12 @@ public:
     Span<const uint32_t> modules(uint32_t branch) const && = delete;
     Span<const uint32_t> children(uint32_t branch) const &;
     Span<const uint32_t> children(uint32_t branch) const && = delete;
+struct WordColumns : tree_word_columns {
+    WordColumns() : tree_word_columns{} { struct_size = sizeof *this; }
+};
+
+struct WordHistory : tree_word_history {
+    WordHistory() : tree_word_history{} { struct_size = sizeof *this; }
 };
 
 class Aligned : public detail::Object<tree_aligned, tree_aligned_free> {
@@ -1818,6 +1865,30 @@ public:
     using Object::Object;
     Span<const tree_gltf_instances> view() const &;
     Span<const tree_gltf_instances> view() const && = delete;
+};
+
+class Grammar : public detail::Object<tree_grammar, tree_grammar_free> {
+public:
+    using Object::Object;
+    std::tuple<std::string_view, size_t> kind(uint16_t kind) const &;
+    std::tuple<std::string_view, size_t> kind(uint16_t kind) const && = delete;
+    uint16_t find_kind(std::string_view name, size_t n_params) const;
+    Word derive(uint32_t steps, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    Word step(const Word &word, uint32_t step, uint32_t of, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    Word interpretation(const Word &word, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    std::tuple<Word, TurtleTrace, Tree> lsystem_grow(uint32_t steps, Ref<tree_turtle_params> turtle, uint64_t seed, Ref<tree_control> control = nullptr, tree_turtle_report *report = nullptr) const;
+    static Grammar from_text(std::string_view text, Ref<tree_control> control = nullptr, tree_grammar_report *report = nullptr);
+    static Grammar read(std::string_view path, Ref<tree_control> control = nullptr, tree_grammar_report *report = nullptr);
+    GrammarInfo view() const &;
+    GrammarInfo view() const && = delete;
+    std::tuple<std::string_view, double> constant(size_t index) const &;
+    std::tuple<std::string_view, double> constant(size_t index) const && = delete;
+    Grammar with_constant(std::string_view name, double value, tree_grammar_report *report = nullptr) const;
+    TurtleParams turtle() const &;
+    TurtleParams turtle() const && = delete;
+    Word word(std::string_view text, Ref<tree_control> control = nullptr, tree_grammar_report *report = nullptr) const;
+    Word word_from_columns(Ref<tree_word_columns> columns, Ref<tree_control> control = nullptr, tree_grammar_report *report = nullptr) const;
+    Word axiom() const;
 };
 
 class Graph : public detail::Object<tree_graph, tree_graph_free> {
@@ -2445,6 +2516,7 @@ public:
     WindBranches wind_branches(tree_continuation continuation) const;
     Capsules capsules(Ref<tree_capsule_params> params = nullptr, Ref<tree_control> control = nullptr, tree_capsule_report *report = nullptr) const;
     std::tuple<Rows, Skeleton> refine(float bearing, float spacing, Ref<tree_control> control = nullptr) const;
+    Word to_word(Ref<tree_foliage> foliage = nullptr, Ref<tree_chain_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     Tree grow_crown(const Grid &density, Span<const tree_particle_view> views, float height, Ref<tree_finish_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_crown_report *report = nullptr) const;
     static Skeleton from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static std::tuple<std::vector<uint32_t>, Skeleton> from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
@@ -2618,6 +2690,7 @@ public:
     using Object::Object;
     Tree grow_leaves(Ref<tree_leaf_params> params, const Field &density, bool with_stalks, uint64_t seed, Ref<tree_control> control = nullptr, tree_leaf_report *report = nullptr) const;
     Tree grow_twigs(Ref<tree_twig_params> params, const Field &density, uint64_t seed, Ref<tree_control> control = nullptr, tree_twig_report *report = nullptr) const;
+    Word to_word(Ref<tree_chain_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     static Tree make(const Skeleton &skeleton, Ref<tree_foliage> foliage = nullptr, Ref<tree_species> species = nullptr, Ref<tree_control> control = nullptr);
     Skeleton skeleton() const;
     Foliage foliage() const &;
@@ -2635,6 +2708,16 @@ public:
     static Trimap from_colors(const Photo &photo, Ref<tree_color_samples> samples, Ref<tree_control> control = nullptr);
     TrimapColumns view() const &;
     TrimapColumns view() const && = delete;
+};
+
+class TurtleTrace : public detail::Object<tree_turtle_trace, tree_turtle_trace_free> {
+public:
+    using Object::Object;
+    TurtlePolygons view() const &;
+    TurtlePolygons view() const && = delete;
+    std::tuple<std::string_view, size_t> skipped(size_t index) const &;
+    std::tuple<std::string_view, size_t> skipped(size_t index) const && = delete;
+    Lines warnings() const;
 };
 
 class Twigs : public detail::Object<tree_twigs, tree_twigs_free> {
@@ -2713,6 +2796,24 @@ public:
     Span<const tree_wind_branch> view() const && = delete;
 };
 
+class Word : public detail::Object<tree_word, tree_word_free> {
+public:
+    using Object::Object;
+    std::tuple<std::string_view, size_t> kind(uint16_t kind) const &;
+    std::tuple<std::string_view, size_t> kind(uint16_t kind) const && = delete;
+    uint16_t find_kind(std::string_view name, size_t n_params) const;
+    std::tuple<TurtleTrace, Tree> interpret(Ref<tree_turtle_params> turtle = nullptr, Ref<tree_control> control = nullptr, tree_turtle_report *report = nullptr) const;
+    std::tuple<std::vector<float>, size_t> lines(Ref<tree_turtle_params> turtle = nullptr, Ref<tree_control> control = nullptr) const;
+    size_t lines(Ref<tree_turtle_params> turtle, Ref<tree_control> control, Span<float> lines) const;
+    static Word from_text(std::string_view text, Ref<tree_control> control = nullptr, tree_grammar_report *report = nullptr);
+    WordColumns view() const &;
+    WordColumns view() const && = delete;
+    WordHistory past() const &;
+    WordHistory past() const && = delete;
+    Bytes to_text() const;
+    bool check() const;
+};
+
 std::array<float, 2> murray_angles(float r0, float r1, float r2);
 std::array<float, 2> pipe_angles(float exponent, float r1, float r2);
 std::array<float, 2> strand_angles(uint64_t s1, uint64_t s2, float sum);
@@ -2760,6 +2861,11 @@ BarkStyle bark_style_of(std::string_view name);
 LeafShape leaf_shape_of(std::string_view name);
 Span<const tree_str> bark_names();
 Span<const tree_str> leaf_names();
+size_t lsystem_preset_count();
+LsystemPresetInfo lsystem_preset_view(size_t index);
+std::tuple<std::string_view, double> lsystem_preset_constant(size_t index, size_t constant);
+std::tuple<TurtleParams, Grammar> lsystem_preset(std::string_view name);
+TurtleParams chain_turtle();
 uint64_t memory_used();
 uint64_t memory_peak();
 void memory_reset_peak();
@@ -3926,6 +4032,191 @@ inline Bytes Texture::to_png() const {
 }
 inline bool Texture::write_png(std::string_view path) const {
     return detail::done(tree_texture_write_png(get(), path.data() ? path.data() : "", path.size()));
+}
+inline std::tuple<std::string_view, size_t> Grammar::kind(uint16_t kind) const & {
+    tree_str name{};
+    size_t n_params{};
+    detail::done(tree_grammar_kind(get(), kind, &name, &n_params));
+    return {detail::text(name), std::move(n_params)};
+}
+inline uint16_t Grammar::find_kind(std::string_view name, size_t n_params) const {
+    uint16_t kind{};
+    detail::done(tree_grammar_find_kind(get(), name.data() ? name.data() : "", name.size(), n_params, &kind));
+    return kind;
+}
+inline std::tuple<std::string_view, size_t> Word::kind(uint16_t kind) const & {
+    tree_str name{};
+    size_t n_params{};
+    detail::done(tree_word_kind(get(), kind, &name, &n_params));
+    return {detail::text(name), std::move(n_params)};
+}
+inline uint16_t Word::find_kind(std::string_view name, size_t n_params) const {
+    uint16_t kind{};
+    detail::done(tree_word_find_kind(get(), name.data() ? name.data() : "", name.size(), n_params, &kind));
+    return kind;
+}
+inline Word Skeleton::to_word(Ref<tree_foliage> foliage, Ref<tree_chain_params> params, Ref<tree_control> control) const {
+    Word word;
+    detail::done(tree_skeleton_to_word(get(), foliage, params, control, word.place()), control);
+    return word;
+}
+inline Word Tree::to_word(Ref<tree_chain_params> params, Ref<tree_control> control) const {
+    Word word;
+    detail::done(tree_tree_to_word(get(), params, control, word.place()), control);
+    return word;
+}
+inline Word Grammar::derive(uint32_t steps, uint64_t seed, Ref<tree_control> control) const {
+    Word word;
+    detail::done(tree_grammar_derive(get(), steps, seed, control, word.place()), control);
+    return word;
+}
+inline Word Grammar::step(const Word &word, uint32_t step, uint32_t of, uint64_t seed, Ref<tree_control> control) const {
+    Word next;
+    detail::done(tree_grammar_step(get(), word.get(), step, of, seed, control, next.place()), control);
+    return next;
+}
+inline Word Grammar::interpretation(const Word &word, uint64_t seed, Ref<tree_control> control) const {
+    Word seen;
+    detail::done(tree_grammar_interpretation(get(), word.get(), seed, control, seen.place()), control);
+    return seen;
+}
+inline std::tuple<TurtleTrace, Tree> Word::interpret(Ref<tree_turtle_params> turtle, Ref<tree_control> control, tree_turtle_report *report) const {
+    TurtleTrace trace;
+    Tree tree;
+    detail::done(tree_word_interpret(get(), turtle, control, report, trace.place(), tree.place()), control);
+    return {std::move(trace), std::move(tree)};
+}
+inline std::tuple<std::vector<float>, size_t> Word::lines(Ref<tree_turtle_params> turtle, Ref<tree_control> control) const {
+    std::vector<float> lines(6 * view().n_modules);
+    size_t n_lines{};
+    if (!(detail::done(tree_word_lines(get(), turtle, control, lines.data(), lines.size(), &n_lines), control))) { lines.clear(); }
+    lines.resize(6 * n_lines);
+    return {std::move(lines), std::move(n_lines)};
+}
+inline size_t Word::lines(Ref<tree_turtle_params> turtle, Ref<tree_control> control, Span<float> lines) const {
+    size_t n_lines{};
+    detail::done(tree_word_lines(get(), turtle, control, lines.data(), lines.size(), &n_lines), control);
+    return n_lines;
+}
+inline std::tuple<Word, TurtleTrace, Tree> Grammar::lsystem_grow(uint32_t steps, Ref<tree_turtle_params> turtle, uint64_t seed, Ref<tree_control> control, tree_turtle_report *report) const {
+    Word word;
+    TurtleTrace trace;
+    Tree tree;
+    detail::done(tree_lsystem_grow(get(), steps, turtle, seed, control, report, word.place(), trace.place(), tree.place()), control);
+    return {std::move(word), std::move(trace), std::move(tree)};
+}
+inline Grammar Grammar::from_text(std::string_view text, Ref<tree_control> control, tree_grammar_report *report) {
+    Grammar grammar;
+    detail::done(tree_grammar_from_text(text.data() ? text.data() : "", text.size(), control, report, grammar.place()), control);
+    return grammar;
+}
+inline Grammar Grammar::read(std::string_view path, Ref<tree_control> control, tree_grammar_report *report) {
+    Grammar grammar;
+    detail::done(tree_grammar_read(path.data() ? path.data() : "", path.size(), control, report, grammar.place()), control);
+    return grammar;
+}
+inline GrammarInfo Grammar::view() const & {
+    GrammarInfo info;
+    if (!(detail::done(tree_grammar_view(get(), &info)))) { info.struct_size = 0; }
+    return info;
+}
+inline std::tuple<std::string_view, double> Grammar::constant(size_t index) const & {
+    tree_str name{};
+    double value{};
+    detail::done(tree_grammar_constant(get(), index, &name, &value));
+    return {detail::text(name), std::move(value)};
+}
+inline Grammar Grammar::with_constant(std::string_view name, double value, tree_grammar_report *report) const {
+    Grammar changed;
+    detail::done(tree_grammar_with_constant(get(), name.data() ? name.data() : "", name.size(), value, report, changed.place()));
+    return changed;
+}
+inline size_t lsystem_preset_count() {
+    return tree_lsystem_preset_count();
+}
+inline LsystemPresetInfo lsystem_preset_view(size_t index) {
+    LsystemPresetInfo info;
+    if (!(detail::done(tree_lsystem_preset_view(index, &info)))) { info.struct_size = 0; }
+    return info;
+}
+inline std::tuple<std::string_view, double> lsystem_preset_constant(size_t index, size_t constant) {
+    tree_str name{};
+    double value{};
+    detail::done(tree_lsystem_preset_constant(index, constant, &name, &value));
+    return {detail::text(name), std::move(value)};
+}
+inline std::tuple<TurtleParams, Grammar> lsystem_preset(std::string_view name) {
+    TurtleParams turtle;
+    Grammar grammar;
+    if (!(detail::done(tree_lsystem_preset(name.data() ? name.data() : "", name.size(), &turtle, sizeof(tree_turtle_params), grammar.place())))) { turtle.struct_size = 0; }
+    return {std::move(turtle), std::move(grammar)};
+}
+inline TurtlePolygons TurtleTrace::view() const & {
+    TurtlePolygons polygons;
+    if (!(detail::done(tree_turtle_trace_view(get(), &polygons)))) { polygons.struct_size = 0; }
+    return polygons;
+}
+inline std::tuple<std::string_view, size_t> TurtleTrace::skipped(size_t index) const & {
+    tree_str name{};
+    size_t n_times{};
+    detail::done(tree_turtle_trace_skipped(get(), index, &name, &n_times));
+    return {detail::text(name), std::move(n_times)};
+}
+inline Lines TurtleTrace::warnings() const {
+    Lines warnings;
+    detail::done(tree_turtle_trace_warnings(get(), warnings.place()));
+    return warnings;
+}
+inline bool TurtleParams::check() const {
+    return detail::done(tree_turtle_params_check(this));
+}
+inline TurtleParams Grammar::turtle() const & {
+    TurtleParams params;
+    if (!(detail::done(tree_grammar_turtle(get(), &params, sizeof(tree_turtle_params))))) { params.struct_size = 0; }
+    return params;
+}
+inline TurtleParams chain_turtle() {
+    TurtleParams params;
+    if (!(detail::done(tree_chain_turtle(&params, sizeof(tree_turtle_params))))) { params.struct_size = 0; }
+    return params;
+}
+inline Word Word::from_text(std::string_view text, Ref<tree_control> control, tree_grammar_report *report) {
+    Word word;
+    detail::done(tree_word_from_text(text.data() ? text.data() : "", text.size(), control, report, word.place()), control);
+    return word;
+}
+inline Word Grammar::word(std::string_view text, Ref<tree_control> control, tree_grammar_report *report) const {
+    Word word;
+    detail::done(tree_grammar_word(get(), text.data() ? text.data() : "", text.size(), control, report, word.place()), control);
+    return word;
+}
+inline Word Grammar::word_from_columns(Ref<tree_word_columns> columns, Ref<tree_control> control, tree_grammar_report *report) const {
+    Word word;
+    detail::done(tree_grammar_word_from_columns(get(), columns, control, report, word.place()), control);
+    return word;
+}
+inline Word Grammar::axiom() const {
+    Word word;
+    detail::done(tree_grammar_axiom(get(), word.place()));
+    return word;
+}
+inline WordColumns Word::view() const & {
+    WordColumns columns;
+    if (!(detail::done(tree_word_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline WordHistory Word::past() const & {
+    WordHistory history;
+    if (!(detail::done(tree_word_past(get(), &history)))) { history.struct_size = 0; }
+    return history;
+}
+inline Bytes Word::to_text() const {
+    Bytes text;
+    detail::done(tree_word_to_text(get(), text.place()));
+    return text;
+}
+inline bool Word::check() const {
+    return detail::done(tree_word_check(get()));
 }
 inline uint64_t memory_used() {
     return tree_memory_used();

@@ -133,6 +133,11 @@ namespace TreeFamily.Native
     public struct tree_gltf_leaves { }
 
     /// <summary>
+    /// An L-system's grammar: alphabet, axiom, productions, and rules of decomposition and interpretation.
+    /// </summary>
+    public struct tree_grammar { }
+
+    /// <summary>
     /// An undirected graph with costs.
     /// </summary>
     public struct tree_graph { }
@@ -452,6 +457,11 @@ namespace TreeFamily.Native
     public struct tree_trimap { }
 
     /// <summary>
+    /// What a turtle drew beside the tree: filled polygons; and the symbols that said nothing to it.
+    /// </summary>
+    public struct tree_turtle_trace { }
+
+    /// <summary>
     /// A tree as a base mesh and a few unique twigs, set down many times: at a tenth of its memory and less.
     /// </summary>
     public struct tree_twigs { }
@@ -476,6 +486,11 @@ namespace TreeFamily.Native
     /// The branches of a skeleton, as the wind sees them.
     /// </summary>
     public struct tree_wind_branches { }
+
+    /// <summary>
+    /// A string of modules with their parameters, such as `F(1)[+(30)F(0.5)]`, and the alphabet of their kinds.
+    /// </summary>
+    public struct tree_word { }
 
     /// <summary>
     /// Told how far a call has come: what is being done (UTF-8, NUL at the end, valid during the call) and
@@ -3943,6 +3958,423 @@ namespace TreeFamily.Native
         /// Height in pixels, 1 or more.
         /// </summary>
         public uint height;
+    }
+
+    /// <summary>
+    /// How a skeleton becomes a word. Begin with `tree_chain_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_chain_params
+    {
+        /// <summary>
+        /// `sizeof(tree_chain_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// How far a node may be from its place, as a share of the tree's extent, 0 to 0.01: numbers are rounded to
+        /// as few decimals as this allows. 0 writes all digits. Default 1e-5.
+        /// </summary>
+        public double tolerance;
+        /// <summary>
+        /// Which child goes on at a fork; the others are in brackets. Default `TREE_CONTINUATION_THICKEST`.
+        /// </summary>
+        public uint continuation; // tree_continuation
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_foliage
+    {
+        /// <summary>
+        /// `sizeof(tree_foliage)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of rows.
+        /// </summary>
+        public UIntPtr n_leaves;
+        /// <summary>
+        /// One for each leaf: the skeleton's node that bears it.
+        /// </summary>
+        public uint* nodes;
+        /// <summary>
+        /// Three floats for each leaf: the base of the blade, in metres.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
+        /// along +Y, upper face to +Z) into the tree's.
+        /// </summary>
+        public float* rotations;
+        /// <summary>
+        /// One for each leaf: length from base to apex in metres, 0 or more.
+        /// </summary>
+        public float* sizes;
+        /// <summary>
+        /// One for each leaf: its kind, an index into the species' leaf kinds.
+        /// </summary>
+        public ushort* kinds;
+    }
+
+    /// <summary>
+    /// What a word leaves open when a turtle draws it. Lengths and widths are in the word's own units, which `unit`
+    /// or `height` makes metres. Begin with `tree_turtle_params_init`, `tree_grammar_turtle`, `tree_chain_turtle` or
+    /// `tree_lsystem_preset`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_turtle_params
+    {
+        /// <summary>
+        /// `sizeof(tree_turtle_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Length of an `F`, `f` or `G` without parameter, 0 to 1e6 units. Default 1.
+        /// </summary>
+        public double step;
+        /// <summary>
+        /// Diameter of wood before the first `!`, 0 to 1e6 units. Default 0.1.
+        /// </summary>
+        public double width;
+        /// <summary>
+        /// Angle of a turn without parameter in degrees, -3600 to 3600. Default 22.5.
+        /// </summary>
+        public double angle;
+        /// <summary>
+        /// What a `!` without parameter multiplies the width by, 0.01 to 1; `#` divides by it. Default √½: the
+        /// cross-section halves.
+        /// </summary>
+        public double width_ratio;
+        /// <summary>
+        /// Size of a `~` without parameter, 0 to 1e6 units. Default 1.
+        /// </summary>
+        public double leaf_size;
+        /// <summary>
+        /// How readily shoots bend towards `tropism`: after each `F` the heading turns by this times the sine of the
+        /// angle between them, in radians. -10 to 10, default 0. A module `_(e)` sets it for the rest of its branch.
+        /// </summary>
+        public double elasticity;
+        /// <summary>
+        /// Metres in a unit, 1e-6 to 1e6. Default 1.
+        /// </summary>
+        public double unit;
+        /// <summary>
+        /// The direction shoots bend to, each number -1000 to 1000. Default straight down.
+        /// </summary>
+        public fixed float tropism[3];
+        /// <summary>
+        /// Height of the tree in metres, 0.001 to 1000, in place of `unit`. Default 0: `unit` decides.
+        /// </summary>
+        public float height;
+        /// <summary>
+        /// Radius of the base in metres, 1e-6 to 100: all radii are multiplied by the one factor that makes it so.
+        /// Default 0: widths are in the same unit as lengths.
+        /// </summary>
+        public float trunk_radius;
+        /// <summary>
+        /// How widths become radii. Default `TREE_TAPER_SMOOTH`.
+        /// </summary>
+        public uint taper; // tree_taper
+        /// <summary>
+        /// Where radii come from. Default `TREE_THICKNESS_AUTO`.
+        /// </summary>
+        public uint thickness; // tree_thickness
+        /// <summary>
+        /// Whether polygons that look like leaves become leaves too. Default 1.
+        /// </summary>
+        public uint polygon_leaves;
+        /// <summary>
+        /// The rule for radii. Default NULL: that of `tree_radius_rule_init`.
+        /// </summary>
+        public tree_radius_rule* radii;
+        /// <summary>
+        /// What the tree is; its leaf kinds are those of `~(size, kind)`. Default NULL: an oak.
+        /// </summary>
+        public tree_species* species;
+    }
+
+    /// <summary>
+    /// What drawing a word took, and what was left out.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_turtle_report
+    {
+        /// <summary>
+        /// `sizeof(tree_turtle_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// `tree_lsystem_grow`: steps of the derivation. Else 0.
+        /// </summary>
+        public ulong n_steps;
+        /// <summary>
+        /// `tree_lsystem_grow`: modules that all steps wrote together. Else 0.
+        /// </summary>
+        public ulong n_produced;
+        /// <summary>
+        /// Modules read by the turtle.
+        /// </summary>
+        public ulong n_modules;
+        /// <summary>
+        /// Most brackets open at a time.
+        /// </summary>
+        public ulong depth;
+        /// <summary>
+        /// Gaps made by `f` before wood was drawn again. The skeleton runs on through them: a tree is connected.
+        /// </summary>
+        public ulong gaps;
+        /// <summary>
+        /// `F` and `G` of no length, which make no node.
+        /// </summary>
+        public ulong merged;
+        /// <summary>
+        /// Modules that a `%` cut off.
+        /// </summary>
+        public ulong cut;
+        /// <summary>
+        /// Polygons with fewer than three corners, left out.
+        /// </summary>
+        public ulong thin_polygons;
+        /// <summary>
+        /// Polygons that became leaves as well.
+        /// </summary>
+        public ulong polygon_leaves;
+        /// <summary>
+        /// Symbols that say nothing to the turtle: `tree_turtle_trace_skipped` names them.
+        /// </summary>
+        public ulong n_skipped;
+        /// <summary>
+        /// Metres in a unit of length.
+        /// </summary>
+        public double scale;
+        /// <summary>
+        /// Whether the word set any width: 1 or 0.
+        /// </summary>
+        public uint widths;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Where a text or a word is wrong, for an editor that marks the place; what is wrong is in
+    /// `tree_error_text`. Written when the call fails, too.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_grammar_report
+    {
+        /// <summary>
+        /// `sizeof(tree_grammar_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// `TREE_GRAMMAR_PLACE_TEXT`: line of the text, from 1; else 0.
+        /// </summary>
+        public ulong line;
+        /// <summary>
+        /// `TREE_GRAMMAR_PLACE_TEXT`: column in characters, from 1; else 0.
+        /// </summary>
+        public ulong column;
+        /// <summary>
+        /// `TREE_GRAMMAR_PLACE_MODULE`: index of the module in the word, from 0; else 0.
+        /// </summary>
+        public ulong module;
+        /// <summary>
+        /// Which of these hold.
+        /// </summary>
+        public uint place; // tree_grammar_place
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What a grammar says beside its productions.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_grammar_info
+    {
+        /// <summary>
+        /// `sizeof(tree_grammar_info)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The text it was read from.
+        /// </summary>
+        public tree_str text;
+        /// <summary>
+        /// Angle of turns without a parameter in degrees (`angle:`). 90 where the text does not say.
+        /// </summary>
+        public double angle;
+        /// <summary>
+        /// Seed that the text proposes (`seed:`). 0 where it does not.
+        /// </summary>
+        public ulong seed;
+        /// <summary>
+        /// Number of productions, without those of decomposition and interpretation.
+        /// </summary>
+        public UIntPtr n_productions;
+        /// <summary>
+        /// Number of named constants: `tree_grammar_constant`.
+        /// </summary>
+        public UIntPtr n_constants;
+        /// <summary>
+        /// Number of kinds of modules: `tree_grammar_kind`.
+        /// </summary>
+        public UIntPtr n_kinds;
+        /// <summary>
+        /// Number of derivations that the text asks for (`steps:`), 0 to 1,000,000. 0 where it does not.
+        /// </summary>
+        public uint steps;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What is known of a preset. All texts are valid for ever.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lsystem_preset_info
+    {
+        /// <summary>
+        /// `sizeof(tree_lsystem_preset_info)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Its name: `oak`, `honda-a`, `abop-1.24f`.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// What it looks like, in a few words.
+        /// </summary>
+        public tree_str title;
+        /// <summary>
+        /// Where it was published; empty for those of this library.
+        /// </summary>
+        public tree_str source;
+        /// <summary>
+        /// The text of its grammar, before its constants are changed.
+        /// </summary>
+        public tree_str text;
+        /// <summary>
+        /// Number of constants of the text that it changes: `tree_lsystem_preset_constant`.
+        /// </summary>
+        public UIntPtr n_constants;
+    }
+
+    /// <summary>
+    /// A view of the polygons that a turtle drew between `{` and `}`, leaf or not, in the order of their ends.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_turtle_polygons
+    {
+        /// <summary>
+        /// `sizeof(tree_turtle_polygons)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of polygons.
+        /// </summary>
+        public UIntPtr n_polygons;
+        /// <summary>
+        /// `n_polygons` + 1 places: polygon i has the corners from `starts[i]` to before `starts[i + 1]`, three or
+        /// more.
+        /// </summary>
+        public ulong* starts;
+        /// <summary>
+        /// Number of corners of all polygons.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// Three floats for each corner, in metres, in the order they were drawn.
+        /// </summary>
+        public float* vertices;
+        /// <summary>
+        /// One for each polygon: the colour number when it was closed (`'`).
+        /// </summary>
+        public uint* colors;
+        /// <summary>
+        /// One for each polygon: the skeleton's node it hangs on.
+        /// </summary>
+        public uint* nodes;
+    }
+
+    /// <summary>
+    /// A word in columns: as input, or as a view of a `tree_word`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_word_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_word_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of modules.
+        /// </summary>
+        public UIntPtr n_modules;
+        /// <summary>
+        /// One for each module: its kind, which says its symbol and number of parameters (`tree_word_kind`).
+        /// </summary>
+        public ushort* kinds;
+        /// <summary>
+        /// Number of parameters of all modules together.
+        /// </summary>
+        public UIntPtr n_params;
+        /// <summary>
+        /// The parameters of all modules, one after another.
+        /// </summary>
+        public double* @params;
+        /// <summary>
+        /// Number of kinds in the alphabet. Not used as input.
+        /// </summary>
+        public UIntPtr n_kinds;
+    }
+
+    /// <summary>
+    /// What a word came from. Columns that do not apply are NULL.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_word_history
+    {
+        /// <summary>
+        /// `sizeof(tree_word_history)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Derived words: number of steps, and 1. Else 0.
+        /// </summary>
+        public UIntPtr n_growth;
+        /// <summary>
+        /// Number of modules of the axiom, and then of the word after each step.
+        /// </summary>
+        public ulong* growth;
+        /// <summary>
+        /// Words of skeletons: number of nodes that the word draws. Else 0.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// For each of these, in the order of the word, the node of the skeleton it stands for.
+        /// </summary>
+        public uint* nodes;
+        /// <summary>
+        /// Words of skeletons: number of leaves that the word draws. Else 0.
+        /// </summary>
+        public UIntPtr n_leaves;
+        /// <summary>
+        /// For each of these, in the order of the word, the leaf of the foliage it stands for.
+        /// </summary>
+        public uint* leaves;
     }
 
     /// <summary>
@@ -10464,6 +10896,10 @@ namespace TreeFamily.Native
         /// find branches and their parts of the outline, `tree_arranged_new` and `tree_revolved_of` their places and lengths round the
         /// parent; `tree_leaf_outline_model` makes a drawn leaf one that a look takes.
         ///
+        /// From grammars: `tree_lsystem_preset`, `tree_grammar_from_text` or `tree_grammar_read` gives a grammar,
+        /// `tree_lsystem_grow` a tree of it. Step by step, `tree_grammar_derive` makes a `tree_word`, `tree_grammar_interpretation` what
+        /// a turtle sees of it, `tree_word_interpret` a tree, `tree_word_lines` lines; `tree_tree_to_word` writes any tree as a word.
+        ///
         /// Level of detail: `tree_elements_of_mesh` divides the foliage of a mesh, `tree_order_coverage` puts it in the
         /// order in which it is drawn, `tree_lod_table_measure` finds how large the rest must grow. `tree_tiers_of_mesh`
         /// makes outlines simpler, `tree_lod_plan` says when; `tree_pruned_new` makes a `tree_pruned` of it all,
@@ -11075,6 +11511,61 @@ namespace TreeFamily.Native
         /// Pixels with alpha below the material's `alpha_cutoff` are not drawn.
         /// </summary>
         public const int TREE_ALPHA_MASK = 1;
+
+        /// <summary>
+        /// Kind of the module `[`, in every alphabet: a branch begins.
+        /// </summary>
+        public const int TREE_KIND_PUSH = 0;
+
+        /// <summary>
+        /// Kind of the module `]`, in every alphabet: a branch ends.
+        /// </summary>
+        public const int TREE_KIND_POP = 1;
+
+        /// <summary>
+        /// As many derivations as the text of the grammar asks for.
+        /// </summary>
+        public const uint TREE_STEPS_OF_TEXT = 4294967295;
+
+        /// <summary>
+        /// None: there is no mistake, or it has no place.
+        /// </summary>
+        public const int TREE_GRAMMAR_PLACE_NONE = 0;
+
+        /// <summary>
+        /// A line and a column of the text.
+        /// </summary>
+        public const int TREE_GRAMMAR_PLACE_TEXT = 1;
+
+        /// <summary>
+        /// A module of the word.
+        /// </summary>
+        public const int TREE_GRAMMAR_PLACE_MODULE = 2;
+
+        /// <summary>
+        /// The width is that of a segment's base; it narrows to the thickest segment that follows. The default.
+        /// </summary>
+        public const int TREE_TAPER_SMOOTH = 0;
+
+        /// <summary>
+        /// The width is that of a segment's upper end, as words of skeletons have it.
+        /// </summary>
+        public const int TREE_TAPER_ENDS = 1;
+
+        /// <summary>
+        /// From the widths of the word where it sets any with `!` or `#`, or else from `radii`. The default.
+        /// </summary>
+        public const int TREE_THICKNESS_AUTO = 0;
+
+        /// <summary>
+        /// From the widths of the word.
+        /// </summary>
+        public const int TREE_THICKNESS_WORD = 1;
+
+        /// <summary>
+        /// From `radii`, whatever the word says.
+        /// </summary>
+        public const int TREE_THICKNESS_RULE = 2;
 
         /// <summary>
         /// Straight from node to node.
@@ -13991,6 +14482,323 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_texture_free(tree_texture* texture);
+
+        /// <summary>
+        /// Symbol and number of parameters of a kind of module, 0 to `tree_grammar_info.n_kinds` less 1. `F(1)` and
+        /// `F(1,2)` are of two kinds. The name is valid until the grammar is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_kind(tree_grammar* grammar, ushort kind, tree_str* name, UIntPtr* n_params);
+
+        /// <summary>
+        /// The kind of the symbol `name`, of `len` bytes or `TREE_NUL_TERMINATED`, with so many parameters.
+        /// `TREE_ERROR_UNKNOWN_NAME` when the grammar has no such module.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_find_kind(tree_grammar* grammar, byte* name, UIntPtr len, UIntPtr n_params, ushort* kind);
+
+        /// <summary>
+        /// Symbol and number of parameters of a kind of module, 0 to `tree_word_columns.n_kinds` less 1. The name is
+        /// valid until the word is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_kind(tree_word* word, ushort kind, tree_str* name, UIntPtr* n_params);
+
+        /// <summary>
+        /// The kind of the symbol `name`, of `len` bytes or `TREE_NUL_TERMINATED`, with so many parameters.
+        /// `TREE_ERROR_UNKNOWN_NAME` when the word's alphabet has no such module.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_find_kind(tree_word* word, byte* name, UIntPtr len, UIntPtr n_params, ushort* kind);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_chain_params_init(tree_chain_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Writes a skeleton as a word in metres from its base, with leaves in columns, or NULL for none: an internode is
+        /// turns `+(a)` `&amp;(b)`, a diameter `!(w)` and a length `F(l)`, as far as they change; what leaves the axis at a node
+        /// is in brackets, and so is each leaf, `~(size,kind)`. `tree_word_interpret` with `tree_chain_turtle` draws it.
+        /// `tree_word_past` says which node and leaf is which. `params` and `control` may be NULL. `TREE_ERROR_INVALID`
+        /// for a leaf on a node that is not there, `TREE_ERROR_LIMIT` for a word of many more modules than
+        /// `tree_limits.modules`, which is looked at from time to time. Free the word with `tree_word_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_to_word(tree_skeleton* skeleton, tree_foliage* foliage, tree_chain_params* @params, tree_control* control, tree_word** word);
+
+        /// <summary>
+        /// Writes a tree, wood and leaves, as a word. Otherwise as `tree_skeleton_to_word`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_tree_to_word(tree_tree* tree, tree_chain_params* @params, tree_control* control, tree_word** word);
+
+        /// <summary>
+        /// Applies a grammar's productions to all modules at once, `steps` times (0 to 1,000,000), beginning with the
+        /// axiom; `TREE_STEPS_OF_TEXT` takes the number from the text. The same `seed` gives the same word for any number
+        /// of threads. `control` may be NULL. `TREE_ERROR_INVALID` names module and production where an expression has no
+        /// finite value; `TREE_ERROR_LIMIT` comes before the word grows beyond `tree_limits.modules`. `tree_word_past`
+        /// tells how it grew. Free the word with `tree_word_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_derive(tree_grammar* grammar, uint steps, ulong seed, tree_control* control, tree_word** word);
+
+        /// <summary>
+        /// Applies a grammar's productions to a word once: step `step`, counted from 0, of `of` steps, which conditions
+        /// see as `itNum` and `maxIt`. Steps one by one from `tree_grammar_axiom` give the word of `tree_grammar_derive`
+        /// (where the axiom is not random and not decomposed). `control` may be NULL. Errors are those of
+        /// `tree_grammar_derive`, and `TREE_ERROR_INVALID` for a word of another alphabet. Free the new word with
+        /// `tree_word_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_step(tree_grammar* grammar, tree_word* word, uint step, uint of, ulong seed, tree_control* control, tree_word** next);
+
+        /// <summary>
+        /// The word as a turtle is to see it: the grammar's rules of interpretation applied, again to what they give,
+        /// down to their `maximum depth`. Without such rules it is a copy. Otherwise as `tree_grammar_step`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_interpretation(tree_grammar* grammar, tree_word* word, ulong seed, tree_control* control, tree_word** seen);
+
+        /// <summary>
+        /// Draws a word as a tree: a turtle reads it from left to right.
+        ///
+        /// * `F(l)` draws wood of length l, `f(l)` moves without drawing, `G(l)` draws as `F` does;
+        /// * `+(a)` `-(a)` turn left and right by a degrees, `&amp;(a)` `^(a)` pitch down and up, `\(a)` `/(a)` roll left and
+        /// right, `|` turns round, `$` rolls until the turtle's left is horizontal;
+        /// * `!(w)` `#(w)` set the diameter; without w it falls, or rises, by the width ratio; `_(e)` sets the elasticity;
+        /// * `[` `]` are a branch, which saves and restores all this; `%` cuts off the rest of one;
+        /// * `{` `.` `}` are a polygon, a corner where the turtle stands, and its end; in it `F` and `f` set corners;
+        /// * `~(s,k)` is a leaf of size s and kind k; `'(n)` is colour n, `'` the next.
+        ///
+        /// Other symbols do nothing, and are counted. `turtle` may be NULL for the default, `control`, `report` and the
+        /// place `trace` may be NULL. `TREE_ERROR_INVALID` names the module: a bracket or brace without its partner, a
+        /// width or size below 0, a leaf kind that the species lacks. Free the tree with `tree_tree_free`, the trace with
+        /// `tree_turtle_trace_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_interpret(tree_word* word, tree_turtle_params* turtle, tree_control* control, tree_turtle_report* report, tree_turtle_trace** trace, tree_tree** tree);
+
+        /// <summary>
+        /// Draws every `F` and `G` of a word as a line, in its order: six floats, where it begins and where it ends, in
+        /// units times `turtle-&gt;unit`. The turtle starts at the origin and looks along +Y; `+` turns it to -X. Gaps stay
+        /// open, braces draw nothing. `lines` has room for `capacity` floats; six for each module are always enough.
+        /// `n_lines` says how many lines there are, also when the room was too small (`TREE_ERROR_BUFFER`, nothing is
+        /// written). `turtle` and `control` may be NULL. Other errors are those of `tree_word_interpret`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_lines(tree_word* word, tree_turtle_params* turtle, tree_control* control, float* lines, UIntPtr capacity, UIntPtr* n_lines);
+
+        /// <summary>
+        /// Grows a tree of a grammar: derives the word, applies the rules of interpretation, and draws it. `steps` is the
+        /// number of derivations, 0 to 1,000,000, or `TREE_STEPS_OF_TEXT`. `turtle` may be NULL for that of
+        /// `tree_grammar_turtle`. The same grammar, parameters and `seed` give the same bits for any number of threads.
+        /// `control`, `report` and the places `word` and `trace` may be NULL; the word is the one that was drawn, with the
+        /// growth of the derivation as its past. Errors are those of `tree_grammar_derive` and `tree_word_interpret`. Free
+        /// the tree with `tree_tree_free`, the others with `tree_word_free` and `tree_turtle_trace_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lsystem_grow(tree_grammar* grammar, uint steps, tree_turtle_params* turtle, ulong seed, tree_control* control, tree_turtle_report* report, tree_word** word, tree_turtle_trace** trace, tree_tree** tree);
+
+        /// <summary>
+        /// Reads a grammar in the notation of *The Algorithmic Beauty of Plants* and of the programs cpfg and L-studio,
+        /// `text` of `len` bytes or `TREE_NUL_TERMINATED`. One line is a statement:
+        ///
+        /// * `#define r 0.5` or `r = 0.5`: a constant; `#symbols Apex`: symbols of more than one character;
+        /// * `steps: 7`, `angle: 25.7`, `seed: 3`, `#ignore +-F`, `#consider AB`: settings;
+        /// * `axiom: A(1)`: the word to begin with;
+        /// * `A(x) : x &gt; 1 -&gt; F(x)[+A(x*r)]A(x*r)`: a production; `B(y) &lt; A(x) &gt; C` gives it a context,
+        /// `A -(.3)-&gt; B` or `A -&gt; B : .3` a weight among others;
+        /// * `decomposition`, `interpretation`, `productions`: what follows are rules of that section.
+        ///
+        /// `control` may be NULL; only its limits matter. `report` may be NULL; it says in which line and column a
+        /// mistake is, with `TREE_ERROR_INVALID`. Free the grammar with `tree_grammar_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_from_text(byte* text, UIntPtr len, tree_control* control, tree_grammar_report* report, tree_grammar** grammar);
+
+        /// <summary>
+        /// Reads a grammar from a file in UTF-8. The path, in UTF-8, has `path_len` bytes, or ends with a NUL and
+        /// `path_len` is `TREE_NUL_TERMINATED`. Otherwise as `tree_grammar_from_text`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_read(byte* path, UIntPtr path_len, tree_control* control, tree_grammar_report* report, tree_grammar** grammar);
+
+        /// <summary>
+        /// Views what a grammar says. Set `info-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_view(tree_grammar* grammar, tree_grammar_info* info);
+
+        /// <summary>
+        /// Name and value of a constant of the text, in the order of their names; `steps` and `angle` are among them
+        /// where the text sets them. `index` is below `tree_grammar_info.n_constants`. The name is valid until the
+        /// grammar is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_constant(tree_grammar* grammar, UIntPtr index, tree_str* name, double* value);
+
+        /// <summary>
+        /// A copy of the grammar in which a constant of the text has another value; all that depends on it is computed
+        /// anew. `steps` (fractions are cut off) and `angle` can be set as well. `name` has `len` bytes or
+        /// `TREE_NUL_TERMINATED`. `TREE_ERROR_PARAMETER` for a value that is not finite or steps beyond 0 to 1,000,000,
+        /// `TREE_ERROR_INVALID` when the text has no such constant, or an expression of constants has no value then:
+        /// `report`, which may be NULL, says where. Words of the one grammar are words of the other. Free the copy with
+        /// `tree_grammar_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_with_constant(tree_grammar* grammar, byte* name, UIntPtr len, double value, tree_grammar_report* report, tree_grammar** changed);
+
+        /// <summary>
+        /// Frees a grammar. Its words live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_free(tree_grammar* grammar);
+
+        /// <summary>
+        /// Number of ready-made L-systems: leafy species of this library first, then those of the books.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr tree_lsystem_preset_count();
+
+        /// <summary>
+        /// Tells name, title, source and text of a preset. `index` is below `tree_lsystem_preset_count`. Set
+        /// `info-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lsystem_preset_view(UIntPtr index, tree_lsystem_preset_info* info);
+
+        /// <summary>
+        /// Name and value of a constant of the text that a preset changes: presets of one figure share a text. `constant`
+        /// is below `tree_lsystem_preset_info.n_constants`. The name is valid for ever.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lsystem_preset_constant(UIntPtr index, UIntPtr constant, tree_str* name, double* value);
+
+        /// <summary>
+        /// The preset called `name` (`len` bytes, or `TREE_NUL_TERMINATED`): `turtle`, of `size` bytes, becomes how it is
+        /// drawn, what that points at belongs to the library and lives for ever; `grammar` what it derives. Give both to
+        /// `tree_lsystem_grow`. Free the grammar with `tree_grammar_free`. `TREE_ERROR_UNKNOWN_NAME` lists the names there
+        /// are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_lsystem_preset(byte* name, UIntPtr len, tree_turtle_params* turtle, UIntPtr size, tree_grammar** grammar);
+
+        /// <summary>
+        /// Views the polygons. Set `polygons-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_turtle_trace_view(tree_turtle_trace* trace, tree_turtle_polygons* polygons);
+
+        /// <summary>
+        /// A symbol that says nothing to the turtle, and how often it was met. `index` is below
+        /// `tree_turtle_report.n_skipped`. The name is valid until the trace is freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_turtle_trace_skipped(tree_turtle_trace* trace, UIntPtr index, tree_str* name, UIntPtr* n_times);
+
+        /// <summary>
+        /// All that may surprise, a sentence for each; there may be none. Free the lines with `tree_lines_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_turtle_trace_warnings(tree_turtle_trace* trace, tree_lines** warnings);
+
+        /// <summary>
+        /// Frees what a turtle drew beside the tree.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_turtle_trace_free(tree_turtle_trace* trace);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_turtle_params_init(tree_turtle_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks that all parameters lie in their ranges, as functions that take them do first. `params` may be NULL for
+        /// the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_turtle_params_check(tree_turtle_params* @params);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, what a grammar says: its angle, and the constants of its text that have the
+        /// names `step`, `width`, `width_ratio`, `leaf_size`, `elasticity`, `tropism_x`, `tropism_y`, `tropism_z`, `unit`,
+        /// `height` and `trunk_radius`. `TREE_ERROR_PARAMETER` names one that is out of its range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_turtle(tree_grammar* grammar, tree_turtle_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the turtle that draws words of `tree_skeleton_to_word`: in metres, widths at
+        /// the upper ends of internodes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_chain_turtle(tree_turtle_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Reads a word without a grammar: a symbol is one character, its parameters are numbers in parentheses, divided
+        /// by commas. `text` has `len` bytes or `TREE_NUL_TERMINATED`. Brackets need not pair; `tree_word_check` looks.
+        /// `control` may be NULL; only its limits matter. `report` may be NULL; it says which module is wrong, with
+        /// `TREE_ERROR_INVALID`. Free the word with `tree_word_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_from_text(byte* text, UIntPtr len, tree_control* control, tree_grammar_report* report, tree_word** word);
+
+        /// <summary>
+        /// Reads a word of a grammar's modules, such as `F(1)[+F(0.5)]`. `TREE_ERROR_INVALID` also for modules that the
+        /// grammar does not have, and for brackets that do not pair. Otherwise as `tree_word_from_text`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_word(tree_grammar* grammar, byte* text, UIntPtr len, tree_control* control, tree_grammar_report* report, tree_word** word);
+
+        /// <summary>
+        /// Makes a word of a grammar's modules from columns, which are copied: kinds are those of the grammar, each
+        /// module has as many parameters as its kind says. `control` may be NULL; only its limits matter. `report` may
+        /// be NULL; it says which module is wrong, with `TREE_ERROR_INVALID`. Free the word with `tree_word_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_word_from_columns(tree_grammar* grammar, tree_word_columns* columns, tree_control* control, tree_grammar_report* report, tree_word** word);
+
+        /// <summary>
+        /// The word that the grammar's derivations begin with; random numbers in it come from the seed of the text.
+        /// Free it with `tree_word_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grammar_axiom(tree_grammar* grammar, tree_word** word);
+
+        /// <summary>
+        /// Views a word. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_view(tree_word* word, tree_word_columns* columns);
+
+        /// <summary>
+        /// Views what a word came from. Set `history-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_past(tree_word* word, tree_word_history* history);
+
+        /// <summary>
+        /// Writes a word as text, which `tree_word_from_text` and `tree_grammar_word` read back to the same bits (the
+        /// former where all symbols are of one character). Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_to_text(tree_word* word, tree_bytes** text);
+
+        /// <summary>
+        /// Checks that every bracket of a word has its partner. `TREE_ERROR_INVALID` names the module that has none.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_check(tree_word* word);
+
+        /// <summary>
+        /// Frees a word.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_word_free(tree_word* word);
 
         /// <summary>
         /// Bytes that the library has allocated and not freed, objects and work in progress together.

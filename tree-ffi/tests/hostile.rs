@@ -26,6 +26,7 @@ const NULL_IS_FINE: &[&str] = &[
     "tree_convert_uvs",
     "tree_convert_triangles",
     "tree_order_check",
+    "tree_turtle_params_check",
 ];
 
 /// Numbers that say how long a call works: a large one is a wish, not a defect.
@@ -178,6 +179,12 @@ const MAKERS: &[(&str, &str)] = &[
     (
         "tree_multi_mesh",
         "tree_multi_mesh_new(live_tree_multires(), live_tree_look(), NULL, NULL, &made)",
+    ),
+    ("tree_grammar", "tree_grammar_from_text(a_bush, sizeof a_bush - 1, NULL, NULL, &made)"),
+    ("tree_word", "tree_grammar_axiom(live_tree_grammar(), &made)"),
+    (
+        "tree_turtle_trace",
+        "tree_word_interpret(live_tree_word(), NULL, NULL, NULL, &made, other_tree())",
     ),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];

@@ -142,7 +142,7 @@ static void calm(tree_control *control) {
     if (!small_limits.struct_size) {
         must(tree_limits_init(&small_limits, sizeof small_limits));
         small_limits.nodes = small_limits.leaves = 2000;
-        small_limits.graph_nodes = small_limits.graph_arcs = 20000;
+        small_limits.graph_nodes = small_limits.graph_arcs = small_limits.modules = 20000;
         small_limits.triangles = small_limits.voxels = small_limits.pixels = 40000;
     }
     must(tree_control_init(control, sizeof *control));
@@ -326,6 +326,9 @@ static const tree_lod_subject *one_subject(void) {
     return &subject;
 }
 
+/* A small grammar, with a symbol that says nothing to the turtle. */
+static const char a_bush[] = "steps: 3\naxiom: F[+A(1)]Q\nA(l) : l > 0.1 -> F(l)[+A(l/2)]A(l/2)";
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;
@@ -347,6 +350,7 @@ static const tree_strew_params *few_nodes(void) {
 /* Where the second thing goes that a call makes; freed at the end. */
 static tree_skeleton *second_skeleton;
 static tree_mesh *second_mesh;
+static tree_tree *second_tree;
 static tree_skeleton **other_skeleton(void) {
     must(tree_skeleton_free(second_skeleton));
     return &second_skeleton;
@@ -354,6 +358,11 @@ static tree_skeleton **other_skeleton(void) {
 static tree_mesh **other_mesh(void) {
     must(tree_mesh_free(second_mesh));
     return &second_mesh;
+}
+
+static tree_tree **other_tree(void) {
+    must(tree_tree_free(second_tree));
+    return &second_tree;
 }
 
 /* The address of an object that is gone: nothing is made between this and the call that gets it. */

@@ -93,6 +93,7 @@ int main(int n, char **arguments) {
     free_all();
     must(tree_skeleton_free(second_skeleton));
     must(tree_mesh_free(second_mesh));
+    must(tree_tree_free(second_tree));
     must(tree_cancel_free(a_switch));
     must(tree_pool_free(one_thread_pool));
     now = "the end";

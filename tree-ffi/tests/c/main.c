@@ -52,6 +52,7 @@ int main(void) {
     test_lod_select();
     test_prune();
     test_multires();
+    test_lsystem();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

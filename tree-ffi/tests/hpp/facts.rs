@@ -19,6 +19,7 @@ pub(crate) const SINGLES: &[&str] = &[
     "gap",
     "growth",
     "iou",
+    "kind",
     "lambda",
     "length",
     "level",
@@ -43,6 +44,7 @@ pub(crate) const SINGLES: &[&str] = &[
     "shown",
     "sway",
     "n_threads",
+    "value",
     "volume",
 ];
 
@@ -149,6 +151,7 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("silhouette_seeds", _) => "2 * static_cast<size_t>(most)",
         ("attractor_from_strokes", _) => "columns ? columns->n_strokes : 0",
         ("graph_search", _) => "view().n_nodes",
+        ("word_lines", _) => "6 * view().n_modules",
         ("volume_sample", _) => "3 * n_points",
         ("volume_contains" | "volume_distance", _) => "points.size() / 3",
         ("plan_points_to_drawing" | "plan_points_from_drawing" | "convex_hull", _) => {
@@ -186,6 +189,7 @@ pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
         ("tree_convex_hull", "corners") => Some("2 * n_corners"),
         ("tree_pruned_levels", "levels") => Some("n_levels"),
         ("tree_pruned_levels", "windows") => Some("n_levels * measure().n_parts"),
+        ("tree_word_lines", "lines") => Some("6 * n_lines"),
         ("tree_mesh_points", "first") => Some("n_points"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
         _ => None,

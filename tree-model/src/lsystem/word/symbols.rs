@@ -6,6 +6,7 @@ use std::ops::Bound;
 
 /// A symbol with its number of parameters: a row of [`Symbols`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(transparent)]
 pub struct Kind(pub u16);
 
 /// The most parameters of a module.
