@@ -326,6 +326,32 @@ static const tree_lod_subject *one_subject(void) {
     return &subject;
 }
 
+/* Leaves that are all carried by the root, and small pictures of them. */
+static const uint32_t some_bearers[64];
+
+static size_t n_elements(void) {
+    tree_elements_columns columns = {.struct_size = sizeof columns};
+    must(tree_elements_view(live_tree_elements(), &columns));
+    return columns.n_elements;
+}
+
+static const tree_card_params *small_cards(void) {
+    static tree_card_params params;
+    must(tree_card_params_init(&params, sizeof params));
+    params.size = 16;
+    params.samples = 1;
+    return &params;
+}
+
+static const tree_octahedral_params *few_frames(void) {
+    static tree_octahedral_params params;
+    must(tree_octahedral_params_init(&params, sizeof params));
+    params.grid = 2;
+    params.side = 64;
+    params.samples = 1;
+    return &params;
+}
+
 /* Foreign kinds. */
 static tree_cancel *a_switch;
 static tree_pool *one_thread_pool;

@@ -51,6 +51,7 @@ int main(void) {
     test_lod();
     test_lod_select();
     test_prune();
+    test_impostor();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);
