@@ -41,6 +41,10 @@
 // arrive. `tree_multi_mesh_new` draws it, `tree_multi_mesh_draws` says how much of each index buffer a level draws, and
 // `tree_grow_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
 // `tree_multi_chain_new`.
+// Impostors: `tree_leaf_bearers_of_tree` says which branch carries each leaf (elements of `TREE_GRAIN_LEAF`),
+// `tree_leaf_boxes_along` finds boxes along the branches, `tree_cards_bake` pictures of their leaves.
+// `tree_cards_pixels` and `tree_cards_mesh` are uploaded; in each frame `tree_card_choice_update` says which boxes,
+// and which leaves, are drawn, with `tree_cards_shader`. From afar a whole tree is a `tree_octahedral_bake`.
 //
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
@@ -50,8 +54,8 @@
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
 //   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-//   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state` and `tree_stream_reader`: one
-//   thread at a time.
+//   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice` and
+//   `tree_stream_reader`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -283,6 +287,19 @@
 
 // A chain of modules: each ends, and its topmost lateral takes over. Linden, elm, beech.
 #define TREE_BRANCHING_SYMPODIAL 1
+
+// Parent of the box of the whole tree: no box.
+#define TREE_NO_BOX 4294967295u
+
+// sRGB colour of the surface without light, and alpha: the covered share of each texel.
+#define TREE_IMPOSTOR_COLOR 0
+
+// Normal in the space of the tree, -1 to 1 as 0 to 255, and in alpha the depth. These are numbers, not colours: upload
+// them without sRGB.
+#define TREE_IMPOSTOR_DETAIL 1
+
+// Planes of a box.
+#define TREE_CARD_PLANES 6
 
 // As the attribute `_OCCLUSION`, which only shaders that know it use.
 #define TREE_GLTF_OCCLUSION_ATTRIBUTE 0
@@ -1150,6 +1167,15 @@ typedef struct tree_cancel tree_cancel;
 // Collision capsules of a tree.
 typedef struct tree_capsules tree_capsules;
 
+// What is drawn of a tree's leaves, and which boxes are open: one for each instance, kept from frame to frame.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+// on it is `TREE_ERROR_ORDER`.
+typedef struct tree_card_choice tree_card_choice;
+
+// Six diagonal planes for each box, with pictures of its leaves, in two atlases (Lluch et al. 2010, 4.2.2).
+typedef struct tree_cards tree_cards;
+
 // The voxels that a tree may fill, and what they begin with.
 typedef struct tree_carved tree_carved;
 
@@ -1210,6 +1236,11 @@ typedef struct tree_hull tree_hull;
 // A sketch in space: what was inferred of it.
 typedef struct tree_inferred tree_inferred;
 
+// Boxes along the branches of a tree (Lluch et al. 2010, 4.2.1), that of the whole tree first: which leaves are seen
+// as one, and an order of the leaves in which those of each box are one range. Parents come before their children,
+// which lie side by side.
+typedef struct tree_leaf_boxes tree_leaf_boxes;
+
 // The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
 // see how much of its triangles is visible.
 typedef struct tree_leaf_model tree_leaf_model;
@@ -1244,6 +1275,9 @@ typedef struct tree_metaballs tree_metaballs;
 // The middle lines of a filled area.
 typedef struct tree_midlines tree_midlines;
 
+// A picture and its smaller levels, for a texture that is alpha-tested.
+typedef struct tree_mips tree_mips;
+
 // The modules of a chain, most relevant branches first. Its first levels are a prefix, and each prefix that ends with a
 // level is drawn by a turtle that knows `SAVE` and `RESTORE`.
 typedef struct tree_multi_chain tree_multi_chain;
@@ -1259,6 +1293,9 @@ typedef struct tree_multi_paths tree_multi_paths;
 // A tree with its nodes and leaves sorted path by path: its first levels are its coarser forms, and a level is no more
 // than a number. It is as large as the tree, and 8 bytes a level more.
 typedef struct tree_multires tree_multires;
+
+// An octahedral impostor: a whole tree as pictures from all sides, with depths (Brucks 2018), for trees far away.
+typedef struct tree_octahedral tree_octahedral;
 
 // A closed outline in metres, x to the right, y up: a polygon without crossings, against the clock.
 typedef struct tree_outline tree_outline;
@@ -2110,6 +2147,313 @@ typedef struct tree_twig_report {
     double moved;
 } tree_twig_report;
 
+// Which branches get a box. Begin with `tree_leaf_box_params_init`.
+typedef struct tree_leaf_box_params {
+    // `sizeof(tree_leaf_box_params)`.
+    size_t struct_size;
+    // A branch gets no box when its volume is less than this share of that of the box it is in, 0 to 1. Less makes more
+    // boxes. Default 0.02.
+    double least_volume;
+    // Nor when it is more than this share: its pictures would hardly be sharper. Its own branches are looked at
+    // instead. 0.01 to 1. Default 0.4.
+    double most_volume;
+    // Levels below the box of the whole tree, 0 to 16. Default 4.
+    uint32_t levels;
+    // A branch gets no box when it has fewer leaves, 1 to 1,000,000: those are cheap as they are. Default 24.
+    uint32_t least_leaves;
+    // Most boxes, 1 to 4096; larger ones come first. Default 64.
+    uint32_t most_boxes;
+    // 0.
+    uint32_t reserved;
+} tree_leaf_box_params;
+
+// What became of the leaves.
+typedef struct tree_leaf_boxes_report {
+    // `sizeof(tree_leaf_boxes_report)`.
+    size_t struct_size;
+    // Number of boxes.
+    size_t n_boxes;
+    // Number of levels, the whole tree being one.
+    size_t n_levels;
+    // Leaves in all.
+    size_t n_leaves;
+    // Leaves that are in no box but that of the whole tree.
+    size_t in_root_only;
+    // Branches that got no box because it would have been too small.
+    size_t dropped;
+} tree_leaf_boxes_report;
+
+// The box of a branch with all its leaves.
+typedef struct tree_leaf_box {
+    // `sizeof(tree_leaf_box)`.
+    size_t struct_size;
+    // Volume in cubic metres.
+    double volume;
+    // The box it is in, or `TREE_NO_BOX`.
+    uint32_t parent;
+    // 0 for the whole tree.
+    uint32_t level;
+    // The node of the skeleton it begins at.
+    uint32_t node;
+    // Where its leaves begin in the order.
+    uint32_t first_leaf;
+    // Number of its leaves, those of its children included.
+    uint32_t n_leaves;
+    // Number of leaves that are in no child: the first ones of its leaves.
+    uint32_t n_own;
+    // The first of its children; the others follow it.
+    uint32_t first_child;
+    // Number of its children.
+    uint32_t n_children;
+    // Its middle in metres.
+    float center[3];
+    // Half its sides in metres, along its own axes; none is 0.
+    float half[3];
+    // Quaternion x, y, z, w that turns its own axes into those of the tree: x to the left of the branch, y along it,
+    // z up.
+    float turn[4];
+} tree_leaf_box;
+
+// A rectangle on which the leaves of a box are projected. The unit vectors are at right angles to each other.
+typedef struct tree_card_plane {
+    // Its middle, that of the box, in metres.
+    float center[3];
+    // Unit vector to the right of the picture: along the diagonal of a side of the box.
+    float right[3];
+    // Unit vector up the picture: along an axis of the box.
+    float up[3];
+    // Unit normal, to the viewer.
+    float normal[3];
+    // Half its width and half its height in metres.
+    float half[2];
+    // Half the depth of the box across the plane, in metres.
+    float reach;
+} tree_card_plane;
+
+// How leaves are projected onto planes. Begin with `tree_card_params_init`.
+typedef struct tree_card_params {
+    // `sizeof(tree_card_params)`.
+    size_t struct_size;
+    // Side of a picture in texels, gutters included, 16 to 1024. Default 64.
+    uint32_t size;
+    // Samples of a texel in each direction, 1 to 8. Default 4.
+    uint32_t samples;
+    // Texels around each picture that repeat what is at its edge, 1 to 8 and at most a quarter of `size`: so that
+    // filters do not mix pictures. Default 1.
+    uint32_t gutter;
+    // 0.
+    uint32_t reserved;
+} tree_card_params;
+
+// What was baked.
+typedef struct tree_cards_report {
+    // `sizeof(tree_cards_report)`.
+    size_t struct_size;
+    // Number of boxes.
+    size_t n_boxes;
+    // Number of pictures: six for each box.
+    size_t n_images;
+    // Texels of all pictures.
+    uint64_t texels;
+    // Bytes of both atlases, as they are in memory.
+    size_t bytes;
+    // Pictures in which nothing covers half a texel.
+    size_t empty;
+    // Side of a picture in texels, gutters included.
+    uint32_t size;
+    // 0.
+    uint32_t reserved;
+} tree_cards_report;
+
+// One of the two pictures of an impostor: one of the `TREE_IMPOSTOR_` constants.
+typedef uint32_t tree_impostor_map;
+
+// A view of a picture's pixels.
+typedef struct tree_pixels {
+    // `sizeof(tree_pixels)`.
+    size_t struct_size;
+    // Width in pixels.
+    uint32_t width;
+    // Height in pixels.
+    uint32_t height;
+    // Four bytes for each pixel (red, green, blue, alpha), rows from top to bottom.
+    const uint8_t *pixels;
+    // Number of bytes: `4 * width * height`.
+    size_t n_bytes;
+} tree_pixels;
+
+// How a camera is placed: one of the `TREE_CAMERA_` constants.
+typedef uint32_t tree_camera;
+
+// How a camera projects: one of the `TREE_LENS_` constants.
+typedef uint32_t tree_lens;
+
+// Size, quality and camera of a picture. Begin with `tree_view_init`.
+typedef struct tree_view {
+    // `sizeof(tree_view)`.
+    size_t struct_size;
+    // Width in pixels, 1 to 16,384. Default 1024.
+    uint32_t width;
+    // Height in pixels, 1 to 16,384. Default 1024.
+    uint32_t height;
+    // Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
+    uint32_t samples;
+    // How the camera is placed. Default `TREE_CAMERA_FRAMED`.
+    tree_camera camera;
+    // How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
+    tree_lens lens;
+    // Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
+    float fov;
+    // Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
+    // quarter turn on +X. Finite; default 0.6.
+    float yaw;
+    // Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
+    // Default 0.09.
+    float pitch;
+    // Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
+    float margin;
+    // Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
+    float lens_height;
+    // Placed: where the camera stands, in metres. Default 0, 0, 0.
+    float eye[3];
+    // Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
+    float target[3];
+    // Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
+    float up[3];
+    // 0.
+    uint32_t reserved;
+} tree_view;
+
+// What becomes of ambient occlusion in a glTF file: one of the `TREE_GLTF_OCCLUSION_` constants.
+typedef uint32_t tree_gltf_occlusion;
+
+// How a glTF file is written. Begin with `tree_glb_options_init`.
+typedef struct tree_glb_options {
+    // `sizeof(tree_glb_options)`.
+    size_t struct_size;
+    // Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
+    struct tree_str name;
+    // Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
+    // them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
+    // for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
+    // length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
+    // Default 0.
+    uint32_t quantize;
+    // Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
+    // know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
+    // look into it.
+    uint32_t translucency;
+    // What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
+    tree_gltf_occlusion occlusion;
+    // 0.
+    uint32_t reserved;
+} tree_glb_options;
+
+// Language of a shader: one of the `TREE_SHADER_` constants.
+typedef uint32_t tree_shader;
+
+// When boxes are opened. Begin with `tree_card_choose_params_init`.
+typedef struct tree_card_choose_params {
+    // `sizeof(tree_card_choose_params)`.
+    size_t struct_size;
+    // Pixels that a texel may cover before its box is opened, 0.01 to 100. Less is sharper and heavier. Default 1.
+    float texel_pixels;
+    // How much further, relatively, a box must be before it is closed again, 0 to 1: so that a camera that trembles
+    // does not make leaves flicker. Default 0.1.
+    float hysteresis;
+} tree_card_choose_params;
+
+// How much is drawn.
+typedef struct tree_card_choice_report {
+    // `sizeof(tree_card_choice_report)`.
+    size_t struct_size;
+    // Boxes drawn by their planes.
+    size_t n_boxes;
+    // Ranges of leaves drawn as geometry.
+    size_t n_ranges;
+    // Leaves in these.
+    size_t n_leaves;
+} tree_card_choice_report;
+
+// Leaves one after another in the order that `tree_leaf_boxes_order` tells.
+typedef struct tree_leaf_range {
+    // The first row.
+    uint32_t first;
+    // Number of rows.
+    uint32_t n_leaves;
+} tree_leaf_range;
+
+// A view, and how much of it is seen.
+typedef struct tree_octahedral_frame {
+    // Its column in the pictures.
+    uint32_t column;
+    // Its row, from the top.
+    uint32_t row;
+    // Its weight, 0 to 1.
+    float weight;
+} tree_octahedral_frame;
+
+// How a whole tree is baked. Begin with `tree_octahedral_params_init`.
+typedef struct tree_octahedral_params {
+    // `sizeof(tree_octahedral_params)`.
+    size_t struct_size;
+    // Views along each side of the square of directions, 2 to 64. Default 12: 144 views.
+    uint32_t grid;
+    // Whether only views from the horizon up are baked, which halves the angle between them. Default 1.
+    uint32_t hemi;
+    // Side of the pictures in texels, 64 to 16,384, at least 16 for each view. Default 2048.
+    uint32_t side;
+    // Samples of a texel in each direction, 1 to 8. Default 4.
+    uint32_t samples;
+    // Empty texels around each view, 1 to 8 and at most a quarter of a view: so that filters do not mix views.
+    // Default 2.
+    uint32_t gutter;
+    // Whether the picture of normals and depths has half the side. Memory goes from 33.6 MB to 21 MB at the default
+    // side, at some loss of quality. Default 0.
+    uint32_t half_detail;
+} tree_octahedral_params;
+
+// What was baked.
+typedef struct tree_octahedral_report {
+    // `sizeof(tree_octahedral_report)`.
+    size_t struct_size;
+    // Number of views.
+    size_t n_views;
+    // Triangles drawn in each.
+    size_t n_triangles;
+    // Texels covered at least by half, of all views.
+    uint64_t covered;
+    // Bytes of both pictures, as they are in memory.
+    size_t bytes;
+} tree_octahedral_report;
+
+// Numbers that go with the two pictures of an octahedral impostor: what a shader needs to know. Set `struct_size` first.
+typedef struct tree_octahedral_meta {
+    // `sizeof(tree_octahedral_meta)`.
+    size_t struct_size;
+    // Views along each side of the square of directions, 2 to 64.
+    uint32_t grid;
+    // Whether only the upper hemisphere is there.
+    uint32_t hemi;
+    // Side of the picture of colours in texels.
+    uint32_t side;
+    // Side of a view in texels of the picture of colours, gutter included. View (column, row) begins at
+    // (column, row) * tile.
+    uint32_t tile;
+    // Side of the picture of normals and depths: `side`, or half of it.
+    uint32_t detail_side;
+    // Middle of the tree in metres.
+    float center[3];
+    // Radius of the ball around it in metres. Depths go from minus this to it, towards the viewer.
+    float radius;
+    // Radius in metres of the upright cylinder around it, and a gutter more.
+    float wide;
+    // Half the height in metres of that cylinder, and a gutter more.
+    float high;
+    // Metres of a texel: the largest of any view. It follows from the others, and is not read.
+    float texel;
+} tree_octahedral_meta;
+
 // The line that is drawn through the nodes of an axis: one of the `TREE_CURVE_` constants.
 typedef uint32_t tree_curve_fit;
 
@@ -2236,31 +2580,6 @@ typedef struct tree_twig_instances {
     // One for each instance: the branch of the base mesh that bears it.
     const uint32_t *branches;
 } tree_twig_instances;
-
-// What becomes of ambient occlusion in a glTF file: one of the `TREE_GLTF_OCCLUSION_` constants.
-typedef uint32_t tree_gltf_occlusion;
-
-// How a glTF file is written. Begin with `tree_glb_options_init`.
-typedef struct tree_glb_options {
-    // `sizeof(tree_glb_options)`.
-    size_t struct_size;
-    // Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
-    struct tree_str name;
-    // Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
-    // them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
-    // for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
-    // length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
-    // Default 0.
-    uint32_t quantize;
-    // Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
-    // know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
-    // look into it.
-    uint32_t translucency;
-    // What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
-    tree_gltf_occlusion occlusion;
-    // 0.
-    uint32_t reserved;
-} tree_glb_options;
 
 // A mesh and where its copies stand: scaled, turned, then moved.
 typedef struct tree_gltf_instances {
@@ -2457,48 +2776,6 @@ typedef struct tree_hull_columns {
     // Vertices of the triangles, counter-clockwise seen from outside.
     const uint32_t *indices;
 } tree_hull_columns;
-
-// How a camera is placed: one of the `TREE_CAMERA_` constants.
-typedef uint32_t tree_camera;
-
-// How a camera projects: one of the `TREE_LENS_` constants.
-typedef uint32_t tree_lens;
-
-// Size, quality and camera of a picture. Begin with `tree_view_init`.
-typedef struct tree_view {
-    // `sizeof(tree_view)`.
-    size_t struct_size;
-    // Width in pixels, 1 to 16,384. Default 1024.
-    uint32_t width;
-    // Height in pixels, 1 to 16,384. Default 1024.
-    uint32_t height;
-    // Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
-    uint32_t samples;
-    // How the camera is placed. Default `TREE_CAMERA_FRAMED`.
-    tree_camera camera;
-    // How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
-    tree_lens lens;
-    // Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
-    float fov;
-    // Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
-    // quarter turn on +X. Finite; default 0.6.
-    float yaw;
-    // Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
-    // Default 0.09.
-    float pitch;
-    // Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
-    float margin;
-    // Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
-    float lens_height;
-    // Placed: where the camera stands, in metres. Default 0, 0, 0.
-    float eye[3];
-    // Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
-    float target[3];
-    // Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
-    float up[3];
-    // 0.
-    uint32_t reserved;
-} tree_view;
 
 // Size of a mask of bits.
 typedef struct tree_bits_size {
@@ -2821,9 +3098,6 @@ typedef struct tree_scene_model {
     // Distance from which on the least is drawn, more than `near`. Default 500.
     float far;
 } tree_scene_model;
-
-// Language of a shader: one of the `TREE_SHADER_` constants.
-typedef uint32_t tree_shader;
 
 // A tree of a scene.
 typedef struct tree_scene_instance {
@@ -3877,25 +4151,6 @@ typedef struct tree_skeleton_columns {
     // One for each node: the node it stands on, or `TREE_NO_PARENT` for the root.
     const uint32_t *parents;
 } tree_skeleton_columns;
-
-// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
-typedef struct tree_foliage {
-    // `sizeof(tree_foliage)`.
-    size_t struct_size;
-    // Number of rows.
-    size_t n_leaves;
-    // One for each leaf: the skeleton's node that bears it.
-    const uint32_t *nodes;
-    // Three floats for each leaf: the base of the blade, in metres.
-    const float *positions;
-    // Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
-    // along +Y, upper face to +Z) into the tree's.
-    const float *rotations;
-    // One for each leaf: length from base to apex in metres, 0 or more.
-    const float *sizes;
-    // One for each leaf: its kind, an index into the species' leaf kinds.
-    const uint16_t *kinds;
-} tree_foliage;
 
 // How much of a stream has arrived.
 typedef struct tree_stream_report {
@@ -5170,20 +5425,6 @@ typedef struct tree_difference_params {
     // Width of the soft step around the threshold, 0 (hard) to 2. Default 0.15.
     float softness;
 } tree_difference_params;
-
-// A view of a picture's pixels.
-typedef struct tree_pixels {
-    // `sizeof(tree_pixels)`.
-    size_t struct_size;
-    // Width in pixels.
-    uint32_t width;
-    // Height in pixels.
-    uint32_t height;
-    // Four bytes for each pixel (red, green, blue, alpha), rows from top to bottom.
-    const uint8_t *pixels;
-    // Number of bytes: `4 * width * height`.
-    size_t n_bytes;
-} tree_pixels;
 
 // A camera as renderers want it: what it shows is what `tree_particle_camera_project` gives.
 typedef struct tree_particle_stand {
@@ -7346,6 +7587,382 @@ tree_status tree_twig_params_init(struct tree_twig_params *params, size_t size);
 
 // Whether all fields are in order: `TREE_OK`, or the error that their use would give.
 tree_status tree_twig_params_check(const struct tree_twig_params *params);
+
+// Writes the node of the tree's skeleton that carries each element, leaf by leaf, exactly: for a mesh that was built
+// of this tree. `elements` must be whole leaves (`TREE_GRAIN_LEAF`). `bearers` has room for `capacity` numbers, at least
+// one for each element. `TREE_ERROR_INVALID` when mesh and tree have different numbers of leaves.
+tree_status tree_leaf_bearers_of_tree(const struct tree_tree *tree,
+                                      const struct tree_mesh *mesh,
+                                      const struct tree_elements *elements,
+                                      uint32_t *bearers,
+                                      size_t capacity);
+
+// Writes the nearest node of the skeleton to the middle of each element: for meshes whose leaves are not known to a
+// tree. `bearers` has room for `capacity` numbers, at least one for each element. `control` may be NULL.
+tree_status tree_leaf_bearers_nearest(const struct tree_skeleton *skeleton,
+                                      const struct tree_elements *elements,
+                                      const struct tree_control *control,
+                                      uint32_t *bearers,
+                                      size_t capacity);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_leaf_box_params_init(struct tree_leaf_box_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_leaf_box_params_check(const struct tree_leaf_box_params *params);
+
+// Finds the boxes of a tree. `elements` are its leaves, `bearers` the node of the skeleton that carries each of the
+// `n_bearers` elements, as `tree_leaf_bearers_of_tree` or `tree_leaf_bearers_nearest` finds it. `params` and `control`
+// may be NULL, `report` when it is not wanted. Progress is told in the stage `boxes`. Free the boxes with
+// `tree_leaf_boxes_free`.
+//
+// `TREE_ERROR_INVALID` when there is not one bearer for each element, a bearer does not exist, the elements are of
+// another mesh, or all leaves are one point.
+tree_status tree_leaf_boxes_along(const struct tree_skeleton *skeleton,
+                                  const struct tree_mesh *mesh,
+                                  const struct tree_elements *elements,
+                                  const uint32_t *bearers,
+                                  size_t n_bearers,
+                                  const struct tree_leaf_box_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_leaf_boxes_report *report,
+                                  struct tree_leaf_boxes **boxes);
+
+// Tells how many boxes there are, and what became of the leaves. Set `report->struct_size` first.
+tree_status tree_leaf_boxes_measure(const struct tree_leaf_boxes *boxes,
+                                    struct tree_leaf_boxes_report *report);
+
+// Tells what box `number` is; 0 is the whole tree. Set `leaf_box->struct_size` first. `TREE_ERROR_PARAMETER` when there
+// is no such box.
+tree_status tree_leaf_boxes_get(const struct tree_leaf_boxes *boxes,
+                                uint32_t number,
+                                struct tree_leaf_box *leaf_box);
+
+// The numbers of all leaves (elements), in the order in which those of every box are one range: `n_leaves` of them,
+// from `order` on. They stay for as long as the boxes do.
+tree_status tree_leaf_boxes_order(const struct tree_leaf_boxes *boxes,
+                                  const uint32_t **order,
+                                  size_t *n_leaves);
+
+// Distance in metres from `point`, three floats, to box `number`; 0 inside. `TREE_ERROR_PARAMETER` when there is no
+// such box.
+tree_status tree_leaf_boxes_distance(const struct tree_leaf_boxes *boxes,
+                                     uint32_t number,
+                                     const float *point,
+                                     float *metres);
+
+// Writes the six planes of box `number`, two for each of its axes, which lies in both: plane 2k holds axis k and the
+// diagonal of the next two axes, plane 2k + 1 the other diagonal. `planes` has room for `capacity` of them.
+// `TREE_ERROR_PARAMETER` when there is no such box.
+tree_status tree_leaf_boxes_planes(const struct tree_leaf_boxes *boxes,
+                                   uint32_t number,
+                                   struct tree_card_plane *planes,
+                                   size_t capacity);
+
+// Frees boxes, and with them all views of their order.
+tree_status tree_leaf_boxes_free(struct tree_leaf_boxes *boxes);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_card_params_init(struct tree_card_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_card_params_check(const struct tree_card_params *params);
+
+// Projects the leaves of every box onto its planes. `boxes`, which are copied, are those of `elements` of `mesh`.
+// `params` and `control` may be NULL, `report` when it is not wanted. Progress is told in the stage `cards`. The same
+// input gives the same bytes for any number of threads. Free the cards with `tree_cards_free`.
+//
+// `TREE_ERROR_PARAMETER` also when the atlas would be wider than 16,384 texels, `TREE_ERROR_INVALID` when boxes,
+// elements and mesh do not belong together.
+tree_status tree_cards_bake(const struct tree_mesh *mesh,
+                            const struct tree_elements *elements,
+                            const struct tree_leaf_boxes *boxes,
+                            const struct tree_card_params *params,
+                            const struct tree_control *control,
+                            struct tree_cards_report *report,
+                            struct tree_cards **cards);
+
+// Tells what was baked. Set `report->struct_size` first.
+tree_status tree_cards_measure(const struct tree_cards *cards, struct tree_cards_report *report);
+
+// The boxes of cards, nothing copied. Free them with `tree_leaf_boxes_free`; they keep the cards alive.
+tree_status tree_cards_boxes(const struct tree_cards *cards,
+                             struct tree_leaf_boxes **boxes);
+
+// Metres of a texel of the pictures of box `number`: the largest of its planes. `TREE_ERROR_INVALID` when there is no
+// such box.
+tree_status tree_cards_texel(const struct tree_cards *cards,
+                             uint32_t number,
+                             float *metres);
+
+// Views the pixels of an atlas, nothing copied. `map` is a `TREE_IMPOSTOR_` constant; the depth of
+// `TREE_IMPOSTOR_DETAIL` goes from minus the `reach` of the plane to it, on the side that its normal points to. Set
+// `pixels->struct_size` first.
+tree_status tree_cards_pixels(const struct tree_cards *cards,
+                              tree_impostor_map map,
+                              struct tree_pixels *pixels);
+
+// A copy of an atlas, for `tree_picture_write_png`, `tree_picture_to_png` and `tree_mips_of_picture`. `map` is a
+// `TREE_IMPOSTOR_` constant. `control` may be NULL. Free the picture with `tree_picture_free`.
+tree_status tree_cards_picture(const struct tree_cards *cards,
+                               tree_impostor_map map,
+                               const struct tree_control *control,
+                               struct tree_picture **picture);
+
+// Frees cards, and with them all views of their pixels. Boxes and meshes made of them stay.
+tree_status tree_cards_free(struct tree_cards *cards);
+
+// The planes of `n_boxes` boxes as a mesh, six squares of four vertices each, with the atlas as their texture: alpha is
+// tested against one half, both sides are drawn. Without the shader (`tree_cards_shader`) all six planes of a box are
+// drawn at once, which covers more than the leaves do. At most 65,536 boxes; `control` may be NULL. Free the mesh with
+// `tree_mesh_free`. `TREE_ERROR_INVALID` when there is no such box.
+tree_status tree_cards_mesh(const struct tree_cards *cards,
+                            const uint32_t *boxes,
+                            size_t n_boxes,
+                            const struct tree_control *control,
+                            struct tree_mesh **mesh);
+
+// What a camera sees of `n_boxes` boxes, at most 65,536, by one sample for each pixel: sRGB colour without light, alpha
+// 0 or 255. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
+// (`tree_view_place` helps). `control` may be NULL. Free the picture with `tree_picture_free`.
+//
+// `TREE_ERROR_INVALID` for a framed camera, a box that does not exist, or an eye in the middle of a box.
+tree_status tree_cards_view(const struct tree_cards *cards,
+                            const uint32_t *boxes,
+                            size_t n_boxes,
+                            const struct tree_view *view,
+                            const struct tree_control *control,
+                            struct tree_picture **picture);
+
+// The planes of `n_boxes` boxes as a GLB file in memory: as `tree_cards_mesh`, and what the shader needs, four floats for
+// each vertex: `_TREE_CENTER` (middle of the box in metres, number of the plane), `_TREE_HALF` (half its sides in
+// metres, its number) and `_TREE_TURN` (the quaternion that turns its axes into those of the tree). `options` and
+// `control` may be NULL, as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for
+// `quantize`: shaders need positions in metres.
+tree_status tree_cards_to_glb(const struct tree_cards *cards,
+                              const uint32_t *boxes,
+                              size_t n_boxes,
+                              const struct tree_glb_options *options,
+                              const struct tree_control *control,
+                              struct tree_bytes **bytes);
+
+// As `tree_cards_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_cards_write_glb(const struct tree_cards *cards,
+                                 const uint32_t *boxes,
+                                 size_t n_boxes,
+                                 const char *path,
+                                 size_t path_len,
+                                 const struct tree_glb_options *options,
+                                 const struct tree_control *control);
+
+// The functions that weigh planes in a shader, as `tree_card_weights` does it: text to be put into your own. It tells what
+// they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+tree_status tree_cards_shader(tree_shader language,
+                              struct tree_str *text);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_card_choose_params_init(struct tree_card_choose_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_card_choose_params_check(const struct tree_card_choose_params *params);
+
+// Makes a choice for one instance of a tree with these cards, with room for all there can ever be and all boxes
+// closed. It does not keep the cards alive. Free it with `tree_card_choice_free`.
+tree_status tree_card_choice_new(const struct tree_cards *cards,
+                                 struct tree_card_choice **choice);
+
+// Chooses for a frame: from the box of the whole tree down, where a texel would be larger than a pixel, the children are
+// drawn instead, and the box's own leaves as geometry. Every leaf is in one box or one range. It takes no memory.
+//
+// `eye` is three floats, in metres in the space of the tree, -1e9 to 1e9. `pixels_per_metre` is how many pixels something
+// of a metre covers at a distance of a metre: height in pixels / (2 tan(fov / 2)), times the scale of the instance;
+// above 0, at most 1e9. `params` may be NULL, `report` when it is not wanted.
+//
+// `TREE_ERROR_PARAMETER` for numbers out of range, `TREE_ERROR_INVALID` when the choice was made for other cards. The
+// choice is left as it was then.
+tree_status tree_card_choice_update(struct tree_card_choice *choice,
+                                    const struct tree_cards *cards,
+                                    const float *eye,
+                                    float pixels_per_metre,
+                                    const struct tree_card_choose_params *params,
+                                    struct tree_card_choice_report *report);
+
+// Tells how much is drawn since the last update. Set `report->struct_size` first.
+tree_status tree_card_choice_measure(const struct tree_card_choice *choice,
+                                     struct tree_card_choice_report *report);
+
+// Writes the numbers of the boxes that are drawn by their planes. `boxes` has room for `capacity` numbers, at least
+// `n_boxes` of the report; as many as there are boxes are always enough.
+tree_status tree_card_choice_boxes(const struct tree_card_choice *choice,
+                                   uint32_t *boxes,
+                                   size_t capacity);
+
+// Writes the ranges of leaves that are drawn as geometry, rising, neighbours joined. `ranges` has room for `capacity` of
+// them, at least `n_ranges` of the report; as many as there are boxes are always enough.
+tree_status tree_card_choice_ranges(const struct tree_card_choice *choice,
+                                    struct tree_leaf_range *ranges,
+                                    size_t capacity);
+
+// Frees a choice.
+tree_status tree_card_choice_free(struct tree_card_choice *choice);
+
+// The place on the unit square of `direction`, three floats to the viewer, of any length. With `hemi`, directions below
+// the horizon are brought up to it. `TREE_ERROR_PARAMETER` for a direction that is zero or not finite.
+tree_status tree_octahedral_encode(const float *direction,
+                                   uint32_t hemi,
+                                   float (*place)[2]);
+
+// The unit direction of `place`, two floats on the unit square: the inverse of `tree_octahedral_encode`.
+// `TREE_ERROR_PARAMETER` for a place outside the square.
+tree_status tree_octahedral_decode(const float *place,
+                                   uint32_t hemi,
+                                   float (*direction)[3]);
+
+// Writes the three views around `direction`, three floats to the viewer, and their weights, which sum to 1 and change
+// continuously. `grid` and `hemi` are those of the impostor; `frames` has room for `capacity` views, at least 3.
+// `TREE_ERROR_PARAMETER` for a grid that is not 2 to 64, or a direction that is zero or not finite.
+tree_status tree_octahedral_frames(const float *direction,
+                                   uint32_t grid,
+                                   uint32_t hemi,
+                                   struct tree_octahedral_frame *frames,
+                                   size_t capacity);
+
+// Where a view was taken from: unit vectors to the right of the picture, up it, and to the viewer. Up is as near to +Y
+// as it can be; seen from straight above or below, right is +X. `TREE_ERROR_PARAMETER` for a grid that is not 2 to 64,
+// or a column or row that it lacks.
+tree_status tree_octahedral_axes(uint32_t column,
+                                 uint32_t row,
+                                 uint32_t grid,
+                                 uint32_t hemi,
+                                 float (*right)[3],
+                                 float (*up)[3],
+                                 float (*toward)[3]);
+
+// A picture and its smaller levels, each half as wide and high (rounded down, at least 1): at most `most` in all, and at
+// least the picture itself. Colours are means in linear light, weighted by alpha. Alpha is the mean, scaled so
+// that the share of texels that pass a test against one half stays as in the first level: leaves do not vanish from
+// afar. It is for colours, not for `TREE_IMPOSTOR_DETAIL`. `control` may be NULL; `pixels` of its limits caps twice
+// those of the picture. Free the levels with `tree_mips_free`.
+tree_status tree_mips_of_picture(const struct tree_picture *picture,
+                                 size_t most,
+                                 const struct tree_control *control,
+                                 struct tree_mips **mips);
+
+// Number of levels.
+tree_status tree_mips_count(const struct tree_mips *mips, size_t *n_levels);
+
+// Views the pixels of level `number`; 0 is the picture itself. Set `pixels->struct_size` first.
+// `TREE_ERROR_PARAMETER` when there is no such level.
+tree_status tree_mips_view(const struct tree_mips *mips, size_t number, struct tree_pixels *pixels);
+
+// Frees levels, and with them all views of them.
+tree_status tree_mips_free(struct tree_mips *mips);
+
+// Bakes all of a mesh, leaves and wood. `params` and `control` may be NULL, `report` when it is not wanted. Progress is
+// told in the stage `views`. The same input gives the same bytes for any number of threads. Free the impostor with
+// `tree_octahedral_free`.
+//
+// `TREE_ERROR_INVALID` when nothing of the mesh can be seen or all of it is one point.
+tree_status tree_octahedral_bake(const struct tree_mesh *mesh,
+                                 const struct tree_octahedral_params *params,
+                                 const struct tree_control *control,
+                                 struct tree_octahedral_report *report,
+                                 struct tree_octahedral **octahedral);
+
+// An impostor that was baked before: its numbers and its two pictures, which are copied. `control` may be NULL; `pixels`
+// of its limits caps those of both. What `tree_octahedral_measure` tells of it is 0, but for the bytes. Free it with
+// `tree_octahedral_free`. `TREE_ERROR_PARAMETER` or `TREE_ERROR_INVALID` when the parts do not fit each other.
+tree_status tree_octahedral_from_pictures(const struct tree_octahedral_meta *meta,
+                                          const struct tree_picture *color,
+                                          const struct tree_picture *detail,
+                                          const struct tree_control *control,
+                                          struct tree_octahedral **octahedral);
+
+// Tells what was baked. Set `report->struct_size` first.
+tree_status tree_octahedral_measure(const struct tree_octahedral *octahedral,
+                                    struct tree_octahedral_report *report);
+
+// The numbers that go with the pictures. Set `meta->struct_size` first.
+tree_status tree_octahedral_describe(const struct tree_octahedral *octahedral,
+                                     struct tree_octahedral_meta *meta);
+
+// The numbers that go with the pictures as JSON, to be stored beside them; they are read as the same bits. Free the
+// bytes with `tree_bytes_free`.
+tree_status tree_octahedral_to_json(const struct tree_octahedral *octahedral,
+                                    struct tree_bytes **bytes);
+
+// Views the pixels of one of the two pictures, nothing copied. `map` is a `TREE_IMPOSTOR_` constant; the depth of
+// `TREE_IMPOSTOR_DETAIL` goes from minus the `radius` to it, towards the viewer. Set `pixels->struct_size` first.
+tree_status tree_octahedral_pixels(const struct tree_octahedral *octahedral,
+                                   tree_impostor_map map,
+                                   struct tree_pixels *pixels);
+
+// A copy of one of the two pictures, for `tree_picture_write_png`, `tree_picture_to_png` and `tree_mips_of_picture`.
+// `map` is a `TREE_IMPOSTOR_` constant. `control` may be NULL. Free the picture with `tree_picture_free`.
+tree_status tree_octahedral_picture(const struct tree_octahedral *octahedral,
+                                    tree_impostor_map map,
+                                    const struct tree_control *control,
+                                    struct tree_picture **picture);
+
+// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against one half or
+// blended. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
+// (`tree_view_place` helps); for a framed one `TREE_ERROR_INVALID`. `control` may be NULL. Free the picture with
+// `tree_picture_free`.
+tree_status tree_octahedral_view(const struct tree_octahedral *octahedral,
+                                 const struct tree_view *view,
+                                 const struct tree_control *control,
+                                 struct tree_picture **picture);
+
+// Alpha alone, as `tree_octahedral_view`. Free the mask with `tree_mask_free`.
+tree_status tree_octahedral_mask(const struct tree_octahedral *octahedral,
+                                 const struct tree_view *view,
+                                 const struct tree_control *control,
+                                 struct tree_mask **mask);
+
+// The functions that draw an octahedral impostor in a shader, as `tree_octahedral_view` does it: text to be put into your
+// own. It tells what they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never
+// freed.
+tree_status tree_octahedral_shader(tree_shader language,
+                                   struct tree_str *text);
+
+// Frees an impostor, and with it all views of its pixels.
+tree_status tree_octahedral_free(struct tree_octahedral *octahedral);
+
+// Checks that the numbers fit each other: `TREE_ERROR_PARAMETER` names the first that is out of range,
+// `TREE_ERROR_INVALID` says what is wrong with `detail_side`.
+tree_status tree_octahedral_meta_check(const struct tree_octahedral_meta *meta);
+
+// Half width and half height in metres of a view whose direction to the viewer, of unit length, has this `y`, and half
+// the depth of the tree in it: what the cylinder around it fills.
+tree_status tree_octahedral_meta_extent(const struct tree_octahedral_meta *meta,
+                                        float y,
+                                        float (*half)[2],
+                                        float *reach);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_octahedral_params_init(struct tree_octahedral_params *params, size_t size);
+
+// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+tree_status tree_octahedral_params_check(const struct tree_octahedral_params *params);
+
+// The weights of the six planes of a box: `half` is three floats, half its sides, `direction` three floats, to the viewer
+// along the box's own axes (turned by the inverse of its `turn`), of any length. They sum to 1 and change
+// continuously; a plane seen edge-on has none. `TREE_ERROR_INVALID` for a direction that is zero or not finite, or half
+// sides that are not all above 0.
+tree_status tree_card_weights(const float *half,
+                              const float *direction,
+                              float (*weights)[6]);
+
+// The part of 0 to 1 that belongs to a plane, 0 to 5, given the six `weights`: as long as its weight, after those of the
+// planes before it. A pixel draws the plane in whose interval its `tree_card_noise` lies.
+tree_status tree_card_interval(const float *weights,
+                               uint32_t plane,
+                               float (*interval)[2]);
+
+// A pattern over pixels, 0 to 1, nearly even in each neighbourhood of 3 by 3: `pixel` is two floats, its middle as a
+// shader is told it.
+tree_status tree_card_noise(const float *pixel,
+                            float *share);
 
 // Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
 // coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in

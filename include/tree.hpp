@@ -400,6 +400,8 @@ class Bumps;
 class Bytes;
 class Cancel;
 class Capsules;
+class CardChoice;
+class Cards;
 class Carved;
 class Crossings;
 class Crown;
@@ -418,6 +420,7 @@ class GraphNodes;
 class Grid;
 class Hull;
 class Inferred;
+class LeafBoxes;
 class LeafModel;
 class LeafOutline;
 class Lines;
@@ -428,10 +431,12 @@ class Matte;
 class Mesh;
 class Metaballs;
 class Midlines;
+class Mips;
 class MultiChain;
 class MultiMesh;
 class MultiPaths;
 class Multires;
+class Octahedral;
 class Outline;
 class OutlineDrawing;
 class OutlinePlan;
@@ -471,8 +476,8 @@ class Unpacked;
 class Volume;
 class Way;
 class WindBranches;
-struct AdtColumns;
 class Word;
+struct AdtColumns;
 struct AlignParams;
 struct AlignReport;
 using AlignWarning = tree_align_warning;
@@ -501,6 +506,11 @@ struct BumpParams;
 using Capsule = tree_capsule;
 struct CapsuleParams;
 struct CapsuleReport;
+struct CardChoiceReport;
+struct CardChooseParams;
+struct CardParams;
+using CardPlane = tree_card_plane;
+struct CardsReport;
 struct CarvedColumns;
 struct ChainParams;
 using Choice = tree_choice;
@@ -557,6 +567,9 @@ struct InferredColumns;
 using InstanceLod = tree_instance_lod;
 struct InstancingParams;
 struct InstancingReport;
+struct LeafBox;
+struct LeafBoxParams;
+struct LeafBoxesReport;
 struct LeafCard;
 struct LeafKinds;
 struct LeafLook;
@@ -564,6 +577,7 @@ struct LeafMesh;
 struct LeafModelReport;
 struct LeafOutlineColumns;
 struct LeafParams;
+using LeafRange = tree_leaf_range;
 struct LeafReport;
 struct LeafShape;
 using LevelShare = tree_level_share;
@@ -598,6 +612,10 @@ struct MultiMeshTotals;
 struct NaturalParams;
 struct NaturalReport;
 struct OcclusionParams;
+using OctahedralFrame = tree_octahedral_frame;
+struct OctahedralMeta;
+struct OctahedralParams;
+struct OctahedralReport;
 struct OrderParams;
 struct OutlineBranch;
 struct OutlineCloseParams;
@@ -827,6 +845,24 @@ struct CapsuleReport : tree_capsule_report {
     CapsuleReport() : tree_capsule_report{} { struct_size = sizeof *this; }
 };
 
+struct CardChoiceReport : tree_card_choice_report {
+    CardChoiceReport() : tree_card_choice_report{} { struct_size = sizeof *this; }
+};
+
+struct CardChooseParams : tree_card_choose_params {
+    CardChooseParams() : tree_card_choose_params{} { tree_card_choose_params_init(this, sizeof(tree_card_choose_params)); }
+    bool check() const;
+};
+
+struct CardParams : tree_card_params {
+    CardParams() : tree_card_params{} { tree_card_params_init(this, sizeof(tree_card_params)); }
+    bool check() const;
+};
+
+struct CardsReport : tree_cards_report {
+    CardsReport() : tree_cards_report{} { struct_size = sizeof *this; }
+};
+
 struct CarvedColumns : tree_carved_columns {
     CarvedColumns() : tree_carved_columns{} { struct_size = sizeof *this; }
 };
@@ -1027,6 +1063,19 @@ struct InstancingReport : tree_instancing_report {
     InstancingReport() : tree_instancing_report{} { struct_size = sizeof *this; }
 };
 
+struct LeafBox : tree_leaf_box {
+    LeafBox() : tree_leaf_box{} { struct_size = sizeof *this; }
+};
+
+struct LeafBoxParams : tree_leaf_box_params {
+    LeafBoxParams() : tree_leaf_box_params{} { tree_leaf_box_params_init(this, sizeof(tree_leaf_box_params)); }
+    bool check() const;
+};
+
+struct LeafBoxesReport : tree_leaf_boxes_report {
+    LeafBoxesReport() : tree_leaf_boxes_report{} { struct_size = sizeof *this; }
+};
+
 struct LeafCard : tree_leaf_card {
     LeafCard() : tree_leaf_card{} { struct_size = sizeof *this; }
 };
@@ -1174,6 +1223,21 @@ struct NaturalReport : tree_natural_report {
 
 struct OcclusionParams : tree_occlusion_params {
     OcclusionParams() : tree_occlusion_params{} { tree_occlusion_params_init(this, sizeof(tree_occlusion_params)); }
+};
+
+struct OctahedralMeta : tree_octahedral_meta {
+    OctahedralMeta() : tree_octahedral_meta{} { struct_size = sizeof *this; }
+    bool check() const;
+    std::tuple<std::array<float, 2>, float> extent(float y) const;
+};
+
+struct OctahedralParams : tree_octahedral_params {
+    OctahedralParams() : tree_octahedral_params{} { tree_octahedral_params_init(this, sizeof(tree_octahedral_params)); }
+    bool check() const;
+};
+
+struct OctahedralReport : tree_octahedral_report {
+    OctahedralReport() : tree_octahedral_report{} { struct_size = sizeof *this; }
 };
 
 struct OrderParams : tree_order_params {
@@ -1628,6 +1692,14 @@ struct Wind : tree_wind {
     Wind() : tree_wind{} { tree_wind_init(this, sizeof(tree_wind)); }
 };
 
+struct WordColumns : tree_word_columns {
+    WordColumns() : tree_word_columns{} { struct_size = sizeof *this; }
+};
+
+struct WordHistory : tree_word_history {
+    WordHistory() : tree_word_history{} { struct_size = sizeof *this; }
+};
+
 class Adt : public detail::Object<tree_adt, tree_adt_free> {
 public:
     using Object::Object;
@@ -1639,12 +1711,6 @@ public:
     Span<const uint32_t> modules(uint32_t branch) const && = delete;
     Span<const uint32_t> children(uint32_t branch) const &;
     Span<const uint32_t> children(uint32_t branch) const && = delete;
-struct WordColumns : tree_word_columns {
-    WordColumns() : tree_word_columns{} { struct_size = sizeof *this; }
-};
-
-struct WordHistory : tree_word_history {
-    WordHistory() : tree_word_history{} { struct_size = sizeof *this; }
 };
 
 class Aligned : public detail::Object<tree_aligned, tree_aligned_free> {
@@ -1731,6 +1797,35 @@ public:
     using Object::Object;
     Span<const tree_capsule> view() const &;
     Span<const tree_capsule> view() const && = delete;
+};
+
+class CardChoice : public detail::Object<tree_card_choice, tree_card_choice_free> {
+public:
+    using Object::Object;
+    static CardChoice make(const Cards &cards);
+    CardChoiceReport update(const Cards &cards, const Floats<3> &eye, float pixels_per_metre, Ref<tree_card_choose_params> params = nullptr) const;
+    CardChoiceReport measure() const;
+    std::vector<uint32_t> boxes() const;
+    bool boxes(Span<uint32_t> boxes) const;
+    std::vector<tree_leaf_range> ranges() const;
+    bool ranges(Span<tree_leaf_range> ranges) const;
+};
+
+class Cards : public detail::Object<tree_cards, tree_cards_free> {
+public:
+    using Object::Object;
+    static Cards bake(const Mesh &mesh, const Elements &elements, const LeafBoxes &boxes, Ref<tree_card_params> params = nullptr, Ref<tree_control> control = nullptr, tree_cards_report *report = nullptr);
+    CardsReport measure() const;
+    LeafBoxes boxes() const;
+    float texel(uint32_t number) const;
+    Pixels pixels(tree_impostor_map map) const &;
+    Pixels pixels(tree_impostor_map map) const && = delete;
+    Picture picture(tree_impostor_map map, Ref<tree_control> control = nullptr) const;
+    Mesh mesh(Span<const uint32_t> boxes, Ref<tree_control> control = nullptr) const;
+    Picture view(Span<const uint32_t> boxes, Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
+    Bytes to_glb(Span<const uint32_t> boxes, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb(Span<const uint32_t> boxes, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    static std::string_view shader(tree_shader language);
 };
 
 class Carved : public detail::Object<tree_carved, tree_carved_free> {
@@ -1955,6 +2050,19 @@ public:
     SketchOmega omega() const;
 };
 
+class LeafBoxes : public detail::Object<tree_leaf_boxes, tree_leaf_boxes_free> {
+public:
+    using Object::Object;
+    static LeafBoxes along(const Skeleton &skeleton, const Mesh &mesh, const Elements &elements, Span<const uint32_t> bearers, Ref<tree_leaf_box_params> params = nullptr, Ref<tree_control> control = nullptr, tree_leaf_boxes_report *report = nullptr);
+    LeafBoxesReport measure() const;
+    LeafBox get_(uint32_t number) const;
+    Span<const uint32_t> order() const &;
+    Span<const uint32_t> order() const && = delete;
+    float distance(uint32_t number, const Floats<3> &point) const;
+    std::vector<tree_card_plane> planes(uint32_t number) const;
+    bool planes(uint32_t number, Span<tree_card_plane> planes) const;
+};
+
 class LeafModel : public detail::Object<tree_leaf_model, tree_leaf_model_free> {
 public:
     using Object::Object;
@@ -2123,6 +2231,15 @@ public:
     Span<const float> half_widths() const && = delete;
 };
 
+class Mips : public detail::Object<tree_mips, tree_mips_free> {
+public:
+    using Object::Object;
+    static Mips of_picture(const Picture &picture, size_t most, Ref<tree_control> control = nullptr);
+    size_t count() const;
+    Pixels view(size_t number) const &;
+    Pixels view(size_t number) const && = delete;
+};
+
 class MultiChain : public detail::Object<tree_multi_chain, tree_multi_chain_free> {
 public:
     using Object::Object;
@@ -2177,6 +2294,27 @@ public:
     Bytes to_bracketed(Ref<tree_stream_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     static Multires from_stream(Span<const uint8_t> data, Ref<tree_control> control = nullptr, tree_stream_report *report = nullptr);
     static Multires read_stream(std::string_view path, Ref<tree_control> control = nullptr, tree_stream_report *report = nullptr);
+};
+
+class Octahedral : public detail::Object<tree_octahedral, tree_octahedral_free> {
+public:
+    using Object::Object;
+    static std::array<float, 2> encode(const Floats<3> &direction, bool hemi);
+    static std::array<float, 3> decode(const Floats<2> &place, bool hemi);
+    static std::vector<tree_octahedral_frame> frames(const Floats<3> &direction, uint32_t grid, bool hemi);
+    static bool frames(const Floats<3> &direction, uint32_t grid, bool hemi, Span<tree_octahedral_frame> frames);
+    static std::tuple<std::array<float, 3>, std::array<float, 3>, std::array<float, 3>> axes(uint32_t column, uint32_t row, uint32_t grid, bool hemi);
+    static Octahedral bake(const Mesh &mesh, Ref<tree_octahedral_params> params = nullptr, Ref<tree_control> control = nullptr, tree_octahedral_report *report = nullptr);
+    static Octahedral from_pictures(Ref<tree_octahedral_meta> meta, const Picture &color, const Picture &detail, Ref<tree_control> control = nullptr);
+    OctahedralReport measure() const;
+    OctahedralMeta describe() const;
+    Bytes to_json() const;
+    Pixels pixels(tree_impostor_map map) const &;
+    Pixels pixels(tree_impostor_map map) const && = delete;
+    Picture picture(tree_impostor_map map, Ref<tree_control> control = nullptr) const;
+    Picture view(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
+    Mask mask(Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
+    static std::string_view shader(tree_shader language);
 };
 
 class Outline : public detail::Object<tree_outline, tree_outline_free> {
@@ -2516,6 +2654,8 @@ public:
     WindBranches wind_branches(tree_continuation continuation) const;
     Capsules capsules(Ref<tree_capsule_params> params = nullptr, Ref<tree_control> control = nullptr, tree_capsule_report *report = nullptr) const;
     std::tuple<Rows, Skeleton> refine(float bearing, float spacing, Ref<tree_control> control = nullptr) const;
+    std::vector<uint32_t> leaf_bearers_nearest(const Elements &elements, Ref<tree_control> control = nullptr) const;
+    bool leaf_bearers_nearest(const Elements &elements, Ref<tree_control> control, Span<uint32_t> bearers) const;
     Word to_word(Ref<tree_foliage> foliage = nullptr, Ref<tree_chain_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     Tree grow_crown(const Grid &density, Span<const tree_particle_view> views, float height, Ref<tree_finish_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_crown_report *report = nullptr) const;
     static Skeleton from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
@@ -2690,6 +2830,8 @@ public:
     using Object::Object;
     Tree grow_leaves(Ref<tree_leaf_params> params, const Field &density, bool with_stalks, uint64_t seed, Ref<tree_control> control = nullptr, tree_leaf_report *report = nullptr) const;
     Tree grow_twigs(Ref<tree_twig_params> params, const Field &density, uint64_t seed, Ref<tree_control> control = nullptr, tree_twig_report *report = nullptr) const;
+    std::vector<uint32_t> leaf_bearers_of_tree(const Mesh &mesh, const Elements &elements) const;
+    bool leaf_bearers_of_tree(const Mesh &mesh, const Elements &elements, Span<uint32_t> bearers) const;
     Word to_word(Ref<tree_chain_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     static Tree make(const Skeleton &skeleton, Ref<tree_foliage> foliage = nullptr, Ref<tree_species> species = nullptr, Ref<tree_control> control = nullptr);
     Skeleton skeleton() const;
@@ -2836,6 +2978,9 @@ float wind_leaf_phase(uint32_t leaf);
 size_t foliage_species_count();
 std::string_view foliage_species_name(size_t index);
 std::tuple<LeafParams, TwigParams, std::string_view> foliage_preset(std::string_view name);
+std::array<float, 6> card_weights(const Floats<3> &half, const Floats<3> &direction);
+std::array<float, 2> card_interval(const Floats<6> &weights, uint32_t plane);
+float card_noise(const Floats<2> &pixel);
 bool gltf_write_glb(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
 Bytes gltf_to_glb(Span<const tree_gltf_level> levels, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
 bool gltf_write_files(Span<const tree_gltf_level> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr);
@@ -3206,6 +3351,266 @@ inline std::tuple<Rows, Skeleton> Skeleton::refine(float bearing, float spacing,
 }
 inline bool TwigParams::check() const {
     return detail::done(tree_twig_params_check(this));
+}
+inline std::vector<uint32_t> Tree::leaf_bearers_of_tree(const Mesh &mesh, const Elements &elements) const {
+    std::vector<uint32_t> bearers(elements.view().n_elements);
+    if (!(detail::done(tree_leaf_bearers_of_tree(get(), mesh.get(), elements.get(), bearers.data(), bearers.size())))) { bearers.clear(); }
+    return bearers;
+}
+inline bool Tree::leaf_bearers_of_tree(const Mesh &mesh, const Elements &elements, Span<uint32_t> bearers) const {
+    return detail::done(tree_leaf_bearers_of_tree(get(), mesh.get(), elements.get(), bearers.data(), bearers.size()));
+}
+inline std::vector<uint32_t> Skeleton::leaf_bearers_nearest(const Elements &elements, Ref<tree_control> control) const {
+    std::vector<uint32_t> bearers(elements.view().n_elements);
+    if (!(detail::done(tree_leaf_bearers_nearest(get(), elements.get(), control, bearers.data(), bearers.size()), control))) { bearers.clear(); }
+    return bearers;
+}
+inline bool Skeleton::leaf_bearers_nearest(const Elements &elements, Ref<tree_control> control, Span<uint32_t> bearers) const {
+    return detail::done(tree_leaf_bearers_nearest(get(), elements.get(), control, bearers.data(), bearers.size()), control);
+}
+inline bool LeafBoxParams::check() const {
+    return detail::done(tree_leaf_box_params_check(this));
+}
+inline LeafBoxes LeafBoxes::along(const Skeleton &skeleton, const Mesh &mesh, const Elements &elements, Span<const uint32_t> bearers, Ref<tree_leaf_box_params> params, Ref<tree_control> control, tree_leaf_boxes_report *report) {
+    LeafBoxes boxes;
+    detail::done(tree_leaf_boxes_along(skeleton.get(), mesh.get(), elements.get(), bearers.data(), bearers.size(), params, control, report, boxes.place()), control);
+    return boxes;
+}
+inline LeafBoxesReport LeafBoxes::measure() const {
+    LeafBoxesReport report;
+    if (!(detail::done(tree_leaf_boxes_measure(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline LeafBox LeafBoxes::get_(uint32_t number) const {
+    LeafBox leaf_box;
+    if (!(detail::done(tree_leaf_boxes_get(get(), number, &leaf_box)))) { leaf_box.struct_size = 0; }
+    return leaf_box;
+}
+inline Span<const uint32_t> LeafBoxes::order() const & {
+    const uint32_t *order = nullptr;
+    size_t n_leaves = 0;
+    detail::done(tree_leaf_boxes_order(get(), &order, &n_leaves));
+    return Span<const uint32_t>(order, n_leaves);
+}
+inline float LeafBoxes::distance(uint32_t number, const Floats<3> &point) const {
+    float metres{};
+    detail::done(tree_leaf_boxes_distance(get(), number, point, &metres));
+    return metres;
+}
+inline std::vector<tree_card_plane> LeafBoxes::planes(uint32_t number) const {
+    std::vector<tree_card_plane> planes(6);
+    if (!(detail::done(tree_leaf_boxes_planes(get(), number, planes.data(), planes.size())))) { planes.clear(); }
+    return planes;
+}
+inline bool LeafBoxes::planes(uint32_t number, Span<tree_card_plane> planes) const {
+    return detail::done(tree_leaf_boxes_planes(get(), number, planes.data(), planes.size()));
+}
+inline bool CardParams::check() const {
+    return detail::done(tree_card_params_check(this));
+}
+inline Cards Cards::bake(const Mesh &mesh, const Elements &elements, const LeafBoxes &boxes, Ref<tree_card_params> params, Ref<tree_control> control, tree_cards_report *report) {
+    Cards cards;
+    detail::done(tree_cards_bake(mesh.get(), elements.get(), boxes.get(), params, control, report, cards.place()), control);
+    return cards;
+}
+inline CardsReport Cards::measure() const {
+    CardsReport report;
+    if (!(detail::done(tree_cards_measure(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline LeafBoxes Cards::boxes() const {
+    LeafBoxes boxes;
+    detail::done(tree_cards_boxes(get(), boxes.place()));
+    return boxes;
+}
+inline float Cards::texel(uint32_t number) const {
+    float metres{};
+    detail::done(tree_cards_texel(get(), number, &metres));
+    return metres;
+}
+inline Pixels Cards::pixels(tree_impostor_map map) const & {
+    Pixels pixels;
+    if (!(detail::done(tree_cards_pixels(get(), map, &pixels)))) { pixels.struct_size = 0; }
+    return pixels;
+}
+inline Picture Cards::picture(tree_impostor_map map, Ref<tree_control> control) const {
+    Picture picture;
+    detail::done(tree_cards_picture(get(), map, control, picture.place()), control);
+    return picture;
+}
+inline Mesh Cards::mesh(Span<const uint32_t> boxes, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_cards_mesh(get(), boxes.data(), boxes.size(), control, mesh.place()), control);
+    return mesh;
+}
+inline Picture Cards::view(Span<const uint32_t> boxes, Ref<tree_view> view, Ref<tree_control> control) const {
+    Picture picture;
+    detail::done(tree_cards_view(get(), boxes.data(), boxes.size(), view, control, picture.place()), control);
+    return picture;
+}
+inline Bytes Cards::to_glb(Span<const uint32_t> boxes, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_cards_to_glb(get(), boxes.data(), boxes.size(), options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool Cards::write_glb(Span<const uint32_t> boxes, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_cards_write_glb(get(), boxes.data(), boxes.size(), path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline std::string_view Cards::shader(tree_shader language) {
+    tree_str text{};
+    detail::done(tree_cards_shader(language, &text));
+    return detail::text(text);
+}
+inline bool CardChooseParams::check() const {
+    return detail::done(tree_card_choose_params_check(this));
+}
+inline CardChoice CardChoice::make(const Cards &cards) {
+    CardChoice choice;
+    detail::done(tree_card_choice_new(cards.get(), choice.place()));
+    return choice;
+}
+inline CardChoiceReport CardChoice::update(const Cards &cards, const Floats<3> &eye, float pixels_per_metre, Ref<tree_card_choose_params> params) const {
+    CardChoiceReport report;
+    if (!(detail::done(tree_card_choice_update(get(), cards.get(), eye, pixels_per_metre, params, &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline CardChoiceReport CardChoice::measure() const {
+    CardChoiceReport report;
+    if (!(detail::done(tree_card_choice_measure(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline std::vector<uint32_t> CardChoice::boxes() const {
+    std::vector<uint32_t> boxes(measure().n_boxes);
+    if (!(detail::done(tree_card_choice_boxes(get(), boxes.data(), boxes.size())))) { boxes.clear(); }
+    return boxes;
+}
+inline bool CardChoice::boxes(Span<uint32_t> boxes) const {
+    return detail::done(tree_card_choice_boxes(get(), boxes.data(), boxes.size()));
+}
+inline std::vector<tree_leaf_range> CardChoice::ranges() const {
+    std::vector<tree_leaf_range> ranges(measure().n_ranges);
+    if (!(detail::done(tree_card_choice_ranges(get(), ranges.data(), ranges.size())))) { ranges.clear(); }
+    return ranges;
+}
+inline bool CardChoice::ranges(Span<tree_leaf_range> ranges) const {
+    return detail::done(tree_card_choice_ranges(get(), ranges.data(), ranges.size()));
+}
+inline std::array<float, 2> Octahedral::encode(const Floats<3> &direction, bool hemi) {
+    std::array<float, 2> place{};
+    detail::done(tree_octahedral_encode(direction, hemi ? 1u : 0u, reinterpret_cast<float(*)[2]>(place.data())));
+    return place;
+}
+inline std::array<float, 3> Octahedral::decode(const Floats<2> &place, bool hemi) {
+    std::array<float, 3> direction{};
+    detail::done(tree_octahedral_decode(place, hemi ? 1u : 0u, reinterpret_cast<float(*)[3]>(direction.data())));
+    return direction;
+}
+inline std::vector<tree_octahedral_frame> Octahedral::frames(const Floats<3> &direction, uint32_t grid, bool hemi) {
+    std::vector<tree_octahedral_frame> frames(3);
+    if (!(detail::done(tree_octahedral_frames(direction, grid, hemi ? 1u : 0u, frames.data(), frames.size())))) { frames.clear(); }
+    return frames;
+}
+inline bool Octahedral::frames(const Floats<3> &direction, uint32_t grid, bool hemi, Span<tree_octahedral_frame> frames) {
+    return detail::done(tree_octahedral_frames(direction, grid, hemi ? 1u : 0u, frames.data(), frames.size()));
+}
+inline std::tuple<std::array<float, 3>, std::array<float, 3>, std::array<float, 3>> Octahedral::axes(uint32_t column, uint32_t row, uint32_t grid, bool hemi) {
+    std::array<float, 3> right{};
+    std::array<float, 3> up{};
+    std::array<float, 3> toward{};
+    detail::done(tree_octahedral_axes(column, row, grid, hemi ? 1u : 0u, reinterpret_cast<float(*)[3]>(right.data()), reinterpret_cast<float(*)[3]>(up.data()), reinterpret_cast<float(*)[3]>(toward.data())));
+    return {std::move(right), std::move(up), std::move(toward)};
+}
+inline Mips Mips::of_picture(const Picture &picture, size_t most, Ref<tree_control> control) {
+    Mips mips;
+    detail::done(tree_mips_of_picture(picture.get(), most, control, mips.place()), control);
+    return mips;
+}
+inline size_t Mips::count() const {
+    size_t n_levels{};
+    detail::done(tree_mips_count(get(), &n_levels));
+    return n_levels;
+}
+inline Pixels Mips::view(size_t number) const & {
+    Pixels pixels;
+    if (!(detail::done(tree_mips_view(get(), number, &pixels)))) { pixels.struct_size = 0; }
+    return pixels;
+}
+inline Octahedral Octahedral::bake(const Mesh &mesh, Ref<tree_octahedral_params> params, Ref<tree_control> control, tree_octahedral_report *report) {
+    Octahedral octahedral;
+    detail::done(tree_octahedral_bake(mesh.get(), params, control, report, octahedral.place()), control);
+    return octahedral;
+}
+inline Octahedral Octahedral::from_pictures(Ref<tree_octahedral_meta> meta, const Picture &color, const Picture &detail, Ref<tree_control> control) {
+    Octahedral octahedral;
+    detail::done(tree_octahedral_from_pictures(meta, color.get(), detail.get(), control, octahedral.place()), control);
+    return octahedral;
+}
+inline OctahedralReport Octahedral::measure() const {
+    OctahedralReport report;
+    if (!(detail::done(tree_octahedral_measure(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline OctahedralMeta Octahedral::describe() const {
+    OctahedralMeta meta;
+    if (!(detail::done(tree_octahedral_describe(get(), &meta)))) { meta.struct_size = 0; }
+    return meta;
+}
+inline Bytes Octahedral::to_json() const {
+    Bytes bytes;
+    detail::done(tree_octahedral_to_json(get(), bytes.place()));
+    return bytes;
+}
+inline Pixels Octahedral::pixels(tree_impostor_map map) const & {
+    Pixels pixels;
+    if (!(detail::done(tree_octahedral_pixels(get(), map, &pixels)))) { pixels.struct_size = 0; }
+    return pixels;
+}
+inline Picture Octahedral::picture(tree_impostor_map map, Ref<tree_control> control) const {
+    Picture picture;
+    detail::done(tree_octahedral_picture(get(), map, control, picture.place()), control);
+    return picture;
+}
+inline Picture Octahedral::view(Ref<tree_view> view, Ref<tree_control> control) const {
+    Picture picture;
+    detail::done(tree_octahedral_view(get(), view, control, picture.place()), control);
+    return picture;
+}
+inline Mask Octahedral::mask(Ref<tree_view> view, Ref<tree_control> control) const {
+    Mask mask;
+    detail::done(tree_octahedral_mask(get(), view, control, mask.place()), control);
+    return mask;
+}
+inline std::string_view Octahedral::shader(tree_shader language) {
+    tree_str text{};
+    detail::done(tree_octahedral_shader(language, &text));
+    return detail::text(text);
+}
+inline bool OctahedralMeta::check() const {
+    return detail::done(tree_octahedral_meta_check(this));
+}
+inline std::tuple<std::array<float, 2>, float> OctahedralMeta::extent(float y) const {
+    std::array<float, 2> half{};
+    float reach{};
+    detail::done(tree_octahedral_meta_extent(this, y, reinterpret_cast<float(*)[2]>(half.data()), &reach));
+    return {std::move(half), std::move(reach)};
+}
+inline bool OctahedralParams::check() const {
+    return detail::done(tree_octahedral_params_check(this));
+}
+inline std::array<float, 6> card_weights(const Floats<3> &half, const Floats<3> &direction) {
+    std::array<float, 6> weights{};
+    detail::done(tree_card_weights(half, direction, reinterpret_cast<float(*)[6]>(weights.data())));
+    return weights;
+}
+inline std::array<float, 2> card_interval(const Floats<6> &weights, uint32_t plane) {
+    std::array<float, 2> interval{};
+    detail::done(tree_card_interval(weights, plane, reinterpret_cast<float(*)[2]>(interval.data())));
+    return interval;
+}
+inline float card_noise(const Floats<2> &pixel) {
+    float share{};
+    detail::done(tree_card_noise(pixel, &share));
+    return share;
 }
 inline Twigs Twigs::build(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control, tree_instancing_report *report) {
     Twigs twigs;

@@ -68,6 +68,19 @@ namespace TreeFamily.Native
     public struct tree_capsules { }
 
     /// <summary>
+    /// What is drawn of a tree's leaves, and which boxes are open: one for each instance, kept from frame to frame.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+    /// on it is `TREE_ERROR_ORDER`.
+    /// </summary>
+    public struct tree_card_choice { }
+
+    /// <summary>
+    /// Six diagonal planes for each box, with pictures of its leaves, in two atlases (Lluch et al. 2010, 4.2.2).
+    /// </summary>
+    public struct tree_cards { }
+
+    /// <summary>
     /// The voxels that a tree may fill, and what they begin with.
     /// </summary>
     public struct tree_carved { }
@@ -164,6 +177,13 @@ namespace TreeFamily.Native
     public struct tree_inferred { }
 
     /// <summary>
+    /// Boxes along the branches of a tree (Lluch et al. 2010, 4.2.1), that of the whole tree first: which leaves are seen
+    /// as one, and an order of the leaves in which those of each box are one range. Parents come before their children,
+    /// which lie side by side.
+    /// </summary>
+    public struct tree_leaf_boxes { }
+
+    /// <summary>
     /// The mesh of one leaf: one sheet, without petiole. For engines that instance leaves themselves, and to
     /// see how much of its triangles is visible.
     /// </summary>
@@ -218,6 +238,11 @@ namespace TreeFamily.Native
     public struct tree_midlines { }
 
     /// <summary>
+    /// A picture and its smaller levels, for a texture that is alpha-tested.
+    /// </summary>
+    public struct tree_mips { }
+
+    /// <summary>
     /// The modules of a chain, most relevant branches first. Its first levels are a prefix, and each prefix that ends with a
     /// level is drawn by a turtle that knows `SAVE` and `RESTORE`.
     /// </summary>
@@ -240,6 +265,11 @@ namespace TreeFamily.Native
     /// than a number. It is as large as the tree, and 8 bytes a level more.
     /// </summary>
     public struct tree_multires { }
+
+    /// <summary>
+    /// An octahedral impostor: a whole tree as pictures from all sides, with depths (Brucks 2018), for trees far away.
+    /// </summary>
+    public struct tree_octahedral { }
 
     /// <summary>
     /// A closed outline in metres, x to the right, y up: a polygon without crossings, against the clock.
@@ -1751,6 +1781,574 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// Which branches get a box. Begin with `tree_leaf_box_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_box_params
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_box_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// A branch gets no box when its volume is less than this share of that of the box it is in, 0 to 1. Less makes more
+        /// boxes. Default 0.02.
+        /// </summary>
+        public double least_volume;
+        /// <summary>
+        /// Nor when it is more than this share: its pictures would hardly be sharper. Its own branches are looked at
+        /// instead. 0.01 to 1. Default 0.4.
+        /// </summary>
+        public double most_volume;
+        /// <summary>
+        /// Levels below the box of the whole tree, 0 to 16. Default 4.
+        /// </summary>
+        public uint levels;
+        /// <summary>
+        /// A branch gets no box when it has fewer leaves, 1 to 1,000,000: those are cheap as they are. Default 24.
+        /// </summary>
+        public uint least_leaves;
+        /// <summary>
+        /// Most boxes, 1 to 4096; larger ones come first. Default 64.
+        /// </summary>
+        public uint most_boxes;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What became of the leaves.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_boxes_report
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_boxes_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of boxes.
+        /// </summary>
+        public UIntPtr n_boxes;
+        /// <summary>
+        /// Number of levels, the whole tree being one.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// Leaves in all.
+        /// </summary>
+        public UIntPtr n_leaves;
+        /// <summary>
+        /// Leaves that are in no box but that of the whole tree.
+        /// </summary>
+        public UIntPtr in_root_only;
+        /// <summary>
+        /// Branches that got no box because it would have been too small.
+        /// </summary>
+        public UIntPtr dropped;
+    }
+
+    /// <summary>
+    /// The box of a branch with all its leaves.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_box
+    {
+        /// <summary>
+        /// `sizeof(tree_leaf_box)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Volume in cubic metres.
+        /// </summary>
+        public double volume;
+        /// <summary>
+        /// The box it is in, or `TREE_NO_BOX`.
+        /// </summary>
+        public uint parent;
+        /// <summary>
+        /// 0 for the whole tree.
+        /// </summary>
+        public uint level;
+        /// <summary>
+        /// The node of the skeleton it begins at.
+        /// </summary>
+        public uint node;
+        /// <summary>
+        /// Where its leaves begin in the order.
+        /// </summary>
+        public uint first_leaf;
+        /// <summary>
+        /// Number of its leaves, those of its children included.
+        /// </summary>
+        public uint n_leaves;
+        /// <summary>
+        /// Number of leaves that are in no child: the first ones of its leaves.
+        /// </summary>
+        public uint n_own;
+        /// <summary>
+        /// The first of its children; the others follow it.
+        /// </summary>
+        public uint first_child;
+        /// <summary>
+        /// Number of its children.
+        /// </summary>
+        public uint n_children;
+        /// <summary>
+        /// Its middle in metres.
+        /// </summary>
+        public fixed float center[3];
+        /// <summary>
+        /// Half its sides in metres, along its own axes; none is 0.
+        /// </summary>
+        public fixed float half[3];
+        /// <summary>
+        /// Quaternion x, y, z, w that turns its own axes into those of the tree: x to the left of the branch, y along it,
+        /// z up.
+        /// </summary>
+        public fixed float turn[4];
+    }
+
+    /// <summary>
+    /// A rectangle on which the leaves of a box are projected. The unit vectors are at right angles to each other.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_card_plane
+    {
+        /// <summary>
+        /// Its middle, that of the box, in metres.
+        /// </summary>
+        public fixed float center[3];
+        /// <summary>
+        /// Unit vector to the right of the picture: along the diagonal of a side of the box.
+        /// </summary>
+        public fixed float right[3];
+        /// <summary>
+        /// Unit vector up the picture: along an axis of the box.
+        /// </summary>
+        public fixed float up[3];
+        /// <summary>
+        /// Unit normal, to the viewer.
+        /// </summary>
+        public fixed float normal[3];
+        /// <summary>
+        /// Half its width and half its height in metres.
+        /// </summary>
+        public fixed float half[2];
+        /// <summary>
+        /// Half the depth of the box across the plane, in metres.
+        /// </summary>
+        public float reach;
+    }
+
+    /// <summary>
+    /// How leaves are projected onto planes. Begin with `tree_card_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_card_params
+    {
+        /// <summary>
+        /// `sizeof(tree_card_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Side of a picture in texels, gutters included, 16 to 1024. Default 64.
+        /// </summary>
+        public uint size;
+        /// <summary>
+        /// Samples of a texel in each direction, 1 to 8. Default 4.
+        /// </summary>
+        public uint samples;
+        /// <summary>
+        /// Texels around each picture that repeat what is at its edge, 1 to 8 and at most a quarter of `size`: so that
+        /// filters do not mix pictures. Default 1.
+        /// </summary>
+        public uint gutter;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What was baked.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_cards_report
+    {
+        /// <summary>
+        /// `sizeof(tree_cards_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of boxes.
+        /// </summary>
+        public UIntPtr n_boxes;
+        /// <summary>
+        /// Number of pictures: six for each box.
+        /// </summary>
+        public UIntPtr n_images;
+        /// <summary>
+        /// Texels of all pictures.
+        /// </summary>
+        public ulong texels;
+        /// <summary>
+        /// Bytes of both atlases, as they are in memory.
+        /// </summary>
+        public UIntPtr bytes;
+        /// <summary>
+        /// Pictures in which nothing covers half a texel.
+        /// </summary>
+        public UIntPtr empty;
+        /// <summary>
+        /// Side of a picture in texels, gutters included.
+        /// </summary>
+        public uint size;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of a picture's pixels.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pixels
+    {
+        /// <summary>
+        /// `sizeof(tree_pixels)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Four bytes for each pixel (red, green, blue, alpha), rows from top to bottom.
+        /// </summary>
+        public byte* pixels;
+        /// <summary>
+        /// Number of bytes: `4 * width * height`.
+        /// </summary>
+        public UIntPtr n_bytes;
+    }
+
+    /// <summary>
+    /// Size, quality and camera of a picture. Begin with `tree_view_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_view
+    {
+        /// <summary>
+        /// `sizeof(tree_view)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Width in pixels, 1 to 16,384. Default 1024.
+        /// </summary>
+        public uint width;
+        /// <summary>
+        /// Height in pixels, 1 to 16,384. Default 1024.
+        /// </summary>
+        public uint height;
+        /// <summary>
+        /// Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
+        /// </summary>
+        public uint samples;
+        /// <summary>
+        /// How the camera is placed. Default `TREE_CAMERA_FRAMED`.
+        /// </summary>
+        public uint camera; // tree_camera
+        /// <summary>
+        /// How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
+        /// </summary>
+        public uint lens; // tree_lens
+        /// <summary>
+        /// Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
+        /// </summary>
+        public float fov;
+        /// <summary>
+        /// Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
+        /// quarter turn on +X. Finite; default 0.6.
+        /// </summary>
+        public float yaw;
+        /// <summary>
+        /// Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
+        /// Default 0.09.
+        /// </summary>
+        public float pitch;
+        /// <summary>
+        /// Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
+        /// </summary>
+        public float margin;
+        /// <summary>
+        /// Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
+        /// </summary>
+        public float lens_height;
+        /// <summary>
+        /// Placed: where the camera stands, in metres. Default 0, 0, 0.
+        /// </summary>
+        public fixed float eye[3];
+        /// <summary>
+        /// Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
+        /// </summary>
+        public fixed float target[3];
+        /// <summary>
+        /// Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
+        /// </summary>
+        public fixed float up[3];
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a glTF file is written. Begin with `tree_glb_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_glb_options
+    {
+        /// <summary>
+        /// `sizeof(tree_glb_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
+        /// them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
+        /// for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
+        /// length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
+        /// Default 0.
+        /// </summary>
+        public uint quantize;
+        /// <summary>
+        /// Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
+        /// know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
+        /// look into it.
+        /// </summary>
+        public uint translucency;
+        /// <summary>
+        /// What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
+        /// </summary>
+        public uint occlusion; // tree_gltf_occlusion
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// When boxes are opened. Begin with `tree_card_choose_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_card_choose_params
+    {
+        /// <summary>
+        /// `sizeof(tree_card_choose_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Pixels that a texel may cover before its box is opened, 0.01 to 100. Less is sharper and heavier. Default 1.
+        /// </summary>
+        public float texel_pixels;
+        /// <summary>
+        /// How much further, relatively, a box must be before it is closed again, 0 to 1: so that a camera that trembles
+        /// does not make leaves flicker. Default 0.1.
+        /// </summary>
+        public float hysteresis;
+    }
+
+    /// <summary>
+    /// How much is drawn.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_card_choice_report
+    {
+        /// <summary>
+        /// `sizeof(tree_card_choice_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Boxes drawn by their planes.
+        /// </summary>
+        public UIntPtr n_boxes;
+        /// <summary>
+        /// Ranges of leaves drawn as geometry.
+        /// </summary>
+        public UIntPtr n_ranges;
+        /// <summary>
+        /// Leaves in these.
+        /// </summary>
+        public UIntPtr n_leaves;
+    }
+
+    /// <summary>
+    /// Leaves one after another in the order that `tree_leaf_boxes_order` tells.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_range
+    {
+        /// <summary>
+        /// The first row.
+        /// </summary>
+        public uint first;
+        /// <summary>
+        /// Number of rows.
+        /// </summary>
+        public uint n_leaves;
+    }
+
+    /// <summary>
+    /// A view, and how much of it is seen.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_octahedral_frame
+    {
+        /// <summary>
+        /// Its column in the pictures.
+        /// </summary>
+        public uint column;
+        /// <summary>
+        /// Its row, from the top.
+        /// </summary>
+        public uint row;
+        /// <summary>
+        /// Its weight, 0 to 1.
+        /// </summary>
+        public float weight;
+    }
+
+    /// <summary>
+    /// How a whole tree is baked. Begin with `tree_octahedral_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_octahedral_params
+    {
+        /// <summary>
+        /// `sizeof(tree_octahedral_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Views along each side of the square of directions, 2 to 64. Default 12: 144 views.
+        /// </summary>
+        public uint grid;
+        /// <summary>
+        /// Whether only views from the horizon up are baked, which halves the angle between them. Default 1.
+        /// </summary>
+        public uint hemi;
+        /// <summary>
+        /// Side of the pictures in texels, 64 to 16,384, at least 16 for each view. Default 2048.
+        /// </summary>
+        public uint side;
+        /// <summary>
+        /// Samples of a texel in each direction, 1 to 8. Default 4.
+        /// </summary>
+        public uint samples;
+        /// <summary>
+        /// Empty texels around each view, 1 to 8 and at most a quarter of a view: so that filters do not mix views.
+        /// Default 2.
+        /// </summary>
+        public uint gutter;
+        /// <summary>
+        /// Whether the picture of normals and depths has half the side. Memory goes from 33.6 MB to 21 MB at the default
+        /// side, at some loss of quality. Default 0.
+        /// </summary>
+        public uint half_detail;
+    }
+
+    /// <summary>
+    /// What was baked.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_octahedral_report
+    {
+        /// <summary>
+        /// `sizeof(tree_octahedral_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of views.
+        /// </summary>
+        public UIntPtr n_views;
+        /// <summary>
+        /// Triangles drawn in each.
+        /// </summary>
+        public UIntPtr n_triangles;
+        /// <summary>
+        /// Texels covered at least by half, of all views.
+        /// </summary>
+        public ulong covered;
+        /// <summary>
+        /// Bytes of both pictures, as they are in memory.
+        /// </summary>
+        public UIntPtr bytes;
+    }
+
+    /// <summary>
+    /// Numbers that go with the two pictures of an octahedral impostor: what a shader needs to know. Set `struct_size` first.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_octahedral_meta
+    {
+        /// <summary>
+        /// `sizeof(tree_octahedral_meta)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Views along each side of the square of directions, 2 to 64.
+        /// </summary>
+        public uint grid;
+        /// <summary>
+        /// Whether only the upper hemisphere is there.
+        /// </summary>
+        public uint hemi;
+        /// <summary>
+        /// Side of the picture of colours in texels.
+        /// </summary>
+        public uint side;
+        /// <summary>
+        /// Side of a view in texels of the picture of colours, gutter included. View (column, row) begins at
+        /// (column, row) * tile.
+        /// </summary>
+        public uint tile;
+        /// <summary>
+        /// Side of the picture of normals and depths: `side`, or half of it.
+        /// </summary>
+        public uint detail_side;
+        /// <summary>
+        /// Middle of the tree in metres.
+        /// </summary>
+        public fixed float center[3];
+        /// <summary>
+        /// Radius of the ball around it in metres. Depths go from minus this to it, towards the viewer.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Radius in metres of the upright cylinder around it, and a gutter more.
+        /// </summary>
+        public float wide;
+        /// <summary>
+        /// Half the height in metres of that cylinder, and a gutter more.
+        /// </summary>
+        public float high;
+        /// <summary>
+        /// Metres of a texel: the largest of any view. It follows from the others, and is not read.
+        /// </summary>
+        public float texel;
+    }
+
+    /// <summary>
     /// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
     /// `tree_mesh_params_init`.
     /// </summary>
@@ -1979,44 +2577,6 @@ namespace TreeFamily.Native
         /// One for each instance: the branch of the base mesh that bears it.
         /// </summary>
         public uint* branches;
-    }
-
-    /// <summary>
-    /// How a glTF file is written. Begin with `tree_glb_options_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_glb_options
-    {
-        /// <summary>
-        /// `sizeof(tree_glb_options)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
-        /// </summary>
-        public tree_str name;
-        /// <summary>
-        /// Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
-        /// them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
-        /// for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
-        /// length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
-        /// Default 0.
-        /// </summary>
-        public uint quantize;
-        /// <summary>
-        /// Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
-        /// know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
-        /// look into it.
-        /// </summary>
-        public uint translucency;
-        /// <summary>
-        /// What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
-        /// </summary>
-        public uint occlusion; // tree_gltf_occlusion
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
     }
 
     /// <summary>
@@ -2378,76 +2938,6 @@ namespace TreeFamily.Native
         /// Vertices of the triangles, counter-clockwise seen from outside.
         /// </summary>
         public uint* indices;
-    }
-
-    /// <summary>
-    /// Size, quality and camera of a picture. Begin with `tree_view_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_view
-    {
-        /// <summary>
-        /// `sizeof(tree_view)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Width in pixels, 1 to 16,384. Default 1024.
-        /// </summary>
-        public uint width;
-        /// <summary>
-        /// Height in pixels, 1 to 16,384. Default 1024.
-        /// </summary>
-        public uint height;
-        /// <summary>
-        /// Samples per pixel in each direction, 1 (jagged) to 4. Cost grows with the square; default 2.
-        /// </summary>
-        public uint samples;
-        /// <summary>
-        /// How the camera is placed. Default `TREE_CAMERA_FRAMED`.
-        /// </summary>
-        public uint camera; // tree_camera
-        /// <summary>
-        /// How the camera projects. Default `TREE_LENS_PERSPECTIVE`.
-        /// </summary>
-        public uint lens; // tree_lens
-        /// <summary>
-        /// Perspective: vertical field of view in radians, 0.017 to 2.8. Default 0.6, a portrait lens.
-        /// </summary>
-        public float fov;
-        /// <summary>
-        /// Framed: where the camera stands around the trunk, in radians: 0 on +Z (looking along -Z), a
-        /// quarter turn on +X. Finite; default 0.6.
-        /// </summary>
-        public float yaw;
-        /// <summary>
-        /// Framed: how far the camera looks down, in radians, -pi/2 (from below) to pi/2 (from above).
-        /// Default 0.09.
-        /// </summary>
-        public float pitch;
-        /// <summary>
-        /// Framed: empty share of the picture on each side, 0 to 0.45. Default 0.06.
-        /// </summary>
-        public float margin;
-        /// <summary>
-        /// Placed and orthographic: height of the picture in metres, more than 0. Default 0: set it.
-        /// </summary>
-        public float lens_height;
-        /// <summary>
-        /// Placed: where the camera stands, in metres. Default 0, 0, 0.
-        /// </summary>
-        public fixed float eye[3];
-        /// <summary>
-        /// Placed: what is in the middle of the picture. Default 0, 0, 0: set it.
-        /// </summary>
-        public fixed float target[3];
-        /// <summary>
-        /// Placed: which way is up; must not be parallel to the line of sight. Default 0, 1, 0.
-        /// </summary>
-        public fixed float up[3];
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
     }
 
     /// <summary>
@@ -5050,43 +5540,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// Leaves in columns, a row for each blade (leaflet, needle): as input, or as a view of a tree's.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_foliage
-    {
-        /// <summary>
-        /// `sizeof(tree_foliage)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Number of rows.
-        /// </summary>
-        public UIntPtr n_leaves;
-        /// <summary>
-        /// One for each leaf: the skeleton's node that bears it.
-        /// </summary>
-        public uint* nodes;
-        /// <summary>
-        /// Three floats for each leaf: the base of the blade, in metres.
-        /// </summary>
-        public float* positions;
-        /// <summary>
-        /// Four floats for each leaf: the quaternion x, y, z, w that turns the leaf's own frame (midrib
-        /// along +Y, upper face to +Z) into the tree's.
-        /// </summary>
-        public float* rotations;
-        /// <summary>
-        /// One for each leaf: length from base to apex in metres, 0 or more.
-        /// </summary>
-        public float* sizes;
-        /// <summary>
-        /// One for each leaf: its kind, an index into the species' leaf kinds.
-        /// </summary>
-        public ushort* kinds;
-    }
-
-    /// <summary>
     /// How much of a stream has arrived.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -7448,34 +7901,6 @@ namespace TreeFamily.Native
         /// Width of the soft step around the threshold, 0 (hard) to 2. Default 0.15.
         /// </summary>
         public float softness;
-    }
-
-    /// <summary>
-    /// A view of a picture's pixels.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_pixels
-    {
-        /// <summary>
-        /// `sizeof(tree_pixels)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Width in pixels.
-        /// </summary>
-        public uint width;
-        /// <summary>
-        /// Height in pixels.
-        /// </summary>
-        public uint height;
-        /// <summary>
-        /// Four bytes for each pixel (red, green, blue, alpha), rows from top to bottom.
-        /// </summary>
-        public byte* pixels;
-        /// <summary>
-        /// Number of bytes: `4 * width * height`.
-        /// </summary>
-        public UIntPtr n_bytes;
     }
 
     /// <summary>
@@ -10913,6 +11338,10 @@ namespace TreeFamily.Native
         /// arrive. `tree_multi_mesh_new` draws it, `tree_multi_mesh_draws` says how much of each index buffer a level draws, and
         /// `tree_grow_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
         /// `tree_multi_chain_new`.
+        /// Impostors: `tree_leaf_bearers_of_tree` says which branch carries each leaf (elements of `TREE_GRAIN_LEAF`),
+        /// `tree_leaf_boxes_along` finds boxes along the branches, `tree_cards_bake` pictures of their leaves.
+        /// `tree_cards_pixels` and `tree_cards_mesh` are uploaded; in each frame `tree_card_choice_update` says which boxes,
+        /// and which leaves, are drawn, with `tree_cards_shader`. From afar a whole tree is a `tree_octahedral_bake`.
         ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
@@ -10922,8 +11351,8 @@ namespace TreeFamily.Native
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
         /// its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state` and `tree_stream_reader`: one
-        /// thread at a time.
+        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice` and
+        /// `tree_stream_reader`: one thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -11273,6 +11702,27 @@ namespace TreeFamily.Native
         /// A chain of modules: each ends, and its topmost lateral takes over. Linden, elm, beech.
         /// </summary>
         public const int TREE_BRANCHING_SYMPODIAL = 1;
+
+        /// <summary>
+        /// Parent of the box of the whole tree: no box.
+        /// </summary>
+        public const uint TREE_NO_BOX = 4294967295;
+
+        /// <summary>
+        /// sRGB colour of the surface without light, and alpha: the covered share of each texel.
+        /// </summary>
+        public const int TREE_IMPOSTOR_COLOR = 0;
+
+        /// <summary>
+        /// Normal in the space of the tree, -1 to 1 as 0 to 255, and in alpha the depth. These are numbers, not colours: upload
+        /// them without sRGB.
+        /// </summary>
+        public const int TREE_IMPOSTOR_DETAIL = 1;
+
+        /// <summary>
+        /// Planes of a box.
+        /// </summary>
+        public const int TREE_CARD_PLANES = 6;
 
         /// <summary>
         /// As the attribute `_OCCLUSION`, which only shaders that know it use.
@@ -13079,6 +13529,438 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_twig_params_check(tree_twig_params* @params);
+
+        /// <summary>
+        /// Writes the node of the tree's skeleton that carries each element, leaf by leaf, exactly: for a mesh that was built
+        /// of this tree. `elements` must be whole leaves (`TREE_GRAIN_LEAF`). `bearers` has room for `capacity` numbers, at least
+        /// one for each element. `TREE_ERROR_INVALID` when mesh and tree have different numbers of leaves.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_bearers_of_tree(tree_tree* tree, tree_mesh* mesh, tree_elements* elements, uint* bearers, UIntPtr capacity);
+
+        /// <summary>
+        /// Writes the nearest node of the skeleton to the middle of each element: for meshes whose leaves are not known to a
+        /// tree. `bearers` has room for `capacity` numbers, at least one for each element. `control` may be NULL.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_bearers_nearest(tree_skeleton* skeleton, tree_elements* elements, tree_control* control, uint* bearers, UIntPtr capacity);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_box_params_init(tree_leaf_box_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_box_params_check(tree_leaf_box_params* @params);
+
+        /// <summary>
+        /// Finds the boxes of a tree. `elements` are its leaves, `bearers` the node of the skeleton that carries each of the
+        /// `n_bearers` elements, as `tree_leaf_bearers_of_tree` or `tree_leaf_bearers_nearest` finds it. `params` and `control`
+        /// may be NULL, `report` when it is not wanted. Progress is told in the stage `boxes`. Free the boxes with
+        /// `tree_leaf_boxes_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when there is not one bearer for each element, a bearer does not exist, the elements are of
+        /// another mesh, or all leaves are one point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_boxes_along(tree_skeleton* skeleton, tree_mesh* mesh, tree_elements* elements, uint* bearers, UIntPtr n_bearers, tree_leaf_box_params* @params, tree_control* control, tree_leaf_boxes_report* report, tree_leaf_boxes** boxes);
+
+        /// <summary>
+        /// Tells how many boxes there are, and what became of the leaves. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_boxes_measure(tree_leaf_boxes* boxes, tree_leaf_boxes_report* report);
+
+        /// <summary>
+        /// Tells what box `number` is; 0 is the whole tree. Set `leaf_box-&gt;struct_size` first. `TREE_ERROR_PARAMETER` when there
+        /// is no such box.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_boxes_get(tree_leaf_boxes* boxes, uint number, tree_leaf_box* leaf_box);
+
+        /// <summary>
+        /// The numbers of all leaves (elements), in the order in which those of every box are one range: `n_leaves` of them,
+        /// from `order` on. They stay for as long as the boxes do.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_boxes_order(tree_leaf_boxes* boxes, uint** order, UIntPtr* n_leaves);
+
+        /// <summary>
+        /// Distance in metres from `point`, three floats, to box `number`; 0 inside. `TREE_ERROR_PARAMETER` when there is no
+        /// such box.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_boxes_distance(tree_leaf_boxes* boxes, uint number, float* point, float* metres);
+
+        /// <summary>
+        /// Writes the six planes of box `number`, two for each of its axes, which lies in both: plane 2k holds axis k and the
+        /// diagonal of the next two axes, plane 2k + 1 the other diagonal. `planes` has room for `capacity` of them.
+        /// `TREE_ERROR_PARAMETER` when there is no such box.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_boxes_planes(tree_leaf_boxes* boxes, uint number, tree_card_plane* planes, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees boxes, and with them all views of their order.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_leaf_boxes_free(tree_leaf_boxes* boxes);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_params_init(tree_card_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_params_check(tree_card_params* @params);
+
+        /// <summary>
+        /// Projects the leaves of every box onto its planes. `boxes`, which are copied, are those of `elements` of `mesh`.
+        /// `params` and `control` may be NULL, `report` when it is not wanted. Progress is told in the stage `cards`. The same
+        /// input gives the same bytes for any number of threads. Free the cards with `tree_cards_free`.
+        ///
+        /// `TREE_ERROR_PARAMETER` also when the atlas would be wider than 16,384 texels, `TREE_ERROR_INVALID` when boxes,
+        /// elements and mesh do not belong together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_bake(tree_mesh* mesh, tree_elements* elements, tree_leaf_boxes* boxes, tree_card_params* @params, tree_control* control, tree_cards_report* report, tree_cards** cards);
+
+        /// <summary>
+        /// Tells what was baked. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_measure(tree_cards* cards, tree_cards_report* report);
+
+        /// <summary>
+        /// The boxes of cards, nothing copied. Free them with `tree_leaf_boxes_free`; they keep the cards alive.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_boxes(tree_cards* cards, tree_leaf_boxes** boxes);
+
+        /// <summary>
+        /// Metres of a texel of the pictures of box `number`: the largest of its planes. `TREE_ERROR_INVALID` when there is no
+        /// such box.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_texel(tree_cards* cards, uint number, float* metres);
+
+        /// <summary>
+        /// Views the pixels of an atlas, nothing copied. `map` is a `TREE_IMPOSTOR_` constant; the depth of
+        /// `TREE_IMPOSTOR_DETAIL` goes from minus the `reach` of the plane to it, on the side that its normal points to. Set
+        /// `pixels-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_pixels(tree_cards* cards, uint map, tree_pixels* pixels);
+
+        /// <summary>
+        /// A copy of an atlas, for `tree_picture_write_png`, `tree_picture_to_png` and `tree_mips_of_picture`. `map` is a
+        /// `TREE_IMPOSTOR_` constant. `control` may be NULL. Free the picture with `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_picture(tree_cards* cards, uint map, tree_control* control, tree_picture** picture);
+
+        /// <summary>
+        /// Frees cards, and with them all views of their pixels. Boxes and meshes made of them stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_free(tree_cards* cards);
+
+        /// <summary>
+        /// The planes of `n_boxes` boxes as a mesh, six squares of four vertices each, with the atlas as their texture: alpha is
+        /// tested against one half, both sides are drawn. Without the shader (`tree_cards_shader`) all six planes of a box are
+        /// drawn at once, which covers more than the leaves do. At most 65,536 boxes; `control` may be NULL. Free the mesh with
+        /// `tree_mesh_free`. `TREE_ERROR_INVALID` when there is no such box.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_mesh(tree_cards* cards, uint* boxes, UIntPtr n_boxes, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// What a camera sees of `n_boxes` boxes, at most 65,536, by one sample for each pixel: sRGB colour without light, alpha
+        /// 0 or 255. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
+        /// (`tree_view_place` helps). `control` may be NULL. Free the picture with `tree_picture_free`.
+        ///
+        /// `TREE_ERROR_INVALID` for a framed camera, a box that does not exist, or an eye in the middle of a box.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_view(tree_cards* cards, uint* boxes, UIntPtr n_boxes, tree_view* view, tree_control* control, tree_picture** picture);
+
+        /// <summary>
+        /// The planes of `n_boxes` boxes as a GLB file in memory: as `tree_cards_mesh`, and what the shader needs, four floats for
+        /// each vertex: `_TREE_CENTER` (middle of the box in metres, number of the plane), `_TREE_HALF` (half its sides in
+        /// metres, its number) and `_TREE_TURN` (the quaternion that turns its axes into those of the tree). `options` and
+        /// `control` may be NULL, as in `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_PARAMETER` for
+        /// `quantize`: shaders need positions in metres.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_to_glb(tree_cards* cards, uint* boxes, UIntPtr n_boxes, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_cards_to_glb`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_write_glb(tree_cards* cards, uint* boxes, UIntPtr n_boxes, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// The functions that weigh planes in a shader, as `tree_card_weights` does it: text to be put into your own. It tells what
+        /// they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_shader(uint language, tree_str* text);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choose_params_init(tree_card_choose_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choose_params_check(tree_card_choose_params* @params);
+
+        /// <summary>
+        /// Makes a choice for one instance of a tree with these cards, with room for all there can ever be and all boxes
+        /// closed. It does not keep the cards alive. Free it with `tree_card_choice_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choice_new(tree_cards* cards, tree_card_choice** choice);
+
+        /// <summary>
+        /// Chooses for a frame: from the box of the whole tree down, where a texel would be larger than a pixel, the children are
+        /// drawn instead, and the box's own leaves as geometry. Every leaf is in one box or one range. It takes no memory.
+        ///
+        /// `eye` is three floats, in metres in the space of the tree, -1e9 to 1e9. `pixels_per_metre` is how many pixels something
+        /// of a metre covers at a distance of a metre: height in pixels / (2 tan(fov / 2)), times the scale of the instance;
+        /// above 0, at most 1e9. `params` may be NULL, `report` when it is not wanted.
+        ///
+        /// `TREE_ERROR_PARAMETER` for numbers out of range, `TREE_ERROR_INVALID` when the choice was made for other cards. The
+        /// choice is left as it was then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choice_update(tree_card_choice* choice, tree_cards* cards, float* eye, float pixels_per_metre, tree_card_choose_params* @params, tree_card_choice_report* report);
+
+        /// <summary>
+        /// Tells how much is drawn since the last update. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choice_measure(tree_card_choice* choice, tree_card_choice_report* report);
+
+        /// <summary>
+        /// Writes the numbers of the boxes that are drawn by their planes. `boxes` has room for `capacity` numbers, at least
+        /// `n_boxes` of the report; as many as there are boxes are always enough.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choice_boxes(tree_card_choice* choice, uint* boxes, UIntPtr capacity);
+
+        /// <summary>
+        /// Writes the ranges of leaves that are drawn as geometry, rising, neighbours joined. `ranges` has room for `capacity` of
+        /// them, at least `n_ranges` of the report; as many as there are boxes are always enough.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choice_ranges(tree_card_choice* choice, tree_leaf_range* ranges, UIntPtr capacity);
+
+        /// <summary>
+        /// Frees a choice.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_choice_free(tree_card_choice* choice);
+
+        /// <summary>
+        /// The place on the unit square of `direction`, three floats to the viewer, of any length. With `hemi`, directions below
+        /// the horizon are brought up to it. `TREE_ERROR_PARAMETER` for a direction that is zero or not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_encode(float* direction, uint hemi, float* place);
+
+        /// <summary>
+        /// The unit direction of `place`, two floats on the unit square: the inverse of `tree_octahedral_encode`.
+        /// `TREE_ERROR_PARAMETER` for a place outside the square.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_decode(float* place, uint hemi, float* direction);
+
+        /// <summary>
+        /// Writes the three views around `direction`, three floats to the viewer, and their weights, which sum to 1 and change
+        /// continuously. `grid` and `hemi` are those of the impostor; `frames` has room for `capacity` views, at least 3.
+        /// `TREE_ERROR_PARAMETER` for a grid that is not 2 to 64, or a direction that is zero or not finite.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_frames(float* direction, uint grid, uint hemi, tree_octahedral_frame* frames, UIntPtr capacity);
+
+        /// <summary>
+        /// Where a view was taken from: unit vectors to the right of the picture, up it, and to the viewer. Up is as near to +Y
+        /// as it can be; seen from straight above or below, right is +X. `TREE_ERROR_PARAMETER` for a grid that is not 2 to 64,
+        /// or a column or row that it lacks.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_axes(uint column, uint row, uint grid, uint hemi, float* right, float* up, float* toward);
+
+        /// <summary>
+        /// A picture and its smaller levels, each half as wide and high (rounded down, at least 1): at most `most` in all, and at
+        /// least the picture itself. Colours are means in linear light, weighted by alpha. Alpha is the mean, scaled so
+        /// that the share of texels that pass a test against one half stays as in the first level: leaves do not vanish from
+        /// afar. It is for colours, not for `TREE_IMPOSTOR_DETAIL`. `control` may be NULL; `pixels` of its limits caps twice
+        /// those of the picture. Free the levels with `tree_mips_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mips_of_picture(tree_picture* picture, UIntPtr most, tree_control* control, tree_mips** mips);
+
+        /// <summary>
+        /// Number of levels.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mips_count(tree_mips* mips, UIntPtr* n_levels);
+
+        /// <summary>
+        /// Views the pixels of level `number`; 0 is the picture itself. Set `pixels-&gt;struct_size` first.
+        /// `TREE_ERROR_PARAMETER` when there is no such level.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mips_view(tree_mips* mips, UIntPtr number, tree_pixels* pixels);
+
+        /// <summary>
+        /// Frees levels, and with them all views of them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mips_free(tree_mips* mips);
+
+        /// <summary>
+        /// Bakes all of a mesh, leaves and wood. `params` and `control` may be NULL, `report` when it is not wanted. Progress is
+        /// told in the stage `views`. The same input gives the same bytes for any number of threads. Free the impostor with
+        /// `tree_octahedral_free`.
+        ///
+        /// `TREE_ERROR_INVALID` when nothing of the mesh can be seen or all of it is one point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_bake(tree_mesh* mesh, tree_octahedral_params* @params, tree_control* control, tree_octahedral_report* report, tree_octahedral** octahedral);
+
+        /// <summary>
+        /// An impostor that was baked before: its numbers and its two pictures, which are copied. `control` may be NULL; `pixels`
+        /// of its limits caps those of both. What `tree_octahedral_measure` tells of it is 0, but for the bytes. Free it with
+        /// `tree_octahedral_free`. `TREE_ERROR_PARAMETER` or `TREE_ERROR_INVALID` when the parts do not fit each other.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_from_pictures(tree_octahedral_meta* meta, tree_picture* color, tree_picture* detail, tree_control* control, tree_octahedral** octahedral);
+
+        /// <summary>
+        /// Tells what was baked. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_measure(tree_octahedral* octahedral, tree_octahedral_report* report);
+
+        /// <summary>
+        /// The numbers that go with the pictures. Set `meta-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_describe(tree_octahedral* octahedral, tree_octahedral_meta* meta);
+
+        /// <summary>
+        /// The numbers that go with the pictures as JSON, to be stored beside them; they are read as the same bits. Free the
+        /// bytes with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_to_json(tree_octahedral* octahedral, tree_bytes** bytes);
+
+        /// <summary>
+        /// Views the pixels of one of the two pictures, nothing copied. `map` is a `TREE_IMPOSTOR_` constant; the depth of
+        /// `TREE_IMPOSTOR_DETAIL` goes from minus the `radius` to it, towards the viewer. Set `pixels-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_pixels(tree_octahedral* octahedral, uint map, tree_pixels* pixels);
+
+        /// <summary>
+        /// A copy of one of the two pictures, for `tree_picture_write_png`, `tree_picture_to_png` and `tree_mips_of_picture`.
+        /// `map` is a `TREE_IMPOSTOR_` constant. `control` may be NULL. Free the picture with `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_picture(tree_octahedral* octahedral, uint map, tree_control* control, tree_picture** picture);
+
+        /// <summary>
+        /// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against one half or
+        /// blended. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
+        /// (`tree_view_place` helps); for a framed one `TREE_ERROR_INVALID`. `control` may be NULL. Free the picture with
+        /// `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_view(tree_octahedral* octahedral, tree_view* view, tree_control* control, tree_picture** picture);
+
+        /// <summary>
+        /// Alpha alone, as `tree_octahedral_view`. Free the mask with `tree_mask_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_mask(tree_octahedral* octahedral, tree_view* view, tree_control* control, tree_mask** mask);
+
+        /// <summary>
+        /// The functions that draw an octahedral impostor in a shader, as `tree_octahedral_view` does it: text to be put into your
+        /// own. It tells what they take and where it comes from. `language` is a `TREE_SHADER_` constant. The text is never
+        /// freed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_shader(uint language, tree_str* text);
+
+        /// <summary>
+        /// Frees an impostor, and with it all views of its pixels.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_free(tree_octahedral* octahedral);
+
+        /// <summary>
+        /// Checks that the numbers fit each other: `TREE_ERROR_PARAMETER` names the first that is out of range,
+        /// `TREE_ERROR_INVALID` says what is wrong with `detail_side`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_meta_check(tree_octahedral_meta* meta);
+
+        /// <summary>
+        /// Half width and half height in metres of a view whose direction to the viewer, of unit length, has this `y`, and half
+        /// the depth of the tree in it: what the cylinder around it fills.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_meta_extent(tree_octahedral_meta* meta, float y, float* half, float* reach);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_params_init(tree_octahedral_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params`; `TREE_ERROR_PARAMETER` names the first that is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_octahedral_params_check(tree_octahedral_params* @params);
+
+        /// <summary>
+        /// The weights of the six planes of a box: `half` is three floats, half its sides, `direction` three floats, to the viewer
+        /// along the box's own axes (turned by the inverse of its `turn`), of any length. They sum to 1 and change
+        /// continuously; a plane seen edge-on has none. `TREE_ERROR_INVALID` for a direction that is zero or not finite, or half
+        /// sides that are not all above 0.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_weights(float* half, float* direction, float* weights);
+
+        /// <summary>
+        /// The part of 0 to 1 that belongs to a plane, 0 to 5, given the six `weights`: as long as its weight, after those of the
+        /// planes before it. A pixel draws the plane in whose interval its `tree_card_noise` lies.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_interval(float* weights, uint plane, float* interval);
+
+        /// <summary>
+        /// A pattern over pixels, 0 to 1, nearly even in each neighbourhood of 3 by 3: `pixel` is two floats, its middle as a
+        /// shader is told it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_card_noise(float* pixel, float* share);
 
         /// <summary>
         /// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map

@@ -186,6 +186,19 @@ const MAKERS: &[(&str, &str)] = &[
         "tree_turtle_trace",
         "tree_word_interpret(live_tree_word(), NULL, NULL, NULL, &made, other_tree())",
     ),
+    (
+        "tree_leaf_boxes",
+        "tree_leaf_boxes_along(live_tree_skeleton(), live_tree_mesh(), live_tree_elements(), \
+         some_bearers, n_elements(), NULL, NULL, NULL, &made)",
+    ),
+    (
+        "tree_cards",
+        "tree_cards_bake(live_tree_mesh(), live_tree_elements(), live_tree_leaf_boxes(), small_cards(), NULL, \
+         NULL, &made)",
+    ),
+    ("tree_card_choice", "tree_card_choice_new(live_tree_cards(), &made)"),
+    ("tree_mips", "tree_mips_of_picture(live_tree_picture(), 2, NULL, &made)"),
+    ("tree_octahedral", "tree_octahedral_bake(live_tree_mesh(), few_frames(), NULL, NULL, &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

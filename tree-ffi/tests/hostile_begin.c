@@ -328,6 +328,31 @@ static const tree_lod_subject *one_subject(void) {
 
 /* A small grammar, with a symbol that says nothing to the turtle. */
 static const char a_bush[] = "steps: 3\naxiom: F[+A(1)]Q\nA(l) : l > 0.1 -> F(l)[+A(l/2)]A(l/2)";
+/* Leaves that are all carried by the root, and small pictures of them. */
+static const uint32_t some_bearers[64];
+
+static size_t n_elements(void) {
+    tree_elements_columns columns = {.struct_size = sizeof columns};
+    must(tree_elements_view(live_tree_elements(), &columns));
+    return columns.n_elements;
+}
+
+static const tree_card_params *small_cards(void) {
+    static tree_card_params params;
+    must(tree_card_params_init(&params, sizeof params));
+    params.size = 16;
+    params.samples = 1;
+    return &params;
+}
+
+static const tree_octahedral_params *few_frames(void) {
+    static tree_octahedral_params params;
+    must(tree_octahedral_params_init(&params, sizeof params));
+    params.grid = 2;
+    params.side = 64;
+    params.samples = 1;
+    return &params;
+}
 
 /* Foreign kinds. */
 static tree_cancel *a_switch;

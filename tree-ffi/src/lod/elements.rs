@@ -35,7 +35,7 @@ impl Handle for tree_elements {
 }
 
 impl tree_elements {
-    pub(super) fn rust(&self) -> &Elements {
+    pub(crate) fn rust(&self) -> &Elements {
         &self.0
     }
 }

@@ -22,7 +22,7 @@ mod select_model;
 mod select_write;
 mod subject;
 mod table;
-mod take;
+pub(crate) mod take;
 mod tiers;
 mod views;
 

@@ -16,7 +16,7 @@ const CHUNK: usize = 1 << 12;
 ///
 /// # Safety
 /// As [`slice`].
-pub(super) unsafe fn few<'a, T: AnyBitPattern>(
+pub(crate) unsafe fn few<'a, T: AnyBitPattern>(
     first: *const T,
     n: usize,
     most: usize,
@@ -50,7 +50,7 @@ pub(super) unsafe fn ask<R: Send>(
 }
 
 /// Looks at a buffer before the work whose result goes there, so that no work is done in vain.
-pub(super) fn room_for(needed: usize, capacity: usize, argument: &str) -> Result<()> {
+pub(crate) fn room_for(needed: usize, capacity: usize, argument: &str) -> Result<()> {
     if needed <= capacity {
         return Ok(());
     }
@@ -62,7 +62,7 @@ pub(super) fn room_for(needed: usize, capacity: usize, argument: &str) -> Result
 ///
 /// # Safety
 /// As [`fill`].
-pub(super) unsafe fn fill_some<T: Copy>(
+pub(crate) unsafe fn fill_some<T: Copy>(
     first: *mut T,
     capacity: usize,
     values: &[T],
@@ -91,7 +91,7 @@ pub(super) unsafe fn fill_points(
 ///
 /// # Safety
 /// `first` is NULL or has room for `capacity` values that nobody else looks at for `'a`.
-pub(super) unsafe fn buffer<'a, T: AnyBitPattern + NoUninit>(
+pub(crate) unsafe fn buffer<'a, T: AnyBitPattern + NoUninit>(
     first: *mut T,
     capacity: usize,
     argument: &str,

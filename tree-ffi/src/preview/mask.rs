@@ -13,7 +13,7 @@ impl Handle for tree_mask {
 }
 
 impl tree_mask {
-    pub(super) fn new(mask: Mask) -> Self {
+    pub(crate) fn new(mask: Mask) -> Self {
         Self(mask)
     }
 }

@@ -16,8 +16,12 @@ impl Handle for tree_picture {
 }
 
 impl tree_picture {
-    pub(super) fn new(picture: Picture) -> Self {
+    pub(crate) fn new(picture: Picture) -> Self {
         Self(picture)
+    }
+
+    pub(crate) fn rust(&self) -> &Picture {
+        &self.0
     }
 }
 
@@ -48,6 +52,18 @@ unsafe impl Versioned for tree_pixels {
             height: 0,
             pixels: std::ptr::null(),
             n_bytes: 0,
+        }
+    }
+}
+
+impl tree_pixels {
+    pub(crate) fn of(picture: &Picture) -> Self {
+        Self {
+            width: picture.width,
+            height: picture.height,
+            pixels: column(&picture.pixels),
+            n_bytes: picture.pixels.len(),
+            ..Self::default_value()
         }
     }
 }
@@ -83,14 +99,7 @@ pub unsafe extern "C" fn tree_picture_view(
 ) -> tree_status {
     call(|| {
         let picture = &unsafe { get(picture, "picture") }?.0;
-        let found = tree_pixels {
-            width: picture.width,
-            height: picture.height,
-            pixels: column(&picture.pixels),
-            n_bytes: picture.pixels.len(),
-            ..tree_pixels::default_value()
-        };
-        unsafe { write(pixels, "pixels", &found) }
+        unsafe { write(pixels, "pixels", &tree_pixels::of(picture)) }
     })
 }
 

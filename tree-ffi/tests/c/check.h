@@ -71,6 +71,7 @@ void test_lod_select(void);
 void test_prune(void);
 void test_multires(void);
 void test_lsystem(void);
+void test_impostor(void);
 void test_threads(void);
 
 #endif

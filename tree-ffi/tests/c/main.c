@@ -53,6 +53,7 @@ int main(void) {
     test_prune();
     test_multires();
     test_lsystem();
+    test_impostor();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

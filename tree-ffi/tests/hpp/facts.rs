@@ -49,7 +49,7 @@ pub(crate) const SINGLES: &[&str] = &[
 ];
 
 /// Yes or no, as an argument.
-pub(crate) const FLAGS: &[&str] = &["left", "plain", "with_crown", "with_stalks"];
+pub(crate) const FLAGS: &[&str] = &["hemi", "left", "plain", "with_crown", "with_stalks"];
 
 /// Objects and arrays that may be left out.
 pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
@@ -75,7 +75,7 @@ pub(crate) fn is_optional(function: &str, argument: &str) -> bool {
 
 /// Structs that have no default.
 pub(crate) fn is_required(argument: &str) -> bool {
-    matches!(argument, "camera" | "columns" | "frame" | "leaf" | "pixels" | "samples")
+    matches!(argument, "camera" | "columns" | "frame" | "leaf" | "meta" | "pixels" | "samples")
 }
 
 /// Arrays that have one count with those after them.
@@ -106,6 +106,8 @@ pub(crate) fn fixed(function: &str, argument: &str) -> usize {
         "affine" => 6,
         "center_rank" => 4,
         "branch" if function == "tree_grow_position" => 4,
+        "weights" => 6,
+        "pixel" | "place" => 2,
         "at" | "at_pixel" | "base_pixel" | "by_pixels" | "stretch" => 2,
         "low" | "high" if function == "tree_outline_mask" => 2,
         "base" | "tip" if function == "tree_leaf_outline_of" => 2,
@@ -120,6 +122,11 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("skeleton_children", "starts") => "view().n_nodes + 1",
         ("skeleton_from_unordered", _) => "columns ? columns->n_nodes : 0",
         ("mask_bits", _) => "view().n_pixels",
+        ("leaf_bearers_of_tree" | "leaf_bearers_nearest", _) => "elements.view().n_elements",
+        ("leaf_boxes_planes", _) => "6",
+        ("card_choice_boxes", _) => "measure().n_boxes",
+        ("card_choice_ranges", _) => "measure().n_ranges",
+        ("octahedral_frames", _) => "3",
         ("bits_words", _) => "measure().n_words",
         ("bits_bytes", _) => "measure().n_pixels",
         ("order_coverage", "order") => "elements.view().n_elements",
