@@ -10647,6 +10647,11 @@ namespace TreeFamily.Native
         /// frame what is drawn of which tree: `tree_scene_state_select`, then `tree_scene_state_draws` into your own
         /// buffers.
         ///
+        /// Impostors: `tree_leaf_bearers_of_tree` says which branch carries each leaf (elements of `TREE_GRAIN_LEAF`),
+        /// `tree_leaf_boxes_along` finds boxes along the branches, `tree_cards_bake` pictures of their leaves.
+        /// `tree_cards_pixels` and `tree_cards_mesh` are uploaded; in each frame `tree_card_choice_update` says which boxes,
+        /// and which leaves, are drawn, with `tree_cards_shader`. From afar a whole tree is a `tree_octahedral_bake`.
+        ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
         /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -10655,7 +10660,8 @@ namespace TreeFamily.Native
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
         /// its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene` and `tree_scene_state`: one thread at a time.
+        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state` and
+        /// `tree_card_choice`: one thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
