@@ -70,7 +70,7 @@ pub unsafe extern "C" fn tree_multi_chain_new(
                 control.check()?;
                 let n_modules: usize = (0..adt.len() as u32).map(|b| adt.modules(b).len()).sum();
                 ask(BYTES_AN_ITEM.saturating_mul((n_modules + 2 * adt.len()) as u64))?;
-                Ok(tree_multi_chain::new(MultiChain::new(adt, paths)))
+                Ok(tree_multi_chain::new(MultiChain::new(adt, paths)?))
             })
         }?;
         place.put(made);

@@ -2,6 +2,7 @@
 
 use super::adt::Adt;
 use super::order::Paths;
+use crate::error::{LodError, Result};
 use tree_core::NO_PARENT;
 
 /// One module of a multi-chain.
@@ -28,10 +29,13 @@ impl MultiChain {
     /// Writes paths one after another. States have numbers from 0, branch by branch
     /// along the plain chain; only those that are needed are saved.
     ///
+    /// # Errors
+    /// [`LodError::Order`] for paths of another tree of branches.
+    ///
     /// # Complexity
     /// O(modules).
-    #[must_use]
-    pub fn new(adt: &Adt, paths: &Paths) -> Self {
+    pub fn new(adt: &Adt, paths: &Paths) -> Result<Self> {
+        check_paths(adt, paths)?;
         let forks = Forks::new(adt, paths);
         let mut items = Vec::with_capacity(adt.modules.len() + 2 * paths.len());
         let mut levels = Vec::with_capacity(paths.len());
@@ -44,7 +48,7 @@ impl MultiChain {
             }
             levels.push(items.len() as u32);
         }
-        Self { items, levels, n_states: forks.n_states }
+        Ok(Self { items, levels, n_states: forks.n_states })
     }
 
     /// All items.
@@ -90,6 +94,25 @@ impl MultiChain {
             Item::Restore(state) => format!("RESTORE({state})"),
         };
         self.prefix(n_levels).iter().map(write).collect()
+    }
+}
+
+/// Checks that every branch is there once, after the one it stems from.
+fn check_paths(adt: &Adt, paths: &Paths) -> Result<()> {
+    let mut there = vec![false; adt.len()];
+    for (row, &branch) in paths.branches().iter().enumerate() {
+        let fail = |problem| Err(LodError::Order { row, problem });
+        let Some(&parent) = adt.parents.get(branch as usize) else {
+            return fail("there is no such branch: these are paths of another tree");
+        };
+        if there[branch as usize] || (parent != NO_PARENT && !there[parent as usize]) {
+            return fail("a branch comes twice, or before the one it stems from");
+        }
+        there[branch as usize] = true;
+    }
+    match there.iter().position(|&there| !there) {
+        Some(row) => Err(LodError::Order { row, problem: "a branch is missing" }),
+        None => Ok(()),
     }
 }
 

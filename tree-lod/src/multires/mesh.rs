@@ -221,7 +221,7 @@ fn wood(
     let n = multires.n_levels();
     let (mut n_vertices, mut n_triangles) = (0, 0);
     for path in 0..n {
-        if path % PATHS_A_CHECK == 0 {
+        if path.is_multiple_of(PATHS_A_CHECK) {
             control.report("wood", 0.3 * path as f32 / n as f32)?;
         }
         let (vertices, triangles) = Line::of_path(multires, path, params).size();
@@ -235,7 +235,7 @@ fn wood(
     surface.indices.reserve_exact(3 * n_triangles as usize);
     let (mut ends, mut branches) = (vec![0], Vec::with_capacity(n_vertices as usize));
     for path in 0..n {
-        if path % PATHS_A_CHECK == 0 {
+        if path.is_multiple_of(PATHS_A_CHECK) {
             control.report("wood", 0.3 + 0.7 * path as f32 / n as f32)?;
         }
         Line::of_path(multires, path, params).draw(params, &mut surface);

@@ -108,6 +108,7 @@ impl Multires {
             return Err(LodError::Order { row: nodes.len(), problem: "a branch is missing" });
         }
         let old = skeleton.parents();
+        check_paths(&nodes, &node_ends, old, &now)?;
         let parents = nodes.iter().map(|&node| match old[node as usize] {
             NO_PARENT => NO_PARENT,
             parent => now[parent as usize],
@@ -197,6 +198,29 @@ impl Multires {
     pub fn level_of_nodes(&self, nodes: usize) -> usize {
         self.ends.partition_point(|end| end.nodes as usize <= nodes).max(1)
     }
+}
+
+/// Checks that every path is a line of nodes, and stems from a node before it.
+fn check_paths(nodes: &[u32], ends: &[u32], parents: &[u32], now: &[u32]) -> Result<()> {
+    let mut first = 0;
+    for &end in ends {
+        if end <= first {
+            return Err(LodError::Order { row: first as usize, problem: "a path without nodes" });
+        }
+        for new in first..end {
+            let stands = match now.get(parents[nodes[new as usize] as usize] as usize) {
+                None => new == 0,
+                Some(&parent) if new == first => parent < new,
+                Some(&parent) => parent + 1 == new,
+            };
+            if !stands {
+                let problem = "a node does not follow its parent: these are paths of another tree";
+                return Err(LodError::Order { row: new as usize, problem });
+            }
+        }
+        first = end;
+    }
+    Ok(())
 }
 
 /// Leaves in the order of their nodes, those of one node as they were; and where they come from.

@@ -139,7 +139,7 @@ fn by_what_is_left(adt: &Adt, worth: &[f64], control: &Control) -> Result<Paths>
     // From the root to the end of the path, all firsts of their heaps.
     let mut way = Vec::new();
     while heaps.open[0] > 0 {
-        if found.len() % PATHS_A_CHECK == 0 {
+        if found.len().is_multiple_of(PATHS_A_CHECK) {
             control.report("paths", found.branches.len() as f32 / adt.len() as f32)?;
         }
         way.clear();
@@ -200,7 +200,7 @@ fn best_first(adt: &Adt, worth: &[f64], on: bool, control: &Control) -> Result<P
     let key = |branch: u32| (Key(worth[branch as usize]), Reverse(branch));
     let mut heap = BinaryHeap::from([key(0)]);
     while let Some((_, Reverse(branch))) = heap.pop() {
-        if found.len() % PATHS_A_CHECK == 0 {
+        if found.len().is_multiple_of(PATHS_A_CHECK) {
             control.report("paths", found.branches.len() as f32 / adt.len() as f32)?;
         }
         let mut at = Some(branch);

@@ -19,7 +19,7 @@ fn adt(chain: &str) -> Adt {
 fn multi(chain: &str, metric: &Metric) -> String {
     let adt = adt(chain);
     let paths = paths(&adt, metric, &Control::default()).unwrap();
-    let multi = MultiChain::new(&adt, &paths);
+    let multi = MultiChain::new(&adt, &paths).unwrap();
     let name = |place| chain.chars().nth(place as usize).unwrap().to_string();
     multi.text(multi.n_levels(), name).replace("SAVE", "S").replace("RESTORE", "R")
 }
@@ -94,6 +94,25 @@ fn worths_must_fit_the_branches() {
     assert!(matches!(try_worths(vec![f64::NAN; 16]), Err(crate::LodError::Parameter { .. })));
 }
 
+#[test]
+fn paths_of_another_tree_are_refused() {
+    let control = Control::default();
+    let (small, large) = (adt("1[2]"), adt(CHAIN));
+    let paths = |adt: &Adt| paths(adt, &Metric::default(), &control).unwrap();
+    for (adt, other) in [(&small, &large), (&large, &small)] {
+        let result = MultiChain::new(adt, &paths(other));
+        assert!(matches!(result, Err(crate::LodError::Order { .. })));
+    }
+    let mut builder = tree_core::Skeleton::builder(glam::Vec3::ZERO, 1.0).unwrap();
+    builder.add(0, glam::Vec3::Y, 1.0).unwrap();
+    let tree = tree_core::Tree::bare(builder.finish(), tree_core::Species::default());
+    for chain in ["12[][]", "1[3]2", "123"] {
+        let adt = adt(chain);
+        let result = Multires::of_paths(&tree, &adt, &paths(&adt));
+        assert!(matches!(result, Err(crate::LodError::Order { .. })), "{chain}");
+    }
+}
+
 /// A random bracketed chain, from numbers: 0 opens, 1 closes, others are modules.
 fn chain_of(numbers: &[u8]) -> Vec<Token> {
     let mut depth = 0;
@@ -130,7 +149,7 @@ proptest! {
         let mut branches = paths.branches().to_vec();
         branches.sort_unstable();
         prop_assert!(branches.iter().copied().eq(0..adt.len() as u32));
-        let multi = MultiChain::new(&adt, &paths);
+        let multi = MultiChain::new(&adt, &paths).unwrap();
         let mut modules: Vec<u32> = Vec::new();
         let mut saved = vec![false; multi.n_states() as usize];
         for item in multi.items() {

@@ -38,7 +38,8 @@ impl Bearers {
             of_surface[surface as usize].get(*at - 1).copied()
         };
         let nodes: Option<Vec<u32>> = elements.surface.iter().map(node).collect();
-        let wanted: usize = elements.surfaces.iter().map(|&s| of_surface[s as usize].len()).sum();
+        let leaves = |&surface: &u32| of_surface.get(surface as usize).map(Vec::len);
+        let wanted: usize = elements.surfaces.iter().filter_map(leaves).sum();
         nodes.filter(|nodes| nodes.len() == wanted).map(Self).ok_or(LodError::Impostor(
             "the mesh has another number of leaves than the tree: elements must be whole leaves",
         ))

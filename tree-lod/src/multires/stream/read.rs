@@ -83,7 +83,8 @@ pub fn read_file(path: &Path, limits: &Limits) -> Result<(Multires, Received)> {
 }
 
 impl Reader {
-    /// A reader that nothing has reached yet. `limits`: nodes and leaves, asked for as the head arrives.
+    /// A reader that nothing has reached yet. `limits`: nodes and leaves, asked for as the head
+    /// arrives, and bytes of one level.
     #[must_use]
     pub fn new(limits: &Limits) -> Self {
         Self {
@@ -187,7 +188,11 @@ impl Reader {
         let Some(head) = &self.head else { return Err(Stop::Wait) };
         let mut cursor = Cursor::new(bytes, at);
         let length = match cursor.unsigned() {
-            Ok(length) => length as usize,
+            // A damaged length must not make it wait for, and keep, whatever comes.
+            Ok(length) => match self.limits.check(Resource::InputBytes, length) {
+                Ok(()) => length as usize,
+                Err(error) => return Err(Stop::Failed(error.into())),
+            },
             Err(Bad::Short) if bytes.len() - at < LENGTH_MAX => return Err(Stop::Wait),
             Err(_) => return Err(self.fail(at, "the length of a level is damaged")),
         };

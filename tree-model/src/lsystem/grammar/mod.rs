@@ -197,6 +197,7 @@ impl Grammar {
     /// seed gives the same bits for any number of threads.
     ///
     /// # Errors
+    /// [`ModelError::Parameter`] for more than a million steps;
     /// [`ModelError::Word`] for an expression without a finite value, naming module and production;
     /// [`ModelError::Limit`] before a word grows beyond [`Limits::modules`]; [`ModelError::Cancelled`].
     ///
@@ -208,7 +209,9 @@ impl Grammar {
         seed: Seed,
         control: &Control,
     ) -> Result<derive::Derived> {
-        derive::derive(self, steps.unwrap_or(self.settings.steps), seed, control)
+        let steps = steps.unwrap_or(self.settings.steps);
+        crate::error::check("steps", steps, 0.0, settings::MOST_STEPS)?;
+        derive::derive(self, steps, seed, control)
     }
 
     /// Applies the productions once: step `step`, counted from 0, of `of` steps.

@@ -125,6 +125,7 @@ impl<'a> Writer<'a> {
                 }
             }
         }
+        self.control.limits.check(Resource::Modules, self.out.word.len() as u64)?;
         Ok(self.out)
     }
 
