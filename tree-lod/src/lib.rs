@@ -4,8 +4,8 @@
 pub mod cover;
 pub mod element;
 mod error;
-
 pub mod implicit;
+pub mod impostor;
 pub mod multires;
 pub mod order;
 pub mod outline;

@@ -295,7 +295,7 @@ impl Projector {
     /// The ray through a point of the picture, in samples: origin and direction. The direction
     /// advances by 1 along the line of sight.
     #[inline]
-    pub(super) fn ray(&self, x: f32, y: f32) -> (Vec3, Vec3) {
+    pub(crate) fn ray(&self, x: f32, y: f32) -> (Vec3, Vec3) {
         let across = (x - self.center.x) / self.scale;
         let down = (y - self.center.y) / self.scale;
         let shift = self.right * across - self.up * down;

@@ -39,10 +39,12 @@ pub(crate) use camera::Projector;
 pub use camera::{Camera, Framing, Lens, Pose};
 pub use picture::{Mask, Picture};
 pub(crate) use project::clip_loose;
-pub(crate) use raster::Filter;
+pub(crate) use raster::{Band, Filter};
 pub use render::{mask, render, silhouette};
 pub(crate) use scene::{Pattern, Scene};
 pub use style::{Backdrop, Style};
+pub(crate) use texture::Srgb;
+pub(crate) use visibility::Stage as Draw;
 
 use crate::error::{Result, check_range};
 use tree_core::{Limits, Resource};

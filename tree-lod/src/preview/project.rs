@@ -23,7 +23,7 @@ const PIECE: usize = 16_384;
 
 /// A vertex on the picture.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Spot {
+pub(crate) struct Spot {
     /// In 1 / [`SUBSAMPLES`] of a sample, from the top left corner.
     pub(super) x: i32,
     pub(super) y: i32,
@@ -66,7 +66,7 @@ pub(super) fn project_all(scene: &Scene<'_>, projector: &Projector, spots: &mut 
 impl Projector {
     /// A point in view coordinates on the picture.
     #[inline]
-    pub(super) fn spot(&self, v: Vec3) -> Spot {
+    pub(crate) fn spot(&self, v: Vec3) -> Spot {
         let (x, y, depth) = self.place(v);
         // Written so that NaN (0 / 0 at the eye) counts as outside.
         let inside = v.z >= self.near && x.abs() <= GUARD && y.abs() <= GUARD;

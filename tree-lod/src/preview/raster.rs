@@ -19,14 +19,14 @@ use super::texture::Level;
 
 /// Rows of a picture: depth per sample and, if wanted, the triangle seen there.
 #[derive(Debug)]
-pub(super) struct Band<'a> {
+pub(crate) struct Band<'a> {
     /// First row.
-    pub(super) top: i32,
-    pub(super) width: i32,
+    pub(crate) top: i32,
+    pub(crate) width: i32,
     /// Row by row; larger is nearer.
-    pub(super) depth: &'a mut [f32],
+    pub(crate) depth: &'a mut [f32],
     /// As `depth`, or empty.
-    pub(super) ids: &'a mut [u32],
+    pub(crate) ids: &'a mut [u32],
 }
 
 /// What decides about a sample besides depth.

@@ -17,11 +17,11 @@ pub(crate) struct Scene<'a> {
     /// Number of the first vertex of each surface, and of all vertices at the end.
     pub(super) first_vertex: Vec<usize>,
     /// Number of the first triangle of each surface, and of all triangles at the end.
-    pub(super) first_triangle: Vec<u32>,
+    pub(crate) first_triangle: Vec<u32>,
     /// One per material of the mesh.
     pub(super) skins: Vec<Skin>,
     pyramids: Vec<Pyramid>,
-    pub(super) srgb: Srgb,
+    pub(crate) srgb: Srgb,
     /// Largest side of the box around all vertices, in metres.
     pub(crate) size: f32,
 }
@@ -98,7 +98,7 @@ impl<'a> Scene<'a> {
         self.first_vertex.last().copied().unwrap_or(0)
     }
 
-    pub(super) fn n_triangles(&self) -> u32 {
+    pub(crate) fn n_triangles(&self) -> u32 {
         self.first_triangle.last().copied().unwrap_or(0)
     }
 

@@ -64,20 +64,31 @@ struct Ambient {
     open: f32,
 }
 
-impl Shader<'_> {
-    /// The colour of a triangle where the ray meets it.
-    pub(super) fn triangle(
+/// Where a ray meets a triangle.
+pub(crate) struct Hit {
+    pub(super) surface: usize,
+    pub(crate) position: Vec3,
+    /// Unit length, towards where the ray comes from if the material has two sides.
+    pub(crate) normal: Vec3,
+    /// Linear.
+    pub(crate) albedo: Vec3,
+}
+
+impl Scene<'_> {
+    /// The point of a triangle that a ray meets, or the nearest to it. `scale` is that of the
+    /// [`Projector`], `per_pixel` the share of a pixel that a sample is.
+    pub(crate) fn hit(
         &self,
         triangle: u32,
-        ray: (Vec3, Vec3),
-        projector: &Projector,
+        (origin, direction): (Vec3, Vec3),
+        perspective: bool,
+        scale: f32,
         per_pixel: f32,
-    ) -> Vec3 {
-        let (origin, direction) = ray;
-        let number = self.scene.surface_of(triangle, 0);
-        let rows = self.scene.rows(number, triangle);
-        let surface = self.scene.surface(number);
-        let skin = self.scene.skin(number);
+    ) -> Hit {
+        let number = self.surface_of(triangle, 0);
+        let rows = self.rows(number, triangle);
+        let surface = self.surface(number);
+        let skin = self.skin(number);
         // Möller, Trumbore 1997: barycentric coordinates of the ray on the plane.
         let [a, b, c] = rows.map(|row| surface.positions[row]);
         let (ab, ac) = (b - a, c - a);
@@ -98,27 +109,39 @@ impl Shader<'_> {
             normal = -normal;
         }
         let mut albedo = skin.color;
-        if let Some(pyramid) = self.scene.pyramid(skin) {
+        if let Some(pyramid) = self.pyramid(skin) {
             let uvs = rows.map(|row| surface.uvs[row]);
             let [ta, tb, tc] = uvs;
             let uv = ta + (tb - ta) * u + (tc - ta) * v;
-            let distance = if projector.perspective {
+            let distance = if perspective {
                 direction.dot(position - origin) / direction.length_squared()
             } else {
                 1.0
             };
-            let pixels = facing.abs()
-                * (projector.scale / distance)
-                * (projector.scale / distance)
-                * per_pixel;
+            let pixels = facing.abs() * (scale / distance) * (scale / distance) * per_pixel;
             let level = pyramid.level(pyramid.texel_area(uvs) / pixels);
-            albedo *= level.color(uv.x, uv.y, skin.cover == Cover::Masked, &self.scene.srgb);
+            albedo *= level.color(uv.x, uv.y, skin.cover == Cover::Masked, &self.srgb);
         }
+        Hit { surface: number, position, normal, albedo }
+    }
+}
+
+impl Shader<'_> {
+    /// The colour of a triangle where the ray meets it.
+    pub(super) fn triangle(
+        &self,
+        triangle: u32,
+        ray: (Vec3, Vec3),
+        projector: &Projector,
+        per_pixel: f32,
+    ) -> Vec3 {
+        let hit = self.scene.hit(triangle, ray, projector.perspective, projector.scale, per_pixel);
+        let skin = self.scene.skin(hit.surface);
         self.surface(
-            position,
-            normal,
-            view,
-            albedo.min(Vec3::ONE),
+            hit.position,
+            hit.normal,
+            -ray.1.normalize(),
+            hit.albedo.min(Vec3::ONE),
             skin.roughness,
             skin.translucency,
         )

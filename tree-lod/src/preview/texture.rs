@@ -256,7 +256,7 @@ fn wrap(t: f32) -> f32 {
 
 /// Tables between sRGB bytes and linear light.
 #[derive(Debug)]
-pub(super) struct Srgb {
+pub(crate) struct Srgb {
     decode: [f32; 256],
     encode: Vec<u8>,
 }
@@ -265,7 +265,7 @@ pub(super) struct Srgb {
 const ENCODE_STEPS: usize = 32_768;
 
 impl Srgb {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let decode = std::array::from_fn(|byte| {
             let c = byte as f32 / 255.0;
             if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }
@@ -276,13 +276,13 @@ impl Srgb {
     }
 
     #[inline]
-    pub(super) fn decode(&self, texel: [u8; 4]) -> Vec3 {
+    pub(crate) fn decode(&self, texel: [u8; 4]) -> Vec3 {
         let [r, g, b, _] = texel.map(|byte| self.decode[usize::from(byte)]);
         Vec3::new(r, g, b)
     }
 
     #[inline]
-    pub(super) fn encode(&self, linear: f32) -> u8 {
+    pub(crate) fn encode(&self, linear: f32) -> u8 {
         self.encode[((linear * ENCODE_STEPS as f32 + 0.5) as usize).min(ENCODE_STEPS)]
     }
 }

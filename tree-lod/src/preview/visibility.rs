@@ -24,10 +24,11 @@ const MOST_CHUNKS: usize = 256;
 const ENTRIES_PER_TRIANGLE: usize = 8;
 
 /// A scene on a picture, ready to be drawn.
-pub(super) struct Stage<'a> {
-    pub(super) scene: &'a Scene<'a>,
-    pub(super) projector: &'a Projector,
-    pub(super) spots: &'a [Spot],
+pub(crate) struct Stage<'a> {
+    pub(crate) scene: &'a Scene<'a>,
+    pub(crate) projector: &'a Projector,
+    /// Empty where only lists are drawn.
+    pub(crate) spots: &'a [Spot],
 }
 
 /// The triangles of each band.
@@ -184,6 +185,21 @@ impl Stage<'_> {
                 if spots.iter().any(Spot::is_outside) || self.rows_of(spots.into_iter()).is_some() {
                     self.draw_one::<false>(band, surface, triangle, spots);
                 }
+            }
+        }
+    }
+
+    /// Draws some triangles, and their numbers, into a band that holds the whole picture. Vertices are
+    /// projected here: for parts of a mesh, when many small pictures of it are taken.
+    pub(crate) fn draw_list(&self, triangles: &[u32], band: &mut Band<'_>) {
+        let mut surface = 0;
+        for &triangle in triangles {
+            surface = self.scene.surface_of(triangle, surface);
+            let positions = &self.scene.surface(surface).positions;
+            let rows = self.scene.rows(surface, triangle);
+            let spots = rows.map(|row| self.projector.spot(self.projector.view(positions[row])));
+            if spots.iter().any(Spot::is_outside) || self.rows_of(spots.into_iter()).is_some() {
+                self.draw_one::<true>(band, surface, triangle, spots);
             }
         }
     }

@@ -1,0 +1,61 @@
+//! Planes as triangles.
+
+use super::{Cards, planes};
+use crate::error::Result;
+use glam::Vec2;
+use std::sync::Arc;
+use tree_mesh::{Alpha, Material, Mesh, Surface, Texture};
+
+impl Cards {
+    /// The planes of some boxes, six squares of four vertices each, with the atlas as their texture: alpha is
+    /// tested against one half, both sides are drawn. Without the shader, all six planes of a box
+    /// are drawn at once, which covers more than the leaves do.
+    ///
+    /// # Errors
+    /// [`LodError::Impostor`](crate::LodError::Impostor) when there is no such box.
+    ///
+    /// # Complexity
+    /// O(boxes), and a copy of the atlas.
+    pub fn mesh(&self, boxes: &[u32]) -> Result<Mesh> {
+        let mut surface = Surface::default();
+        for &number in boxes {
+            for (plane, face) in planes(self.boxes.get(number)?).iter().enumerate() {
+                let first = surface.positions.len() as u32;
+                for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+                    let (right, up) = (face.right * face.half.x, face.up * face.half.y);
+                    surface.positions.push(face.center + right * x + up * y);
+                    surface.normals.push(face.normal);
+                    let place = self.place(number, plane, Vec2::new(x, y));
+                    let size = Vec2::new(self.color.width as f32, self.color.height as f32);
+                    surface.uvs.push(place / size);
+                }
+                surface.indices.extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
+            }
+        }
+        let texture = Texture {
+            name: "cards".into(),
+            width: self.color.width,
+            height: self.color.height,
+            pixels: self.color.pixels.clone(),
+        };
+        let material = Material {
+            name: "cards".into(),
+            texture: Some(Arc::new(texture)),
+            alpha: Alpha::Mask(0.5),
+            double_sided: true,
+            translucency: TRANSLUCENCY,
+            ..Material::default()
+        };
+        Ok(Mesh { surfaces: vec![surface], materials: vec![material], ..Mesh::default() })
+    }
+
+    /// Texel coordinates in the atlas of a place on a plane, −1 to 1 right and up.
+    pub(super) fn place(&self, number: u32, plane: usize, at: Vec2) -> Vec2 {
+        let [left, top] = self.origin(number, plane);
+        let inside = Vec2::new(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * self.inner();
+        Vec2::new(left as f32, top as f32) + self.gutter as f32 + inside
+    }
+}
+
+/// Light that shines through a card, as through leaves.
+const TRANSLUCENCY: f32 = 0.4;
