@@ -26,7 +26,7 @@ pub struct OctahedralParams {
     pub samples: u32,
     /// Empty texels around each view, 1 to 8: so that filters do not mix views. Default 2.
     pub gutter: u32,
-    /// Whether the picture of normals and depths has half the side. Halves memory from 2 × 16.8 MB to
+    /// Whether the picture of normals and depths has half the side. Memory goes from 33.6 MB to
     /// 21 MB at the default side, at some loss of quality. Default false.
     pub half_detail: bool,
 }

@@ -1,6 +1,6 @@
 //! Texels: pieces of a mesh, drawn by parallel projection into small images.
 //!
-//! 1. `bake`: triangles become a [`Tile`]: coverage by supersampling, and for what is seen the linear
+//! 1. `bake`: triangles become a tile: coverage by supersampling, and for what is seen the linear
 //!    colour without light, the normal in the space of the tree, and the depth.
 //! 2. `dilate`: colours, normals and depths spread outward, so that no dark fringe shows when texels are
 //!    filtered (pull-push, after Gortler et al. 1996, "The lumigraph").
