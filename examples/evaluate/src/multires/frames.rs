@@ -30,7 +30,8 @@ const FOV: f32 = 1.0;
 /// Cosine of half the angle at which trees are in the picture, and metres within which they always are.
 const SEEN: f32 = 0.64;
 const NEAR: f32 = 8.0;
-/// Pixels of a tree's height from which on all its wood is drawn; below, in proportion.
+/// Pixels of a tree's height from which on all its wood is drawn; below, in proportion to its
+/// pixels.
 const ALL_WOOD: f32 = 600.0;
 
 pub(super) fn evaluate(table: &mut Table) -> Outcome {
@@ -109,7 +110,8 @@ pub(super) fn hybrid_triangles(
     let distance = watcher.eye.distance(watcher.eye.clamp(bounds.min, bounds.max)).max(0.1);
     let pixels = bounds.size().y * watcher.pixels_per_metre / distance;
     let all = model.wood_triangles(model.mesh.n_levels(), draws)?;
-    let budget = (pixels / ALL_WOOD).min(1.0) * all as f32;
+    let share = (pixels / ALL_WOOD).min(1.0);
+    let budget = share * share * all as f32;
     let wood = model.wood_triangles(model.mesh.level_of_wood(budget as u64), draws)?;
     let leaves = &model.mesh.mesh().surfaces[1..];
     let per_leaf = leaves.iter().map(|s| s.n_triangles()).sum::<usize>()

@@ -24,17 +24,25 @@ type Qualities = [f64; SHARES.len()];
 pub(super) fn evaluate(table: &mut Table, trees: &[Case]) -> Outcome {
     let mut names = Vec::new();
     let (mut of_wood, mut of_all) = (Vec::new(), Vec::new());
+    let mut runs = Vec::new();
     for case in trees {
         let adt = Adt::of_skeleton(case.tree.skeleton());
         let wood = Parts::wood(&case.tree, &adt)?;
         let orders = orders::all(&case.tree, &adt, &wood)?;
         names = orders.iter().map(|order| order.name).collect();
+        for order in &orders {
+            runs.push(orders::n_runs(&adt, &order.branches) as f64 / adt.len() as f64);
+        }
         of_wood.push(qualities(&wood, &orders)?);
         information(table, &format!("branches of {}", case.name), "number", adt.len() as f64, "");
         if !case.tree.foliage().is_empty() {
             let look = Look::built_in(case.tree.species())?;
             of_all.push(qualities(&Parts::new(&case.tree, &adt, &look)?, &orders)?);
         }
+    }
+    for (order, name) in names.iter().enumerate() {
+        let of_order: Vec<f64> = runs.iter().copied().skip(order).step_by(names.len()).collect();
+        information(table, &format!("levels: {name}"), "of a branch", mean(&of_order), "");
     }
     rows(table, "wood", &names, &of_wood);
     rows(table, "wood and leaves", &names, &of_all);

@@ -10,7 +10,9 @@ use tree_mesh::{ErrorBound, Look, MeshParams};
 use tree_model::lsystem::LSystem;
 
 /// Boxes of a model: as many as the paper's 4 MB a model leave room for.
-const BOXES: u32 = 12;
+pub(super) const BOXES: u32 = 5;
+/// Samples of a texel in each direction.
+const SAMPLES: u32 = 2;
 /// How far wood may leave the round branch: trees of a scene are seen from some metres.
 const WOOD_ERROR: ErrorBound = ErrorBound::Metres(0.01);
 /// Most sides of a branch in a scene.
@@ -74,7 +76,12 @@ impl Model {
         Ok(model)
     }
 
-    fn baked(&self, most_boxes: u32) -> Outcome<Cards> {
+    pub(super) fn multires_again(&self, tree: &Tree) -> Outcome<Multires> {
+        Ok(Multires::new(tree, &Metric::default(), &Control::default())?)
+    }
+
+    /// The boxes of the leaves.
+    pub(super) fn boxes(&self, most_boxes: u32) -> Outcome<(Elements, Boxes)> {
         let (control, mesh) = (Control::default(), self.mesh.mesh());
         let tree = self.multires.tree();
         let leaves = Foliage::Surfaces((1..mesh.surfaces.len() as u32).collect());
@@ -82,7 +89,14 @@ impl Model {
         let bearers = Bearers::of_tree(tree, mesh, &elements)?;
         let params = BoxParams { most_boxes, ..BoxParams::default() };
         let boxes = Boxes::along(tree.skeleton(), mesh, &elements, &bearers, &params, &control)?;
-        Ok(Cards::bake(mesh, &elements, &boxes, &CardParams::default(), &control)?)
+        Ok((elements, boxes))
+    }
+
+    /// Their pictures.
+    pub(super) fn baked(&self, most_boxes: u32) -> Outcome<Cards> {
+        let (elements, boxes) = self.boxes(most_boxes)?;
+        let params = CardParams { samples: SAMPLES, ..CardParams::default() };
+        Ok(Cards::bake(self.mesh.mesh(), &elements, &boxes, &params, &Control::default())?)
     }
 
     /// Triangles of wood of a level.

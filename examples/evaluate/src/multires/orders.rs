@@ -28,7 +28,8 @@ pub(super) fn all(tree: &Tree, adt: &Adt, parts: &Parts) -> Outcome<Vec<Order>> 
     let area = areas(tree, adt);
     let (shared, lists) = pixels(adt, parts)?;
     let leafy = leaf_areas(tree, adt, &area);
-    let weighted = |power: f64| area.iter().map(|&a| libm::pow(a, power)).collect::<Vec<_>>();
+    let between: Vec<f64> =
+        area.iter().zip(adt.lengths()).map(|(a, length)| (a * length).sqrt()).collect();
     let mut orders = vec![
         by("branching length", &Metric::BranchingLength)?,
         by("children", &Metric::Children)?,
@@ -37,17 +38,20 @@ pub(super) fn all(tree: &Tree, adt: &Adt, parts: &Parts) -> Outcome<Vec<Order>> 
         by("undone derivations", &Metric::Generation)?,
         by("random", &Metric::Random(Seed(5)))?,
         by("branching area", &Metric::Branching(area.clone()))?,
-        by("branching area^1.5", &Metric::Branching(weighted(1.5)))?,
-        by("branching area^2", &Metric::Branching(weighted(2.0)))?,
-        by("branching area + leaves", &Metric::Branching(leafy))?,
+        by("branching area + leaves", &Metric::Branching(leafy.clone()))?,
         by("branching visible pixels", &Metric::Branching(shared.clone()))?,
     ];
-    orders.push(Order { name: "densest, length", branches: densest(adt, adt.lengths()) });
-    orders.push(Order { name: "densest, area", branches: densest(adt, &area) });
-    orders.push(Order { name: "densest, visible pixels", branches: densest(adt, &shared) });
-    orders.push(Order { name: "paths of most area", branches: best_paths(adt, &area, false) });
-    orders.push(Order { name: "paths of densest area", branches: best_paths(adt, &area, true) });
-    orders.push(Order { name: "greedy by new pixels", branches: greedy(adt, &lists) });
+    let mut ours = |name, branches| orders.push(Order { name, branches });
+    ours("densest, length", densest(adt, adt.lengths()));
+    ours("densest, between", densest(adt, &between));
+    ours("densest, area", densest(adt, &area));
+    ours("densest, area + leaves", densest(adt, &leafy));
+    ours("densest, visible pixels", densest(adt, &shared));
+    ours("paths of most between", best_paths(adt, &between, false));
+    ours("paths of densest area", best_paths(adt, &area, true));
+    ours("paths of densest area + leaves", best_paths(adt, &leafy, true));
+    ours("densest, area, tips", to_tips(adt, &densest(adt, &area)));
+    ours("greedy by new pixels", greedy(adt, &lists));
     Ok(orders)
 }
 
@@ -163,6 +167,29 @@ fn densest(adt: &Adt, worth: &[f64]) -> Vec<u32> {
         at = next[at as usize];
     }
     order
+}
+
+/// As an order, but each path goes on to a tip, along what comes first in the order.
+fn to_tips(adt: &Adt, order: &[u32]) -> Vec<u32> {
+    let mut rank = vec![0_usize; adt.len()];
+    order.iter().enumerate().for_each(|(i, &branch)| rank[branch as usize] = i);
+    let mut taken = vec![false; adt.len()];
+    let mut found = Vec::with_capacity(adt.len());
+    for &branch in order {
+        let mut at = Some(branch).filter(|&b| !taken[b as usize]);
+        while let Some(branch) = at {
+            taken[branch as usize] = true;
+            found.push(branch);
+            at = adt.children(branch).iter().copied().min_by_key(|&b| rank[b as usize]);
+        }
+    }
+    found
+}
+
+/// Paths that an order is cut into: runs in which each branch stems from the one before.
+pub(super) fn n_runs(adt: &Adt, order: &[u32]) -> usize {
+    let cut = |pair: &&[u32]| adt.parents()[pair[1] as usize] != pair[0];
+    1 + order.windows(2).filter(cut).count()
 }
 
 /// Paths to tips, the best first: a path has the most worth in all, or for each of its branches (the

@@ -45,6 +45,8 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     row("memory, pictures", None, pictures as f64, "bytes", Aim::None);
     let params = StreamParams { precision: MILLIMETRE };
     let stream = encode(&model.multires, model.multires.n_levels(), &params)?.len();
+    std::fs::create_dir_all("out/multires")?;
+    cards.color.save_png("out/multires/atlas.png")?;
     let color = cards.color.to_png()?.len();
     let detail = cards.detail.to_png()?.len();
     let files = (stream + color) as f64;
