@@ -124,7 +124,13 @@ fn measure(case: &Case) -> Outcome<Rates> {
     let turtle = if case.name.contains("tree") {
         let draw = || {
             let species = Species::default();
-            interpret(&derived.word, grammar.symbols(), &species, &TurtleParams::default(), &control)
+            interpret(
+                &derived.word,
+                grammar.symbols(),
+                &species,
+                &TurtleParams::default(),
+                &control,
+            )
         };
         Some(n as f64 * 1e-6 / fastest(3, draw)?.0)
     } else {

@@ -76,7 +76,12 @@ fn cameras(center: Vec3, radius: f32) -> impl Iterator<Item = Camera> {
         let level = (1.0 - y * y).sqrt();
         let direction = Vec3::new(level * cos, y, level * sin);
         let lens = Lens::Perspective { fov: 2.0 * libm::asinf(1.0 / RADII) };
-        Camera::Placed(Pose { eye: center + RADII * radius * direction, target: center, up: Vec3::Y, lens })
+        Camera::Placed(Pose {
+            eye: center + RADII * radius * direction,
+            target: center,
+            up: Vec3::Y,
+            lens,
+        })
     })
 }
 

@@ -18,6 +18,10 @@ fn held_out() -> Around {
     Around { azimuths: 8, turn: 0.3, size: 512, ..Around::default() }
 }
 
+/// The first of the orders are the paper's metrics, undone derivations and chance; the best metric of ours.
+const PEERS: usize = 6;
+const OURS: &str = "densest, area";
+
 /// Quality of an order at each share.
 type Qualities = [f64; SHARES.len()];
 
@@ -69,21 +73,19 @@ fn rows(table: &mut Table, what: &str, names: &[&str], of_trees: &[Vec<Qualities
     let at = |order: usize, share: usize| {
         mean(&of_trees.iter().map(|tree| tree[order][share]).collect::<Vec<_>>())
     };
-    let all = |order: usize| mean(&(0..SHARES.len()).map(|share| at(order, share)).collect::<Vec<_>>());
+    let all =
+        |order: usize| mean(&(0..SHARES.len()).map(|share| at(order, share)).collect::<Vec<_>>());
     for (order, name) in names.iter().enumerate() {
         let case = format!("Q of {what}, {} trees: {name}", of_trees.len());
         for (share, percent) in SHARES.iter().enumerate() {
             let metric = format!("at {} % of branches", 100.0 * percent);
             information(table, &case, &metric, at(order, share), "");
         }
-        table.row(&Row {
-            case: &case,
-            metric: "mean over shares",
-            paper: None,
-            peer: (order > 0).then(|| all(0)),
-            ours: all(order),
-            unit: "",
-            aim: Aim::None,
-        });
+        // The metric of ours is held against the best of the others.
+        let best = (0..PEERS).map(all).fold(f64::MIN, f64::max);
+        let aim = if *name == OURS { Aim::AtLeast(best) } else { Aim::None };
+        let metric = "mean over shares";
+        let peer = Some(best);
+        table.row(&Row { case: &case, metric, paper: None, peer, ours: all(order), unit: "", aim });
     }
 }

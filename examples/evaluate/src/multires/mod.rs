@@ -26,15 +26,6 @@ const SEED: Seed = Seed(2010);
 
 /// All of it; see the rows.
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
-    if let Ok(only) = std::env::var("EV_ONLY") {
-        return match only.as_str() {
-            "scene" => scene::evaluate(table),
-            "size" => size::evaluate(table),
-            "frames" => frames::evaluate(table),
-            "impostors" => impostors::evaluate(table),
-            _ => metrics::evaluate(table, &trees::ten()?),
-        };
-    }
     derivation::evaluate(table)?;
     let trees = trees::ten()?;
     chain::evaluate(table, &trees)?;

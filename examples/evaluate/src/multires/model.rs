@@ -10,7 +10,7 @@ use tree_mesh::{ErrorBound, Look, MeshParams};
 use tree_model::lsystem::LSystem;
 
 /// Boxes of a model: as many as the paper's 4 MB a model leave room for.
-pub(super) const BOXES: u32 = 5;
+pub(super) const BOXES: u32 = 4;
 /// Samples of a texel in each direction.
 const SAMPLES: u32 = 2;
 /// How far wood may leave the round branch: trees of a scene are seen from some metres.
@@ -42,7 +42,11 @@ pub(super) fn of_paper(seed: Seed) -> Outcome<Tree> {
 }
 
 pub(super) fn paper_species() -> Species {
-    Species { name: "binary".into(), bark: "birch".into(), leaf_kinds: vec!["birch-cluster".into()] }
+    Species {
+        name: "binary".into(),
+        bark: "birch".into(),
+        leaf_kinds: vec!["birch-cluster".into()],
+    }
 }
 
 /// Parameters of meshes in scenes.
