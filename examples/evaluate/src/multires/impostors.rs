@@ -100,12 +100,15 @@ fn octahedral(table: &mut Table, name: &str, mesh: &Mesh) -> Outcome {
     let start = std::time::Instant::now();
     let baked = Octahedral::bake(mesh, &OctahedralParams::default(), &control)?;
     let seconds = start.elapsed().as_secs_f64();
-    let mut found = Vec::new();
+    let (mut found, mut harmonic) = (Vec::new(), Vec::new());
     let size = OCTAHEDRAL_SIZE;
     for camera in cameras(baked.meta.center, baked.meta.radius) {
         let seen = baked.mask(&camera, size, size, &control)?;
         let view = View { width: size, height: size, samples: SAMPLES, camera };
-        found.push(score(seen.bits(), mask(mesh, &view, &control)?.bits()).quality());
+        let score = score(seen.bits(), mask(mesh, &view, &control)?.bits());
+        found.push(score.quality());
+        let (p, r) = (score.precision(), score.recall());
+        harmonic.push(2.0 * p * r / (p + r).max(f64::MIN_POSITIVE));
     }
     let case = format!("octahedral, {name}");
     let bytes = baked.color.to_png()?.len() + baked.detail.to_png()?.len();
@@ -113,6 +116,7 @@ fn octahedral(table: &mut Table, name: &str, mesh: &Mesh) -> Outcome {
         table.row(&Row { case: &case, metric, paper: None, peer: None, ours, unit, aim });
     };
     row("mean Q, 32 views, 6 radii", mean(&found), "", Aim::AtLeast(QUALITY));
+    row("harmonic mean of P and R", mean(&harmonic), "", Aim::None);
     row("worst Q", found.iter().copied().fold(1.0, f64::min), "", Aim::None);
     row("bytes of both PNG", bytes as f64, "bytes", Aim::AtMost(BYTES));
     row("baking", seconds, "s", Aim::None);
