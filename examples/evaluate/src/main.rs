@@ -6,6 +6,7 @@
 mod ffi;
 mod measure;
 mod mesh;
+mod multires;
 mod particle;
 mod path;
 mod prune;
@@ -19,13 +20,14 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 7] = [
+const SYSTEMS: [(&str, Evaluation); 8] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
     ("silhouette", silhouette::evaluate),
     ("mesh", mesh::evaluate),
     ("prune", prune::evaluate),
+    ("multires", multires::evaluate),
     ("ffi", ffi::evaluate),
 ];
 
