@@ -58,7 +58,7 @@ fn of_paper() -> Outcome<String> {
         _ => Token::Module(1.0),
     }))?;
     let paths = paths(&adt, &Metric::BranchingLength, &Control::default())?;
-    let multi = MultiChain::new(&adt, &paths);
+    let multi = MultiChain::new(&adt, &paths)?;
     let name = |place| CHAIN.chars().nth(place as usize).map_or(String::new(), String::from);
     let text = multi.text(multi.n_levels(), name);
     Ok(text.replace("SAVE", "S").replace("RESTORE", "R"))
