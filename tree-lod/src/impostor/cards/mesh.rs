@@ -12,7 +12,7 @@ impl Cards {
     /// are drawn at once, which covers more than the leaves do.
     ///
     /// # Errors
-    /// [`LodError::Impostor`](crate::LodError::Impostor) when there is no such box.
+    /// [`LodError::Impostor`] when there is no such box.
     ///
     /// # Complexity
     /// O(boxes), and a copy of the atlas.
