@@ -21,7 +21,7 @@
 //! | `{` `.` `}` | a polygon, a corner of it where the turtle stands, its end; polygons nest |
 //! | `~(s, k)` | a leaf of size s and kind k (default 0): its midrib along H, its upper face towards U |
 //!
-//! Steps: one pass with a stack of states ([`walk`]) makes columns of nodes, leaves and polygons in f64 units
+//! Steps: one pass with a stack of states (`walk`) makes columns of nodes, leaves and polygons in f64 units
 //! (`wood`); these are scaled to metres, and widths become radii.
 //!
 //! Departures: `+ & \` are right-handed rotations about U, L and H, which is what their names say; two of the
