@@ -178,6 +178,14 @@ pub enum ModelError {
         /// What is wrong with it, and what would be right.
         problem: String,
     },
+    /// Something in a scene of trees cannot be.
+    #[error("{what}: {problem}")]
+    Scene {
+        /// What was asked for: "tree 3", "obstacle".
+        what: String,
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
     /// There is no preset of this name.
     #[error("no preset named '{name}'; there are {known}")]
     UnknownPreset {

@@ -9,6 +9,7 @@
 //! * [`sketch`]: a freehand drawing becomes a tree by a Markov random field (Neubert 2012).
 //! * [`silhouette`]: drawn outlines become a tree, level by level (Wither et al. 2009).
 //! * [`lsystem`]: a grammar becomes a tree (Prusinkiewicz & Lindenmayer 1990; Lluch et al. 2010).
+//! * [`plastic`]: trees that react to light, obstacles and neighbours (Pirk et al. 2012).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
 //! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
 
@@ -18,6 +19,7 @@ pub mod lsystem;
 pub mod particle;
 pub mod path;
 mod plane;
+pub mod plastic;
 pub mod silhouette;
 pub mod skeletonize;
 pub mod sketch;

@@ -1,0 +1,58 @@
+//! Which trees may shade each other.
+
+use super::super::light::Ball;
+use super::super::shade::LEAST;
+use super::edit::Planted;
+use glam::Vec3;
+
+/// What is asked of a tree from afar.
+struct Far {
+    /// Around it, in the world.
+    ball: Ball,
+    /// Radius of its largest cluster, and how dark it is.
+    largest: f32,
+    dark: f32,
+}
+
+/// For each tree those whose clusters may shade it at all, in an order that depends on where they stand alone.
+/// O(trees²).
+pub(super) fn neighbours(trees: &[Planted]) -> Vec<Vec<u32>> {
+    let far: Vec<Far> = trees.iter().map(Far::of).collect();
+    let key = |tree: &u32| {
+        let pose = trees[*tree as usize].pose;
+        let p = pose.position;
+        let q = pose.rotation;
+        [p.x, p.y, p.z, q.x, q.y, q.z, q.w].map(|v| v.to_bits())
+    };
+    (0..trees.len())
+        .map(|one| {
+            let mut near: Vec<u32> = (0..trees.len() as u32)
+                .filter(|&other| other as usize != one && far[other as usize].shades(&far[one]))
+                .collect();
+            near.sort_by_key(key);
+            near
+        })
+        .collect()
+}
+
+impl Far {
+    fn of(tree: &Planted) -> Self {
+        let around = tree.model.around;
+        let center = tree.pose.to_world(around.center);
+        let clusters = &tree.model.plan.clusters;
+        let largest = clusters.iter().map(|c| c.ball.radius).fold(0.0, f32::max);
+        let dark = clusters.iter().map(|c| 1.0 - c.ball.translucency).fold(0.0, f32::max);
+        Self { ball: Ball { center, ..around }, largest, dark }
+    }
+
+    /// Whether one of this tree's clusters may keep light from the other.
+    fn shades(&self, other: &Self) -> bool {
+        let offset: Vec3 = self.ball.center - other.ball.center;
+        let gap = offset.length() - self.ball.radius - other.ball.radius;
+        if gap <= 2.0 * self.largest {
+            return self.largest > 0.0;
+        }
+        let sin = self.largest / gap;
+        1.7 * sin * sin * self.dark > LEAST
+    }
+}
