@@ -199,6 +199,11 @@ const MAKERS: &[(&str, &str)] = &[
     ("tree_card_choice", "tree_card_choice_new(live_tree_cards(), &made)"),
     ("tree_mips", "tree_mips_of_picture(live_tree_picture(), 2, NULL, &made)"),
     ("tree_octahedral", "tree_octahedral_bake(live_tree_mesh(), few_frames(), NULL, NULL, &made)"),
+    (
+        "tree_hybrid",
+        "tree_hybrid_make(live_tree_tree(), live_tree_look(), small_hybrid(), NULL, &made)",
+    ),
+    ("tree_hybrid_choice", "tree_hybrid_choice_new(live_tree_hybrid(), &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
 ];
 

@@ -345,6 +345,13 @@ static const tree_card_params *small_cards(void) {
     return &params;
 }
 
+static const tree_hybrid_params *small_hybrid(void) {
+    static tree_hybrid_params params;
+    must(tree_hybrid_params_init(&params, sizeof params));
+    params.cards = small_cards();
+    return &params;
+}
+
 static const tree_octahedral_params *few_frames(void) {
     static tree_octahedral_params params;
     must(tree_octahedral_params_init(&params, sizeof params));
