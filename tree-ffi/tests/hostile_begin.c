@@ -25,11 +25,14 @@ typedef struct attack {
     int (*call)(const unsigned *moods);
     unsigned n_arguments;
     unsigned n_moods[MOST_ARGUMENTS];
+    /* Which struct an argument is, counted from 1; 0 for all else. */
+    unsigned structs[MOST_ARGUMENTS];
     int control;
     int strict;
 } attack;
 
 static int n_failures;
+static size_t n_calls;
 static const char *now = "nothing";
 static unsigned moods_now[MOST_ARGUMENTS];
 
