@@ -272,9 +272,10 @@ fn program(header: &Header) -> String {
             .map(|one| Kind::of(header, &one.kind).moods(header))
             .collect();
         let list = kinds.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-        // Its place among the structs, from 1 on.
+        // Its place among the structs, from 1 on; what is made the default is no lie.
+        let made = function.arguments.get(1).is_some_and(|second| second.name == "size");
         let which = |one: &header::Named| match Kind::of(header, &one.kind) {
-            Kind::Sized(name) => {
+            Kind::Sized(name) if !made => {
                 structs.iter().position(|other| *other == name).map_or(0, |at| at + 1)
             }
             _ => 0,

@@ -47,10 +47,9 @@ static void all(unsigned mood) {
     for (int i = 0; i < MOST_ARGUMENTS; i++) moods_now[i] = mood;
 }
 
-/* Under valgrind, where a call takes fifty times as long, calls are a sample: that there is no crash and no wrong
- * answer the same program shows without it, in all its calls. Every function still gets each bad value of each
- * argument that is no struct, with all others good. What can be wrong with a struct is dealt out to the functions
- * that take it: each gets at least one, and two get the same. */
+/* Under valgrind, where a call takes fifty times as long, calls are a sample; without it the same program makes all of
+ * them. Every function still gets each bad value of each argument that is no struct, with all others good. What can be
+ * wrong with a struct is dealt out to the functions that take it: each of them gets some of it. */
 static int few;
 static unsigned n_taking[MOST_STRUCTS], turns[MOST_STRUCTS];
 
@@ -64,7 +63,7 @@ static int is_left_out(const attack *attack, unsigned i, unsigned mood) {
     /* Without a control work is not kept short; the other programs under valgrind have none. */
     if (few && (int)i == attack->control && mood == 0) return 1;
     if (!few || which == 0 || mood < 2) return 0;
-    unsigned every = n_taking[which] / 2, most = attack->n_moods[i] - 2;
+    unsigned every = n_taking[which], most = attack->n_moods[i] - 2;
     if (every > most) every = most;
     return every > 1 && (mood + turns[which]) % every != 0;
 }
