@@ -46,6 +46,10 @@
 // `tree_cards_pixels` and `tree_cards_mesh` are uploaded; in each frame `tree_card_choice_update` says which boxes,
 // and which leaves, are drawn, with `tree_cards_shader`. From afar a whole tree is a `tree_octahedral_bake`.
 //
+// All distances: `tree_hybrid_make` puts a tree's wood with levels and its leaves with cards into one model. `tree_hybrid_mesh`
+// is uploaded; in each frame `tree_hybrid_choice_update` says how much of the wood, which boxes and which leaves are drawn.
+// `tree_hybrid_write_glb_levels` writes it for programs without shaders of ours.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -54,8 +58,8 @@
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
 //   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-//   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice` and
-//   `tree_stream_reader`: one thread at a time.
+//   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
+//   `tree_hybrid_choice` and `tree_stream_reader`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -1233,6 +1237,16 @@ typedef struct tree_grid tree_grid;
 // A surface around a plant: closed, facing outwards, in several pieces where points are far apart.
 typedef struct tree_hull tree_hull;
 
+// A tree for all distances: its wood has levels that are prefixes, its leaves are drawn as they are or by pictures of
+// boxes of them.
+typedef struct tree_hybrid tree_hybrid;
+
+// What is drawn of an instance of a hybrid model, kept from frame to frame. It keeps the model alive.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+// on it is `TREE_ERROR_ORDER`.
+typedef struct tree_hybrid_choice tree_hybrid_choice;
+
 // A sketch in space: what was inferred of it.
 typedef struct tree_inferred tree_inferred;
 
@@ -2147,6 +2161,142 @@ typedef struct tree_twig_report {
     double moved;
 } tree_twig_report;
 
+// How much is drawn.
+typedef struct tree_hybrid_choice_report {
+    // `sizeof(tree_hybrid_choice_report)`.
+    size_t struct_size;
+    // Boxes drawn by their planes.
+    size_t n_boxes;
+    // Ranges of leaves drawn as geometry.
+    size_t n_ranges;
+    // Leaves in these.
+    size_t n_leaves;
+    // Triangles of wood, leaves and planes.
+    uint64_t n_triangles;
+    // Fractional level of the wood, at least 1, for the shader.
+    float level;
+    // Indices of the wood, surface 0, that are drawn, from the first on.
+    uint32_t wood_indices;
+} tree_hybrid_choice_report;
+
+// Leaves one after another in the order that `tree_leaf_boxes_order` tells.
+typedef struct tree_leaf_range {
+    // The first row.
+    uint32_t first;
+    // Number of rows.
+    uint32_t n_leaves;
+} tree_leaf_range;
+
+// What becomes of ambient occlusion in a glTF file: one of the `TREE_GLTF_OCCLUSION_` constants.
+typedef uint32_t tree_gltf_occlusion;
+
+// How a glTF file is written. Begin with `tree_glb_options_init`.
+typedef struct tree_glb_options {
+    // `sizeof(tree_glb_options)`.
+    size_t struct_size;
+    // Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
+    struct tree_str name;
+    // Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
+    // them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
+    // for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
+    // length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
+    // Default 0.
+    uint32_t quantize;
+    // Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
+    // know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
+    // look into it.
+    uint32_t translucency;
+    // What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
+    tree_gltf_occlusion occlusion;
+    // 0.
+    uint32_t reserved;
+} tree_glb_options;
+
+// What a branch is worth: one of the `TREE_METRIC_` constants.
+typedef uint32_t tree_metric;
+
+// How branches are compared. Begin with `tree_metric_params_init`.
+typedef struct tree_metric_params {
+    // `sizeof(tree_metric_params)`.
+    size_t struct_size;
+    // For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
+    // default, for all others.
+    const double *worths;
+    // Number of worths: the number of branches, or 0 for the default.
+    size_t n_worths;
+    // What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
+    tree_metric metric;
+    // 0.
+    uint32_t reserved;
+} tree_metric_params;
+
+// The line that is drawn through the nodes of an axis: one of the `TREE_CURVE_` constants.
+typedef uint32_t tree_curve_fit;
+
+// How it is said how far a mesh may leave the exact shape: one of the `TREE_BOUND_` constants.
+typedef uint32_t tree_bound_kind;
+
+// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
+// `tree_mesh_params_init`.
+typedef struct tree_mesh_params {
+    // `sizeof(tree_mesh_params)`.
+    size_t struct_size;
+    // Which child goes on at a fork and which start tubes of their own. Default
+    // `TREE_CONTINUATION_THICKEST`.
+    tree_continuation continuation;
+    // Fewest sides of a tube, 3 to `sides_max`. Default 3.
+    uint32_t sides_min;
+    // Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
+    uint32_t sides_max;
+    // The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
+    tree_curve_fit fit;
+    // How it is said how far the mesh may leave the round, curved branch, which rules the number of
+    // sides between the two bounds above and the number of rings. Default `TREE_BOUND_METRES`.
+    tree_bound_kind error_kind;
+    // With `TREE_BOUND_METRES`: the error, 0.01 mm to 1 m. Default 3 mm.
+    float error;
+    // With `TREE_BOUND_PIXELS`: width of the error on the screen, 0.01 to 1000. Default 1.
+    float error_pixels;
+    // With `TREE_BOUND_PIXELS`: from the eye to the tree in metres, 0.01 to 1e6. Default 10 m.
+    float error_distance;
+    // With `TREE_BOUND_PIXELS`: vertical field of view, 0.01 to 3. Default 1.
+    float error_fov_y;
+    // With `TREE_BOUND_PIXELS`: height of the screen in pixels, 1 or more. Default 1080.
+    uint32_t error_height;
+    // Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
+    // bend in the wind.
+    float strip_max;
+    // Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
+    float radius_min;
+    // Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
+    // that it goes round a whole number of times.
+    float bark_width;
+    // Height of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m.
+    float bark_length;
+    // How much wider the trunk is at the ground, as a share of its radius, 0 to 3; 0 turns the root
+    // flare off. Default 0.35.
+    float flare;
+    // Height of the root flare in radii of the trunk, 0.1 to 20. Default 3.
+    float flare_height;
+    // Number of buttresses in the flare, 0 to 12. Default 5.
+    uint32_t flare_lobes;
+    // How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
+    float flare_lobe_depth;
+    // Factor on the length of every leaf, 0.01 to 100. Default 1.
+    float leaf_scale;
+    // Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its look says.
+    float leaf_width;
+    // How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
+    // Default 0.6: soft light over the whole crown.
+    float leaf_rounding;
+    // Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default no.
+    uint32_t tangents;
+    // Whether vertices get texture coordinates for a light map, 8 bytes each. Default no.
+    uint32_t lightmap;
+    // Not used; 0.
+    uint32_t reserved;
+} tree_mesh_params;
+
 // Which branches get a box. Begin with `tree_leaf_box_params_init`.
 typedef struct tree_leaf_box_params {
     // `sizeof(tree_leaf_box_params)`.
@@ -2166,6 +2316,80 @@ typedef struct tree_leaf_box_params {
     // 0.
     uint32_t reserved;
 } tree_leaf_box_params;
+
+// How leaves are projected onto planes. Begin with `tree_card_params_init`.
+typedef struct tree_card_params {
+    // `sizeof(tree_card_params)`.
+    size_t struct_size;
+    // Side of a picture in texels, gutters included, 16 to 1024. Default 64.
+    uint32_t size;
+    // Samples of a texel in each direction, 1 to 8. Default 4.
+    uint32_t samples;
+    // Texels around each picture that repeat what is at its edge, 1 to 8 and at most a quarter of `size`: so that
+    // filters do not mix pictures. Default 1.
+    uint32_t gutter;
+    // 0.
+    uint32_t reserved;
+} tree_card_params;
+
+// When boxes are opened. Begin with `tree_card_choose_params_init`.
+typedef struct tree_card_choose_params {
+    // `sizeof(tree_card_choose_params)`.
+    size_t struct_size;
+    // Pixels that a texel may cover before its box is opened, 0.01 to 100. Less is sharper and heavier. Default 1.
+    float texel_pixels;
+    // How much further, relatively, a box must be before it is closed again, 0 to 1: so that a camera that trembles
+    // does not make leaves flicker. Default 0.1.
+    float hysteresis;
+} tree_card_choose_params;
+
+// Parameters of every step to a hybrid model. Begin with `tree_hybrid_params_init`. A part that is NULL, as all are
+// then, is its default.
+typedef struct tree_hybrid_params {
+    // `sizeof(tree_hybrid_params)`.
+    size_t struct_size;
+    // What branches are worth.
+    const struct tree_metric_params *metric;
+    // How wood and leaves are drawn.
+    const struct tree_mesh_params *mesh;
+    // How leaves are put into boxes.
+    const struct tree_leaf_box_params *boxes;
+    // The pictures of the boxes.
+    const struct tree_card_params *cards;
+    // When pictures take the place of leaves.
+    const struct tree_card_choose_params *choose;
+    // For `TREE_METRIC_RANDOM` alone. Default 0.
+    uint64_t seed;
+    // Side in pixels, 0.01 to 100, of the square that a path must cover, seen from the side, to be drawn. Less shows
+    // finer twigs, more saves triangles. Default 0.5.
+    float wood_pixels;
+    // 0.
+    uint32_t reserved;
+} tree_hybrid_params;
+
+// How much there is of a hybrid model.
+typedef struct tree_hybrid_totals {
+    // `sizeof(tree_hybrid_totals)`.
+    size_t struct_size;
+    // Levels of the wood, at least 1.
+    size_t n_levels;
+    // Surfaces of its mesh, those without triangles included; surface 0 is the wood.
+    size_t n_surfaces;
+    // Triangles when all is drawn as it is.
+    uint64_t n_triangles;
+    // Boxes of leaves; 0 for a tree without leaves.
+    size_t n_boxes;
+    // Rows of the order of the boxes: leaves that are drawn.
+    size_t n_leaves;
+} tree_hybrid_totals;
+
+// A part of an index buffer.
+typedef struct tree_index_window {
+    // The first index.
+    uint32_t first_index;
+    // Number of indices; may be 0.
+    uint32_t index_count;
+} tree_index_window;
 
 // What became of the leaves.
 typedef struct tree_leaf_boxes_report {
@@ -2229,21 +2453,6 @@ typedef struct tree_card_plane {
     // Half the depth of the box across the plane, in metres.
     float reach;
 } tree_card_plane;
-
-// How leaves are projected onto planes. Begin with `tree_card_params_init`.
-typedef struct tree_card_params {
-    // `sizeof(tree_card_params)`.
-    size_t struct_size;
-    // Side of a picture in texels, gutters included, 16 to 1024. Default 64.
-    uint32_t size;
-    // Samples of a texel in each direction, 1 to 8. Default 4.
-    uint32_t samples;
-    // Texels around each picture that repeat what is at its edge, 1 to 8 and at most a quarter of `size`: so that
-    // filters do not mix pictures. Default 1.
-    uint32_t gutter;
-    // 0.
-    uint32_t reserved;
-} tree_card_params;
 
 // What was baked.
 typedef struct tree_cards_report {
@@ -2324,44 +2533,8 @@ typedef struct tree_view {
     uint32_t reserved;
 } tree_view;
 
-// What becomes of ambient occlusion in a glTF file: one of the `TREE_GLTF_OCCLUSION_` constants.
-typedef uint32_t tree_gltf_occlusion;
-
-// How a glTF file is written. Begin with `tree_glb_options_init`.
-typedef struct tree_glb_options {
-    // `sizeof(tree_glb_options)`.
-    size_t struct_size;
-    // Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
-    struct tree_str name;
-    // Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
-    // them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
-    // for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
-    // length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
-    // Default 0.
-    uint32_t quantize;
-    // Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
-    // know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
-    // look into it.
-    uint32_t translucency;
-    // What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
-    tree_gltf_occlusion occlusion;
-    // 0.
-    uint32_t reserved;
-} tree_glb_options;
-
 // Language of a shader: one of the `TREE_SHADER_` constants.
 typedef uint32_t tree_shader;
-
-// When boxes are opened. Begin with `tree_card_choose_params_init`.
-typedef struct tree_card_choose_params {
-    // `sizeof(tree_card_choose_params)`.
-    size_t struct_size;
-    // Pixels that a texel may cover before its box is opened, 0.01 to 100. Less is sharper and heavier. Default 1.
-    float texel_pixels;
-    // How much further, relatively, a box must be before it is closed again, 0 to 1: so that a camera that trembles
-    // does not make leaves flicker. Default 0.1.
-    float hysteresis;
-} tree_card_choose_params;
 
 // How much is drawn.
 typedef struct tree_card_choice_report {
@@ -2374,14 +2547,6 @@ typedef struct tree_card_choice_report {
     // Leaves in these.
     size_t n_leaves;
 } tree_card_choice_report;
-
-// Leaves one after another in the order that `tree_leaf_boxes_order` tells.
-typedef struct tree_leaf_range {
-    // The first row.
-    uint32_t first;
-    // Number of rows.
-    uint32_t n_leaves;
-} tree_leaf_range;
 
 // A view, and how much of it is seen.
 typedef struct tree_octahedral_frame {
@@ -2453,73 +2618,6 @@ typedef struct tree_octahedral_meta {
     // Metres of a texel: the largest of any view. It follows from the others, and is not read.
     float texel;
 } tree_octahedral_meta;
-
-// The line that is drawn through the nodes of an axis: one of the `TREE_CURVE_` constants.
-typedef uint32_t tree_curve_fit;
-
-// How it is said how far a mesh may leave the exact shape: one of the `TREE_BOUND_` constants.
-typedef uint32_t tree_bound_kind;
-
-// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
-// `tree_mesh_params_init`.
-typedef struct tree_mesh_params {
-    // `sizeof(tree_mesh_params)`.
-    size_t struct_size;
-    // Which child goes on at a fork and which start tubes of their own. Default
-    // `TREE_CONTINUATION_THICKEST`.
-    tree_continuation continuation;
-    // Fewest sides of a tube, 3 to `sides_max`. Default 3.
-    uint32_t sides_min;
-    // Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
-    uint32_t sides_max;
-    // The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
-    tree_curve_fit fit;
-    // How it is said how far the mesh may leave the round, curved branch, which rules the number of
-    // sides between the two bounds above and the number of rings. Default `TREE_BOUND_METRES`.
-    tree_bound_kind error_kind;
-    // With `TREE_BOUND_METRES`: the error, 0.01 mm to 1 m. Default 3 mm.
-    float error;
-    // With `TREE_BOUND_PIXELS`: width of the error on the screen, 0.01 to 1000. Default 1.
-    float error_pixels;
-    // With `TREE_BOUND_PIXELS`: from the eye to the tree in metres, 0.01 to 1e6. Default 10 m.
-    float error_distance;
-    // With `TREE_BOUND_PIXELS`: vertical field of view, 0.01 to 3. Default 1.
-    float error_fov_y;
-    // With `TREE_BOUND_PIXELS`: height of the screen in pixels, 1 or more. Default 1080.
-    uint32_t error_height;
-    // Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
-    // bend in the wind.
-    float strip_max;
-    // Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
-    float radius_min;
-    // Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
-    // that it goes round a whole number of times.
-    float bark_width;
-    // Height of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m.
-    float bark_length;
-    // How much wider the trunk is at the ground, as a share of its radius, 0 to 3; 0 turns the root
-    // flare off. Default 0.35.
-    float flare;
-    // Height of the root flare in radii of the trunk, 0.1 to 20. Default 3.
-    float flare_height;
-    // Number of buttresses in the flare, 0 to 12. Default 5.
-    uint32_t flare_lobes;
-    // How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
-    float flare_lobe_depth;
-    // Factor on the length of every leaf, 0.01 to 100. Default 1.
-    float leaf_scale;
-    // Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its look says.
-    float leaf_width;
-    // How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
-    // Default 0.6: soft light over the whole crown.
-    float leaf_rounding;
-    // Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default no.
-    uint32_t tangents;
-    // Whether vertices get texture coordinates for a light map, 8 bytes each. Default no.
-    uint32_t lightmap;
-    // Not used; 0.
-    uint32_t reserved;
-} tree_mesh_params;
 
 // How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
 typedef struct tree_instancing_params {
@@ -4119,24 +4217,6 @@ typedef struct tree_multi_draw {
     // Number of indices; may be 0.
     uint32_t index_count;
 } tree_multi_draw;
-
-// What a branch is worth: one of the `TREE_METRIC_` constants.
-typedef uint32_t tree_metric;
-
-// How branches are compared. Begin with `tree_metric_params_init`.
-typedef struct tree_metric_params {
-    // `sizeof(tree_metric_params)`.
-    size_t struct_size;
-    // For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
-    // default, for all others.
-    const double *worths;
-    // Number of worths: the number of branches, or 0 for the default.
-    size_t n_worths;
-    // What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
-    tree_metric metric;
-    // 0.
-    uint32_t reserved;
-} tree_metric_params;
 
 // A skeleton's columns: as input, or as a view of a `tree_skeleton`.
 typedef struct tree_skeleton_columns {
@@ -7588,6 +7668,137 @@ tree_status tree_twig_params_init(struct tree_twig_params *params, size_t size);
 // Whether all fields are in order: `TREE_OK`, or the error that their use would give.
 tree_status tree_twig_params_check(const struct tree_twig_params *params);
 
+// Makes a choice for one instance of a model, with room for all there can ever be; level 1 and no leaves until it is
+// updated. Free it with `tree_hybrid_choice_free`.
+tree_status tree_hybrid_choice_new(const struct tree_hybrid *hybrid,
+                                   struct tree_hybrid_choice **choice);
+
+// What is drawn where the whole tree is `pixels` high, above 0 and at most 1e5, at the same scale everywhere: for files,
+// previews, and levels of engines that have no shaders of ours. Free it with `tree_hybrid_choice_free`.
+tree_status tree_hybrid_choice_for_height(const struct tree_hybrid *hybrid,
+                                          float pixels,
+                                          struct tree_hybrid_choice **choice);
+
+// Chooses for a frame: a level of wood, and of leaves as `tree_card_choice_update` does it. It takes no memory.
+//
+// `eye` is three floats, in metres in the space of the tree, -1e9 to 1e9. `pixels_per_metre` is how many pixels something
+// of a metre covers at a distance of a metre: height in pixels / (2 tan(fov / 2)), times the scale of the instance;
+// above 0, at most 1e9. `report` may be NULL when it is not wanted. `TREE_ERROR_PARAMETER` for numbers out of range; the
+// choice is left as it was then.
+tree_status tree_hybrid_choice_update(struct tree_hybrid_choice *choice,
+                                      const float *eye,
+                                      float pixels_per_metre,
+                                      struct tree_hybrid_choice_report *report);
+
+// Tells how much is drawn since the last update. Set `report->struct_size` first.
+tree_status tree_hybrid_choice_measure(const struct tree_hybrid_choice *choice,
+                                       struct tree_hybrid_choice_report *report);
+
+// Writes the numbers of the boxes that are drawn by their planes. `boxes` has room for `capacity` numbers, at least
+// `n_boxes` of the report; as many as there are boxes are always enough.
+tree_status tree_hybrid_choice_boxes(const struct tree_hybrid_choice *choice,
+                                     uint32_t *boxes,
+                                     size_t capacity);
+
+// Writes the ranges of leaves that are drawn as geometry, rising, neighbours joined: `tree_hybrid_leaf_window` tells their
+// indices. `ranges` has room for `capacity` of them, at least `n_ranges` of the report; as many as there are boxes are
+// always enough.
+tree_status tree_hybrid_choice_ranges(const struct tree_hybrid_choice *choice,
+                                      struct tree_leaf_range *ranges,
+                                      size_t capacity);
+
+// What is chosen as a plain mesh: the wood grown to its level, leaves, and three planes of each box, with light as on a
+// crown. `control` may be NULL; of it only threads matter, and a cancellation before the work begins. Free the mesh with
+// `tree_mesh_free`.
+tree_status tree_hybrid_choice_mesh(const struct tree_hybrid_choice *choice,
+                                    const struct tree_control *control,
+                                    struct tree_mesh **mesh);
+
+// Frees a choice.
+tree_status tree_hybrid_choice_free(struct tree_hybrid_choice *choice);
+
+// Levels as the `MSFT_lod` of one GLB file, each a mesh of its own, as `tree_hybrid_choice_mesh` makes it: for programs
+// without shaders of ours. `heights` are `n_heights` heights of the tree on the screen in pixels, falling, at most 1024:
+// each level is made for its height, and shown until the tree is as high as the next one says; the last is shown to the
+// end. `screen` is the height of the screen in pixels, 1 to 1e5. `options` and `control` may be NULL, as in
+// `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no heights or they do
+// not fall.
+tree_status tree_hybrid_to_glb_levels(const struct tree_hybrid *hybrid,
+                                      const float *heights,
+                                      size_t n_heights,
+                                      float screen,
+                                      const struct tree_glb_options *options,
+                                      const struct tree_control *control,
+                                      struct tree_bytes **bytes);
+
+// As `tree_hybrid_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+tree_status tree_hybrid_write_glb_levels(const struct tree_hybrid *hybrid,
+                                         const float *heights,
+                                         size_t n_heights,
+                                         float screen,
+                                         const char *path,
+                                         size_t path_len,
+                                         const struct tree_glb_options *options,
+                                         const struct tree_control *control);
+
+// Makes the model of a tree: sorts its branches (`tree_multires_new`), draws them (`tree_multi_mesh_new`), puts its
+// leaves into boxes (`tree_leaf_boxes_along`) and takes their pictures (`tree_cards_bake`), which takes most of the
+// time. `look` may be NULL: the built-in textures that the tree's species names. `params` and `control` may be NULL.
+// Free the model with `tree_hybrid_free`. Errors are those of the steps.
+tree_status tree_hybrid_make(const struct tree_tree *tree,
+                             const struct tree_look *look,
+                             const struct tree_hybrid_params *params,
+                             const struct tree_control *control,
+                             struct tree_hybrid **hybrid);
+
+// Tells how large a model is. Set `totals->struct_size` first.
+tree_status tree_hybrid_measure(const struct tree_hybrid *hybrid,
+                                struct tree_hybrid_totals *totals);
+
+// The mesh to upload, nothing copied: surface 0 is the wood, of which a level is a prefix; the others are leaves, kind by
+// kind, in the order of the boxes, so that each box has one window (`tree_hybrid_leaf_window`). Free it with
+// `tree_mesh_free`; it keeps alive what it is of.
+tree_status tree_hybrid_mesh(const struct tree_hybrid *hybrid,
+                             struct tree_mesh **mesh);
+
+// The sorted tree, nothing copied. Free it with `tree_multires_free`; it keeps alive what it is of.
+tree_status tree_hybrid_multires(const struct tree_hybrid *hybrid, struct tree_multires **multires);
+
+// The wood and its levels, with leaves in the order of their paths, nothing copied: `tree_multi_mesh_branches` of surface
+// 0 and `tree_multi_mesh_draws` are right for the model's mesh too. Free it with `tree_multi_mesh_free`; it keeps alive
+// what it is of.
+tree_status tree_hybrid_wood(const struct tree_hybrid *hybrid,
+                             struct tree_multi_mesh **wood);
+
+// Boxes and pictures of the leaves, nothing copied. Free them with `tree_cards_free`; they keep alive what they are of.
+// `TREE_ERROR_NO_RESULT` when the tree has no leaves.
+tree_status tree_hybrid_cards(const struct tree_hybrid *hybrid,
+                              struct tree_cards **cards);
+
+// Which indices of surface `number` of the model's mesh draw `n_leaves` leaves from row `first_leaf` on, as
+// `tree_hybrid_choice_ranges` gives them. None for the wood, and for rows that are not there. `TREE_ERROR_PARAMETER` when there is no such surface.
+tree_status tree_hybrid_leaf_window(const struct tree_hybrid *hybrid,
+                                    size_t number,
+                                    uint32_t first_leaf,
+                                    uint32_t n_leaves,
+                                    struct tree_index_window *window);
+
+// The fractional level of the wood where a metre covers so many pixels, 0 to infinity; it changes without a step.
+// `TREE_ERROR_PARAMETER` for less than 0, or NaN.
+tree_status tree_hybrid_level(const struct tree_hybrid *hybrid,
+                              float pixels_per_metre,
+                              float *level);
+
+// Frees a model. Its parts that were asked for, and choices, stay.
+tree_status tree_hybrid_free(struct tree_hybrid *hybrid);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_hybrid_params_init(struct tree_hybrid_params *params, size_t size);
+
+// Checks every field of `params` and of its parts; `TREE_ERROR_PARAMETER` or `TREE_ERROR_ENUM` names the first at
+// fault.
+tree_status tree_hybrid_params_check(const struct tree_hybrid_params *params);
+
 // Writes the node of the tree's skeleton that carries each element, leaf by leaf, exactly: for a mesh that was built
 // of this tree. `elements` must be whole leaves (`TREE_GRAIN_LEAF`). `bearers` has room for `capacity` numbers, at least
 // one for each element. `TREE_ERROR_INVALID` when mesh and tree have different numbers of leaves.
@@ -7721,6 +7932,17 @@ tree_status tree_cards_mesh(const struct tree_cards *cards,
                             size_t n_boxes,
                             const struct tree_control *control,
                             struct tree_mesh **mesh);
+
+// As `tree_cards_mesh`, of some planes of each box only: `n_planes` numbers, 0 to 5, as `tree_leaf_boxes_planes` counts
+// them, at most six. For programs without the shader: 0, 2 and 4, one for each axis, cover about as much as the leaves
+// do. `TREE_ERROR_INVALID` when there is no such box or plane.
+tree_status tree_cards_mesh_of_planes(const struct tree_cards *cards,
+                                      const uint32_t *boxes,
+                                      size_t n_boxes,
+                                      const uint32_t *planes,
+                                      size_t n_planes,
+                                      const struct tree_control *control,
+                                      struct tree_mesh **mesh);
 
 // What a camera sees of `n_boxes` boxes, at most 65,536, by one sample for each pixel: sRGB colour without light, alpha
 // 0 or 255. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
@@ -9833,6 +10055,12 @@ tree_status tree_multi_mesh_draws(const struct tree_multi_mesh *multi_mesh,
                                   struct tree_multi_draw *draws,
                                   size_t capacity,
                                   uint64_t *n_triangles);
+
+// Number of indices of the wood, surface 0, that are drawn at a level; levels are clamped to 1 and all.
+// `TREE_ERROR_PARAMETER` for NaN.
+tree_status tree_multi_mesh_wood_indices(const struct tree_multi_mesh *multi_mesh,
+                                         float level,
+                                         uint32_t *n_indices);
 
 // The greatest whole level with at most `n_triangles` triangles of wood; at least 1.
 tree_status tree_multi_mesh_level_of_wood(const struct tree_multi_mesh *multi_mesh,

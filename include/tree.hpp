@@ -419,6 +419,8 @@ class Graph;
 class GraphNodes;
 class Grid;
 class Hull;
+class Hybrid;
+class HybridChoice;
 class Inferred;
 class LeafBoxes;
 class LeafModel;
@@ -561,8 +563,12 @@ struct GraphNodesColumns;
 struct GridColumns;
 struct HullColumns;
 struct HullParams;
+struct HybridChoiceReport;
+struct HybridParams;
+struct HybridTotals;
 struct ImportOptions;
 struct ImportReport;
+using IndexWindow = tree_index_window;
 struct InferredColumns;
 using InstanceLod = tree_instance_lod;
 struct InstancingParams;
@@ -1041,6 +1047,19 @@ struct HullColumns : tree_hull_columns {
 struct HullParams : tree_hull_params {
     HullParams() : tree_hull_params{} { tree_hull_params_init(this, sizeof(tree_hull_params)); }
     bool check() const;
+};
+
+struct HybridChoiceReport : tree_hybrid_choice_report {
+    HybridChoiceReport() : tree_hybrid_choice_report{} { struct_size = sizeof *this; }
+};
+
+struct HybridParams : tree_hybrid_params {
+    HybridParams() : tree_hybrid_params{} { tree_hybrid_params_init(this, sizeof(tree_hybrid_params)); }
+    bool check() const;
+};
+
+struct HybridTotals : tree_hybrid_totals {
+    HybridTotals() : tree_hybrid_totals{} { struct_size = sizeof *this; }
 };
 
 struct ImportOptions : tree_import_options {
@@ -1822,6 +1841,7 @@ public:
     Pixels pixels(tree_impostor_map map) const && = delete;
     Picture picture(tree_impostor_map map, Ref<tree_control> control = nullptr) const;
     Mesh mesh(Span<const uint32_t> boxes, Ref<tree_control> control = nullptr) const;
+    Mesh mesh_of_planes(Span<const uint32_t> boxes, Span<const uint32_t> planes, Ref<tree_control> control = nullptr) const;
     Picture view(Span<const uint32_t> boxes, Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
     Bytes to_glb(Span<const uint32_t> boxes, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     bool write_glb(Span<const uint32_t> boxes, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
@@ -2039,6 +2059,33 @@ public:
     bool sample(size_t n_samples, uint64_t seed, Ref<tree_control> control, Span<float> positions, Span<float> normals) const;
     std::tuple<std::vector<float>, std::vector<float>> nearest(Span<const float> points, Ref<tree_control> control = nullptr) const;
     bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> positions, Span<float> normals) const;
+};
+
+class Hybrid : public detail::Object<tree_hybrid, tree_hybrid_free> {
+public:
+    using Object::Object;
+    Bytes to_glb_levels(Span<const float> heights, float screen, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    bool write_glb_levels(Span<const float> heights, float screen, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    static Hybrid make(const Tree &tree, Maybe<tree_look> look = nullptr, Ref<tree_hybrid_params> params = nullptr, Ref<tree_control> control = nullptr);
+    HybridTotals measure() const;
+    Mesh mesh() const;
+    Multires multires() const;
+    MultiMesh wood() const;
+    Cards cards() const;
+    tree_index_window leaf_window(size_t number, uint32_t first_leaf, uint32_t n_leaves) const;
+    float level(float pixels_per_metre) const;
+};
+
+class HybridChoice : public detail::Object<tree_hybrid_choice, tree_hybrid_choice_free> {
+public:
+    using Object::Object;
+    static HybridChoice make(const Hybrid &hybrid);
+    static HybridChoice for_height(const Hybrid &hybrid, float pixels);
+    HybridChoiceReport update(const Floats<3> &eye, float pixels_per_metre) const;
+    HybridChoiceReport measure() const;
+    bool boxes(Span<uint32_t> boxes) const;
+    bool ranges(Span<tree_leaf_range> ranges) const;
+    Mesh mesh(Ref<tree_control> control = nullptr) const;
 };
 
 class Inferred : public detail::Object<tree_inferred, tree_inferred_free> {
@@ -2263,6 +2310,7 @@ public:
     MultiMeshColumn branches(size_t number) const && = delete;
     std::tuple<std::vector<tree_multi_draw>, uint64_t> draws(float level) const;
     uint64_t draws(float level, Span<tree_multi_draw> draws) const;
+    uint32_t wood_indices(float level) const;
     size_t level_of_wood(uint64_t n_triangles) const;
     Mesh mesh_at(float level, Ref<tree_control> control = nullptr) const;
 };
@@ -3352,6 +3400,89 @@ inline std::tuple<Rows, Skeleton> Skeleton::refine(float bearing, float spacing,
 inline bool TwigParams::check() const {
     return detail::done(tree_twig_params_check(this));
 }
+inline HybridChoice HybridChoice::make(const Hybrid &hybrid) {
+    HybridChoice choice;
+    detail::done(tree_hybrid_choice_new(hybrid.get(), choice.place()));
+    return choice;
+}
+inline HybridChoice HybridChoice::for_height(const Hybrid &hybrid, float pixels) {
+    HybridChoice choice;
+    detail::done(tree_hybrid_choice_for_height(hybrid.get(), pixels, choice.place()));
+    return choice;
+}
+inline HybridChoiceReport HybridChoice::update(const Floats<3> &eye, float pixels_per_metre) const {
+    HybridChoiceReport report;
+    if (!(detail::done(tree_hybrid_choice_update(get(), eye, pixels_per_metre, &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline HybridChoiceReport HybridChoice::measure() const {
+    HybridChoiceReport report;
+    if (!(detail::done(tree_hybrid_choice_measure(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline bool HybridChoice::boxes(Span<uint32_t> boxes) const {
+    return detail::done(tree_hybrid_choice_boxes(get(), boxes.data(), boxes.size()));
+}
+inline bool HybridChoice::ranges(Span<tree_leaf_range> ranges) const {
+    return detail::done(tree_hybrid_choice_ranges(get(), ranges.data(), ranges.size()));
+}
+inline Mesh HybridChoice::mesh(Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_hybrid_choice_mesh(get(), control, mesh.place()), control);
+    return mesh;
+}
+inline Bytes Hybrid::to_glb_levels(Span<const float> heights, float screen, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_hybrid_to_glb_levels(get(), heights.data(), heights.size(), screen, options, control, bytes.place()), control);
+    return bytes;
+}
+inline bool Hybrid::write_glb_levels(Span<const float> heights, float screen, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_hybrid_write_glb_levels(get(), heights.data(), heights.size(), screen, path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline Hybrid Hybrid::make(const Tree &tree, Maybe<tree_look> look, Ref<tree_hybrid_params> params, Ref<tree_control> control) {
+    Hybrid hybrid;
+    static_cast<void>(detail::expect(look.fits(), TREE_ERROR_NULL, "look: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_hybrid_make(tree.get(), look, params, control, hybrid.place()), control));
+    return hybrid;
+}
+inline HybridTotals Hybrid::measure() const {
+    HybridTotals totals;
+    if (!(detail::done(tree_hybrid_measure(get(), &totals)))) { totals.struct_size = 0; }
+    return totals;
+}
+inline Mesh Hybrid::mesh() const {
+    Mesh mesh;
+    detail::done(tree_hybrid_mesh(get(), mesh.place()));
+    return mesh;
+}
+inline Multires Hybrid::multires() const {
+    Multires multires;
+    detail::done(tree_hybrid_multires(get(), multires.place()));
+    return multires;
+}
+inline MultiMesh Hybrid::wood() const {
+    MultiMesh wood;
+    detail::done(tree_hybrid_wood(get(), wood.place()));
+    return wood;
+}
+inline Cards Hybrid::cards() const {
+    Cards cards;
+    detail::done(tree_hybrid_cards(get(), cards.place()));
+    return cards;
+}
+inline tree_index_window Hybrid::leaf_window(size_t number, uint32_t first_leaf, uint32_t n_leaves) const {
+    tree_index_window window{};
+    detail::done(tree_hybrid_leaf_window(get(), number, first_leaf, n_leaves, &window));
+    return window;
+}
+inline float Hybrid::level(float pixels_per_metre) const {
+    float level{};
+    detail::done(tree_hybrid_level(get(), pixels_per_metre, &level));
+    return level;
+}
+inline bool HybridParams::check() const {
+    return detail::done(tree_hybrid_params_check(this));
+}
 inline std::vector<uint32_t> Tree::leaf_bearers_of_tree(const Mesh &mesh, const Elements &elements) const {
     std::vector<uint32_t> bearers(elements.view().n_elements);
     if (!(detail::done(tree_leaf_bearers_of_tree(get(), mesh.get(), elements.get(), bearers.data(), bearers.size())))) { bearers.clear(); }
@@ -3441,6 +3572,11 @@ inline Picture Cards::picture(tree_impostor_map map, Ref<tree_control> control) 
 inline Mesh Cards::mesh(Span<const uint32_t> boxes, Ref<tree_control> control) const {
     Mesh mesh;
     detail::done(tree_cards_mesh(get(), boxes.data(), boxes.size(), control, mesh.place()), control);
+    return mesh;
+}
+inline Mesh Cards::mesh_of_planes(Span<const uint32_t> boxes, Span<const uint32_t> planes, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_cards_mesh_of_planes(get(), boxes.data(), boxes.size(), planes.data(), planes.size(), control, mesh.place()), control);
     return mesh;
 }
 inline Picture Cards::view(Span<const uint32_t> boxes, Ref<tree_view> view, Ref<tree_control> control) const {
@@ -4860,6 +4996,11 @@ inline uint64_t MultiMesh::draws(float level, Span<tree_multi_draw> draws) const
     uint64_t n_triangles{};
     detail::done(tree_multi_mesh_draws(get(), level, draws.data(), draws.size(), &n_triangles));
     return n_triangles;
+}
+inline uint32_t MultiMesh::wood_indices(float level) const {
+    uint32_t n_indices{};
+    detail::done(tree_multi_mesh_wood_indices(get(), level, &n_indices));
+    return n_indices;
 }
 inline size_t MultiMesh::level_of_wood(uint64_t n_triangles) const {
     size_t n_levels{};

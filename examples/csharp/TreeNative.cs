@@ -172,6 +172,20 @@ namespace TreeFamily.Native
     public struct tree_hull { }
 
     /// <summary>
+    /// A tree for all distances: its wood has levels that are prefixes, its leaves are drawn as they are or by pictures of
+    /// boxes of them.
+    /// </summary>
+    public struct tree_hybrid { }
+
+    /// <summary>
+    /// What is drawn of an instance of a hybrid model, kept from frame to frame. It keeps the model alive.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
+    /// on it is `TREE_ERROR_ORDER`.
+    /// </summary>
+    public struct tree_hybrid_choice { }
+
+    /// <summary>
     /// A sketch in space: what was inferred of it.
     /// </summary>
     public struct tree_inferred { }
@@ -1781,6 +1795,240 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How much is drawn.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_hybrid_choice_report
+    {
+        /// <summary>
+        /// `sizeof(tree_hybrid_choice_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Boxes drawn by their planes.
+        /// </summary>
+        public UIntPtr n_boxes;
+        /// <summary>
+        /// Ranges of leaves drawn as geometry.
+        /// </summary>
+        public UIntPtr n_ranges;
+        /// <summary>
+        /// Leaves in these.
+        /// </summary>
+        public UIntPtr n_leaves;
+        /// <summary>
+        /// Triangles of wood, leaves and planes.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Fractional level of the wood, at least 1, for the shader.
+        /// </summary>
+        public float level;
+        /// <summary>
+        /// Indices of the wood, surface 0, that are drawn, from the first on.
+        /// </summary>
+        public uint wood_indices;
+    }
+
+    /// <summary>
+    /// Leaves one after another in the order that `tree_leaf_boxes_order` tells.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_leaf_range
+    {
+        /// <summary>
+        /// The first row.
+        /// </summary>
+        public uint first;
+        /// <summary>
+        /// Number of rows.
+        /// </summary>
+        public uint n_leaves;
+    }
+
+    /// <summary>
+    /// How a glTF file is written. Begin with `tree_glb_options_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_glb_options
+    {
+        /// <summary>
+        /// `sizeof(tree_glb_options)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
+        /// them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
+        /// for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
+        /// length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
+        /// Default 0.
+        /// </summary>
+        public uint quantize;
+        /// <summary>
+        /// Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
+        /// know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
+        /// look into it.
+        /// </summary>
+        public uint translucency;
+        /// <summary>
+        /// What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
+        /// </summary>
+        public uint occlusion; // tree_gltf_occlusion
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How branches are compared. Begin with `tree_metric_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_metric_params
+    {
+        /// <summary>
+        /// `sizeof(tree_metric_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
+        /// default, for all others.
+        /// </summary>
+        public double* worths;
+        /// <summary>
+        /// Number of worths: the number of branches, or 0 for the default.
+        /// </summary>
+        public UIntPtr n_worths;
+        /// <summary>
+        /// What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
+        /// </summary>
+        public uint metric; // tree_metric
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
+    /// `tree_mesh_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_mesh_params
+    {
+        /// <summary>
+        /// `sizeof(tree_mesh_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Which child goes on at a fork and which start tubes of their own. Default
+        /// `TREE_CONTINUATION_THICKEST`.
+        /// </summary>
+        public uint continuation; // tree_continuation
+        /// <summary>
+        /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
+        /// </summary>
+        public uint sides_min;
+        /// <summary>
+        /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
+        /// </summary>
+        public uint sides_max;
+        /// <summary>
+        /// The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
+        /// </summary>
+        public uint fit; // tree_curve_fit
+        /// <summary>
+        /// How it is said how far the mesh may leave the round, curved branch, which rules the number of
+        /// sides between the two bounds above and the number of rings. Default `TREE_BOUND_METRES`.
+        /// </summary>
+        public uint error_kind; // tree_bound_kind
+        /// <summary>
+        /// With `TREE_BOUND_METRES`: the error, 0.01 mm to 1 m. Default 3 mm.
+        /// </summary>
+        public float error;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: width of the error on the screen, 0.01 to 1000. Default 1.
+        /// </summary>
+        public float error_pixels;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: from the eye to the tree in metres, 0.01 to 1e6. Default 10 m.
+        /// </summary>
+        public float error_distance;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: vertical field of view, 0.01 to 3. Default 1.
+        /// </summary>
+        public float error_fov_y;
+        /// <summary>
+        /// With `TREE_BOUND_PIXELS`: height of the screen in pixels, 1 or more. Default 1080.
+        /// </summary>
+        public uint error_height;
+        /// <summary>
+        /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
+        /// bend in the wind.
+        /// </summary>
+        public float strip_max;
+        /// <summary>
+        /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
+        /// </summary>
+        public float radius_min;
+        /// <summary>
+        /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
+        /// that it goes round a whole number of times.
+        /// </summary>
+        public float bark_width;
+        /// <summary>
+        /// Height of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m.
+        /// </summary>
+        public float bark_length;
+        /// <summary>
+        /// How much wider the trunk is at the ground, as a share of its radius, 0 to 3; 0 turns the root
+        /// flare off. Default 0.35.
+        /// </summary>
+        public float flare;
+        /// <summary>
+        /// Height of the root flare in radii of the trunk, 0.1 to 20. Default 3.
+        /// </summary>
+        public float flare_height;
+        /// <summary>
+        /// Number of buttresses in the flare, 0 to 12. Default 5.
+        /// </summary>
+        public uint flare_lobes;
+        /// <summary>
+        /// How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
+        /// </summary>
+        public float flare_lobe_depth;
+        /// <summary>
+        /// Factor on the length of every leaf, 0.01 to 100. Default 1.
+        /// </summary>
+        public float leaf_scale;
+        /// <summary>
+        /// Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its look says.
+        /// </summary>
+        public float leaf_width;
+        /// <summary>
+        /// How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
+        /// Default 0.6: soft light over the whole crown.
+        /// </summary>
+        public float leaf_rounding;
+        /// <summary>
+        /// Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default no.
+        /// </summary>
+        public uint tangents;
+        /// <summary>
+        /// Whether vertices get texture coordinates for a light map, 8 bytes each. Default no.
+        /// </summary>
+        public uint lightmap;
+        /// <summary>
+        /// Not used; 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
     /// Which branches get a box. Begin with `tree_leaf_box_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -1816,6 +2064,150 @@ namespace TreeFamily.Native
         /// 0.
         /// </summary>
         public uint reserved;
+    }
+
+    /// <summary>
+    /// How leaves are projected onto planes. Begin with `tree_card_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_card_params
+    {
+        /// <summary>
+        /// `sizeof(tree_card_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Side of a picture in texels, gutters included, 16 to 1024. Default 64.
+        /// </summary>
+        public uint size;
+        /// <summary>
+        /// Samples of a texel in each direction, 1 to 8. Default 4.
+        /// </summary>
+        public uint samples;
+        /// <summary>
+        /// Texels around each picture that repeat what is at its edge, 1 to 8 and at most a quarter of `size`: so that
+        /// filters do not mix pictures. Default 1.
+        /// </summary>
+        public uint gutter;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// When boxes are opened. Begin with `tree_card_choose_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_card_choose_params
+    {
+        /// <summary>
+        /// `sizeof(tree_card_choose_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Pixels that a texel may cover before its box is opened, 0.01 to 100. Less is sharper and heavier. Default 1.
+        /// </summary>
+        public float texel_pixels;
+        /// <summary>
+        /// How much further, relatively, a box must be before it is closed again, 0 to 1: so that a camera that trembles
+        /// does not make leaves flicker. Default 0.1.
+        /// </summary>
+        public float hysteresis;
+    }
+
+    /// <summary>
+    /// Parameters of every step to a hybrid model. Begin with `tree_hybrid_params_init`. A part that is NULL, as all are
+    /// then, is its default.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_hybrid_params
+    {
+        /// <summary>
+        /// `sizeof(tree_hybrid_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// What branches are worth.
+        /// </summary>
+        public tree_metric_params* metric;
+        /// <summary>
+        /// How wood and leaves are drawn.
+        /// </summary>
+        public tree_mesh_params* mesh;
+        /// <summary>
+        /// How leaves are put into boxes.
+        /// </summary>
+        public tree_leaf_box_params* boxes;
+        /// <summary>
+        /// The pictures of the boxes.
+        /// </summary>
+        public tree_card_params* cards;
+        /// <summary>
+        /// When pictures take the place of leaves.
+        /// </summary>
+        public tree_card_choose_params* choose;
+        /// <summary>
+        /// For `TREE_METRIC_RANDOM` alone. Default 0.
+        /// </summary>
+        public ulong seed;
+        /// <summary>
+        /// Side in pixels, 0.01 to 100, of the square that a path must cover, seen from the side, to be drawn. Less shows
+        /// finer twigs, more saves triangles. Default 0.5.
+        /// </summary>
+        public float wood_pixels;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// How much there is of a hybrid model.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_hybrid_totals
+    {
+        /// <summary>
+        /// `sizeof(tree_hybrid_totals)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Levels of the wood, at least 1.
+        /// </summary>
+        public UIntPtr n_levels;
+        /// <summary>
+        /// Surfaces of its mesh, those without triangles included; surface 0 is the wood.
+        /// </summary>
+        public UIntPtr n_surfaces;
+        /// <summary>
+        /// Triangles when all is drawn as it is.
+        /// </summary>
+        public ulong n_triangles;
+        /// <summary>
+        /// Boxes of leaves; 0 for a tree without leaves.
+        /// </summary>
+        public UIntPtr n_boxes;
+        /// <summary>
+        /// Rows of the order of the boxes: leaves that are drawn.
+        /// </summary>
+        public UIntPtr n_leaves;
+    }
+
+    /// <summary>
+    /// A part of an index buffer.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_index_window
+    {
+        /// <summary>
+        /// The first index.
+        /// </summary>
+        public uint first_index;
+        /// <summary>
+        /// Number of indices; may be 0.
+        /// </summary>
+        public uint index_count;
     }
 
     /// <summary>
@@ -1941,35 +2333,6 @@ namespace TreeFamily.Native
         /// Half the depth of the box across the plane, in metres.
         /// </summary>
         public float reach;
-    }
-
-    /// <summary>
-    /// How leaves are projected onto planes. Begin with `tree_card_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_card_params
-    {
-        /// <summary>
-        /// `sizeof(tree_card_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Side of a picture in texels, gutters included, 16 to 1024. Default 64.
-        /// </summary>
-        public uint size;
-        /// <summary>
-        /// Samples of a texel in each direction, 1 to 8. Default 4.
-        /// </summary>
-        public uint samples;
-        /// <summary>
-        /// Texels around each picture that repeat what is at its edge, 1 to 8 and at most a quarter of `size`: so that
-        /// filters do not mix pictures. Default 1.
-        /// </summary>
-        public uint gutter;
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
     }
 
     /// <summary>
@@ -2111,65 +2474,6 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How a glTF file is written. Begin with `tree_glb_options_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_glb_options
-    {
-        /// <summary>
-        /// `sizeof(tree_glb_options)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Name of the node and the mesh, for people and engines. Default (`data` is NULL): `tree`.
-        /// </summary>
-        public tree_str name;
-        /// <summary>
-        /// Whether vertices are written in 8 and 16 bits (`KHR_mesh_quantization`), which more than halves
-        /// them. Largest errors: positions the longest side of the bounds / 131,070 on each axis (0.1 mm
-        /// for a tree of 13 m); normals and tangents 1/254 on each axis before they are brought to unit
-        /// length (0.4 degrees); texture coordinates the range in use / 131,070; occlusion stays exact.
-        /// Default 0.
-        /// </summary>
-        public uint quantize;
-        /// <summary>
-        /// Whether translucency is written, as `KHR_materials_diffuse_transmission`; programs that do not
-        /// know it pass over it. Default 0: the Khronos validator accepts it, but remarks that it cannot
-        /// look into it.
-        /// </summary>
-        public uint translucency;
-        /// <summary>
-        /// What becomes of ambient occlusion. Default `TREE_GLTF_OCCLUSION_ATTRIBUTE`.
-        /// </summary>
-        public uint occlusion; // tree_gltf_occlusion
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
-    }
-
-    /// <summary>
-    /// When boxes are opened. Begin with `tree_card_choose_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_card_choose_params
-    {
-        /// <summary>
-        /// `sizeof(tree_card_choose_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Pixels that a texel may cover before its box is opened, 0.01 to 100. Less is sharper and heavier. Default 1.
-        /// </summary>
-        public float texel_pixels;
-        /// <summary>
-        /// How much further, relatively, a box must be before it is closed again, 0 to 1: so that a camera that trembles
-        /// does not make leaves flicker. Default 0.1.
-        /// </summary>
-        public float hysteresis;
-    }
-
-    /// <summary>
     /// How much is drawn.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -2191,22 +2495,6 @@ namespace TreeFamily.Native
         /// Leaves in these.
         /// </summary>
         public UIntPtr n_leaves;
-    }
-
-    /// <summary>
-    /// Leaves one after another in the order that `tree_leaf_boxes_order` tells.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_leaf_range
-    {
-        /// <summary>
-        /// The first row.
-        /// </summary>
-        public uint first;
-        /// <summary>
-        /// Number of rows.
-        /// </summary>
-        public uint n_leaves;
     }
 
     /// <summary>
@@ -2346,121 +2634,6 @@ namespace TreeFamily.Native
         /// Metres of a texel: the largest of any view. It follows from the others, and is not read.
         /// </summary>
         public float texel;
-    }
-
-    /// <summary>
-    /// How a tree becomes triangles. Lengths in metres, angles in radians. Begin with
-    /// `tree_mesh_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_mesh_params
-    {
-        /// <summary>
-        /// `sizeof(tree_mesh_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Which child goes on at a fork and which start tubes of their own. Default
-        /// `TREE_CONTINUATION_THICKEST`.
-        /// </summary>
-        public uint continuation; // tree_continuation
-        /// <summary>
-        /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
-        /// </summary>
-        public uint sides_min;
-        /// <summary>
-        /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
-        /// </summary>
-        public uint sides_max;
-        /// <summary>
-        /// The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
-        /// </summary>
-        public uint fit; // tree_curve_fit
-        /// <summary>
-        /// How it is said how far the mesh may leave the round, curved branch, which rules the number of
-        /// sides between the two bounds above and the number of rings. Default `TREE_BOUND_METRES`.
-        /// </summary>
-        public uint error_kind; // tree_bound_kind
-        /// <summary>
-        /// With `TREE_BOUND_METRES`: the error, 0.01 mm to 1 m. Default 3 mm.
-        /// </summary>
-        public float error;
-        /// <summary>
-        /// With `TREE_BOUND_PIXELS`: width of the error on the screen, 0.01 to 1000. Default 1.
-        /// </summary>
-        public float error_pixels;
-        /// <summary>
-        /// With `TREE_BOUND_PIXELS`: from the eye to the tree in metres, 0.01 to 1e6. Default 10 m.
-        /// </summary>
-        public float error_distance;
-        /// <summary>
-        /// With `TREE_BOUND_PIXELS`: vertical field of view, 0.01 to 3. Default 1.
-        /// </summary>
-        public float error_fov_y;
-        /// <summary>
-        /// With `TREE_BOUND_PIXELS`: height of the screen in pixels, 1 or more. Default 1080.
-        /// </summary>
-        public uint error_height;
-        /// <summary>
-        /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
-        /// bend in the wind.
-        /// </summary>
-        public float strip_max;
-        /// <summary>
-        /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
-        /// </summary>
-        public float radius_min;
-        /// <summary>
-        /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
-        /// that it goes round a whole number of times.
-        /// </summary>
-        public float bark_width;
-        /// <summary>
-        /// Height of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m.
-        /// </summary>
-        public float bark_length;
-        /// <summary>
-        /// How much wider the trunk is at the ground, as a share of its radius, 0 to 3; 0 turns the root
-        /// flare off. Default 0.35.
-        /// </summary>
-        public float flare;
-        /// <summary>
-        /// Height of the root flare in radii of the trunk, 0.1 to 20. Default 3.
-        /// </summary>
-        public float flare_height;
-        /// <summary>
-        /// Number of buttresses in the flare, 0 to 12. Default 5.
-        /// </summary>
-        public uint flare_lobes;
-        /// <summary>
-        /// How deep the flare is cut between buttresses, 0 (round) to 0.9. Default 0.5.
-        /// </summary>
-        public float flare_lobe_depth;
-        /// <summary>
-        /// Factor on the length of every leaf, 0.01 to 100. Default 1.
-        /// </summary>
-        public float leaf_scale;
-        /// <summary>
-        /// Factor on the width of every leaf, 0.01 to 100. Default 1: as wide as its look says.
-        /// </summary>
-        public float leaf_width;
-        /// <summary>
-        /// How far leaf normals turn from the leaf's own towards the outside of the crown, 0 to 1.
-        /// Default 0.6: soft light over the whole crown.
-        /// </summary>
-        public float leaf_rounding;
-        /// <summary>
-        /// Whether vertices get tangents, 16 bytes each: for materials with normal maps. Default no.
-        /// </summary>
-        public uint tangents;
-        /// <summary>
-        /// Whether vertices get texture coordinates for a light map, 8 bytes each. Default no.
-        /// </summary>
-        public uint lightmap;
-        /// <summary>
-        /// Not used; 0.
-        /// </summary>
-        public uint reserved;
     }
 
     /// <summary>
@@ -5480,35 +5653,6 @@ namespace TreeFamily.Native
         /// Number of indices; may be 0.
         /// </summary>
         public uint index_count;
-    }
-
-    /// <summary>
-    /// How branches are compared. Begin with `tree_metric_params_init`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_metric_params
-    {
-        /// <summary>
-        /// `sizeof(tree_metric_params)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
-        /// default, for all others.
-        /// </summary>
-        public double* worths;
-        /// <summary>
-        /// Number of worths: the number of branches, or 0 for the default.
-        /// </summary>
-        public UIntPtr n_worths;
-        /// <summary>
-        /// What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
-        /// </summary>
-        public uint metric; // tree_metric
-        /// <summary>
-        /// 0.
-        /// </summary>
-        public uint reserved;
     }
 
     /// <summary>
@@ -11343,6 +11487,10 @@ namespace TreeFamily.Native
         /// `tree_cards_pixels` and `tree_cards_mesh` are uploaded; in each frame `tree_card_choice_update` says which boxes,
         /// and which leaves, are drawn, with `tree_cards_shader`. From afar a whole tree is a `tree_octahedral_bake`.
         ///
+        /// All distances: `tree_hybrid_make` puts a tree's wood with levels and its leaves with cards into one model. `tree_hybrid_mesh`
+        /// is uploaded; in each frame `tree_hybrid_choice_update` says how much of the wood, which boxes and which leaves are drawn.
+        /// `tree_hybrid_write_glb_levels` writes it for programs without shaders of ours.
+        ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
         /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -11351,8 +11499,8 @@ namespace TreeFamily.Native
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
         /// its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice` and
-        /// `tree_stream_reader`: one thread at a time.
+        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
+        /// `tree_hybrid_choice` and `tree_stream_reader`: one thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -13531,6 +13679,160 @@ namespace TreeFamily.Native
         public static extern int tree_twig_params_check(tree_twig_params* @params);
 
         /// <summary>
+        /// Makes a choice for one instance of a model, with room for all there can ever be; level 1 and no leaves until it is
+        /// updated. Free it with `tree_hybrid_choice_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_new(tree_hybrid* hybrid, tree_hybrid_choice** choice);
+
+        /// <summary>
+        /// What is drawn where the whole tree is `pixels` high, above 0 and at most 1e5, at the same scale everywhere: for files,
+        /// previews, and levels of engines that have no shaders of ours. Free it with `tree_hybrid_choice_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_for_height(tree_hybrid* hybrid, float pixels, tree_hybrid_choice** choice);
+
+        /// <summary>
+        /// Chooses for a frame: a level of wood, and of leaves as `tree_card_choice_update` does it. It takes no memory.
+        ///
+        /// `eye` is three floats, in metres in the space of the tree, -1e9 to 1e9. `pixels_per_metre` is how many pixels something
+        /// of a metre covers at a distance of a metre: height in pixels / (2 tan(fov / 2)), times the scale of the instance;
+        /// above 0, at most 1e9. `report` may be NULL when it is not wanted. `TREE_ERROR_PARAMETER` for numbers out of range; the
+        /// choice is left as it was then.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_update(tree_hybrid_choice* choice, float* eye, float pixels_per_metre, tree_hybrid_choice_report* report);
+
+        /// <summary>
+        /// Tells how much is drawn since the last update. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_measure(tree_hybrid_choice* choice, tree_hybrid_choice_report* report);
+
+        /// <summary>
+        /// Writes the numbers of the boxes that are drawn by their planes. `boxes` has room for `capacity` numbers, at least
+        /// `n_boxes` of the report; as many as there are boxes are always enough.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_boxes(tree_hybrid_choice* choice, uint* boxes, UIntPtr capacity);
+
+        /// <summary>
+        /// Writes the ranges of leaves that are drawn as geometry, rising, neighbours joined: `tree_hybrid_leaf_window` tells their
+        /// indices. `ranges` has room for `capacity` of them, at least `n_ranges` of the report; as many as there are boxes are
+        /// always enough.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_ranges(tree_hybrid_choice* choice, tree_leaf_range* ranges, UIntPtr capacity);
+
+        /// <summary>
+        /// What is chosen as a plain mesh: the wood grown to its level, leaves, and three planes of each box, with light as on a
+        /// crown. `control` may be NULL; of it only threads matter, and a cancellation before the work begins. Free the mesh with
+        /// `tree_mesh_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_mesh(tree_hybrid_choice* choice, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// Frees a choice.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_choice_free(tree_hybrid_choice* choice);
+
+        /// <summary>
+        /// Levels as the `MSFT_lod` of one GLB file, each a mesh of its own, as `tree_hybrid_choice_mesh` makes it: for programs
+        /// without shaders of ours. `heights` are `n_heights` heights of the tree on the screen in pixels, falling, at most 1024:
+        /// each level is made for its height, and shown until the tree is as high as the next one says; the last is shown to the
+        /// end. `screen` is the height of the screen in pixels, 1 to 1e5. `options` and `control` may be NULL, as in
+        /// `tree_mesh_write_glb`. Free the bytes with `tree_bytes_free`. `TREE_ERROR_INVALID` when there are no heights or they do
+        /// not fall.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_to_glb_levels(tree_hybrid* hybrid, float* heights, UIntPtr n_heights, float screen, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
+
+        /// <summary>
+        /// As `tree_hybrid_to_glb_levels`, into a file, whole or not at all; the path as in `tree_mesh_write_glb`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_write_glb_levels(tree_hybrid* hybrid, float* heights, UIntPtr n_heights, float screen, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// Makes the model of a tree: sorts its branches (`tree_multires_new`), draws them (`tree_multi_mesh_new`), puts its
+        /// leaves into boxes (`tree_leaf_boxes_along`) and takes their pictures (`tree_cards_bake`), which takes most of the
+        /// time. `look` may be NULL: the built-in textures that the tree's species names. `params` and `control` may be NULL.
+        /// Free the model with `tree_hybrid_free`. Errors are those of the steps.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_make(tree_tree* tree, tree_look* look, tree_hybrid_params* @params, tree_control* control, tree_hybrid** hybrid);
+
+        /// <summary>
+        /// Tells how large a model is. Set `totals-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_measure(tree_hybrid* hybrid, tree_hybrid_totals* totals);
+
+        /// <summary>
+        /// The mesh to upload, nothing copied: surface 0 is the wood, of which a level is a prefix; the others are leaves, kind by
+        /// kind, in the order of the boxes, so that each box has one window (`tree_hybrid_leaf_window`). Free it with
+        /// `tree_mesh_free`; it keeps alive what it is of.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_mesh(tree_hybrid* hybrid, tree_mesh** mesh);
+
+        /// <summary>
+        /// The sorted tree, nothing copied. Free it with `tree_multires_free`; it keeps alive what it is of.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_multires(tree_hybrid* hybrid, tree_multires** multires);
+
+        /// <summary>
+        /// The wood and its levels, with leaves in the order of their paths, nothing copied: `tree_multi_mesh_branches` of surface
+        /// 0 and `tree_multi_mesh_draws` are right for the model's mesh too. Free it with `tree_multi_mesh_free`; it keeps alive
+        /// what it is of.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_wood(tree_hybrid* hybrid, tree_multi_mesh** wood);
+
+        /// <summary>
+        /// Boxes and pictures of the leaves, nothing copied. Free them with `tree_cards_free`; they keep alive what they are of.
+        /// `TREE_ERROR_NO_RESULT` when the tree has no leaves.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_cards(tree_hybrid* hybrid, tree_cards** cards);
+
+        /// <summary>
+        /// Which indices of surface `number` of the model's mesh draw `n_leaves` leaves from row `first_leaf` on, as
+        /// `tree_hybrid_choice_ranges` gives them. None for the wood, and for rows that are not there. `TREE_ERROR_PARAMETER` when there is no such surface.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_leaf_window(tree_hybrid* hybrid, UIntPtr number, uint first_leaf, uint n_leaves, tree_index_window* window);
+
+        /// <summary>
+        /// The fractional level of the wood where a metre covers so many pixels, 0 to infinity; it changes without a step.
+        /// `TREE_ERROR_PARAMETER` for less than 0, or NaN.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_level(tree_hybrid* hybrid, float pixels_per_metre, float* level);
+
+        /// <summary>
+        /// Frees a model. Its parts that were asked for, and choices, stay.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_free(tree_hybrid* hybrid);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_params_init(tree_hybrid_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Checks every field of `params` and of its parts; `TREE_ERROR_PARAMETER` or `TREE_ERROR_ENUM` names the first at
+        /// fault.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_hybrid_params_check(tree_hybrid_params* @params);
+
+        /// <summary>
         /// Writes the node of the tree's skeleton that carries each element, leaf by leaf, exactly: for a mesh that was built
         /// of this tree. `elements` must be whole leaves (`TREE_GRAIN_LEAF`). `bearers` has room for `capacity` numbers, at least
         /// one for each element. `TREE_ERROR_INVALID` when mesh and tree have different numbers of leaves.
@@ -13681,6 +13983,14 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_cards_mesh(tree_cards* cards, uint* boxes, UIntPtr n_boxes, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// As `tree_cards_mesh`, of some planes of each box only: `n_planes` numbers, 0 to 5, as `tree_leaf_boxes_planes` counts
+        /// them, at most six. For programs without the shader: 0, 2 and 4, one for each axis, cover about as much as the leaves
+        /// do. `TREE_ERROR_INVALID` when there is no such box or plane.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_mesh_of_planes(tree_cards* cards, uint* boxes, UIntPtr n_boxes, uint* planes, UIntPtr n_planes, tree_control* control, tree_mesh** mesh);
 
         /// <summary>
         /// What a camera sees of `n_boxes` boxes, at most 65,536, by one sample for each pixel: sRGB colour without light, alpha
@@ -16100,6 +16410,13 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_multi_mesh_draws(tree_multi_mesh* multi_mesh, float level, tree_multi_draw* draws, UIntPtr capacity, ulong* n_triangles);
+
+        /// <summary>
+        /// Number of indices of the wood, surface 0, that are drawn at a level; levels are clamped to 1 and all.
+        /// `TREE_ERROR_PARAMETER` for NaN.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_multi_mesh_wood_indices(tree_multi_mesh* multi_mesh, float level, uint* n_indices);
 
         /// <summary>
         /// The greatest whole level with at most `n_triangles` triangles of wood; at least 1.

@@ -5,6 +5,8 @@ use std::fs;
 use std::path::Path;
 use tree_core::glam::{Quat, Vec3};
 use tree_core::{Control, Foliage, Leaf, Skeleton, Species, Tree, swc};
+use tree_lod::multires::stream::{StreamParams, encode};
+use tree_lod::multires::{Metric, Multires};
 use tree_mesh::io::gltf::{self, GlbOptions, Level};
 use tree_mesh::io::{obj, ply};
 use tree_mesh::{Alpha, Look, MeshParams, Texture, build};
@@ -63,6 +65,34 @@ fn main() -> Result<(), Box<dyn Error>> {
     save("lsystem", "signal", b"#ignore +-F\naxiom: J[+I]I[-I]FI\nJ < I > [I] -> J\nI -> I")?;
     save("lsystem", "tree", b"#define r .7\nsteps: 4\nangle: 25.7\naxiom: A(1)\np1: A(l) : l > .1 && itNum < maxIt -> F(l)[+(ran(30))A(l*r)]A(if(l>.5,l/2,sin(l))) : .7\nA(l) -(.3)-> B(nran(l,.1))\ndecomposition\nmaximum depth: 3\nB(x) -> [C]B(x^2)\nhomomorphism\nC -> /* leaf */ \\\n~L\nendlsystem\n")?;
     save("lsystem", "names", b"#symbols Apex Fl\n\xcf\x89 : Apex(1)\nl : * < Apex(t) > * : * \xe2\x86\x92 Fl[Apex(-t%2)] // end")?;
+    streams(&tree)
+}
+
+/// Streams as they are, which begin with an even number, and without their checks, which begin with an odd one.
+fn streams(tree: &Tree) -> Result<(), Box<dyn Error>> {
+    let multires = Multires::new(tree, &Metric::default(), &Control::default())?;
+    for (name, precision) in [("exact", 0.0), ("millimetres", 0.001)] {
+        let bytes = encode(&multires, multires.n_levels(), &StreamParams { precision })?;
+        save("stream", name, &[&[8][..], &bytes].concat())?;
+        // Exact, no names, one kind of leaves; levels, nodes, leaves.
+        let mut parts = [&f32::to_le_bytes(precision)[..], &[0, 0, 1, 1, b'k', 3, 5, 2]].concat();
+        let turn = match precision {
+            0.0 => Quat::IDENTITY.to_array().map(f32::to_le_bytes).concat(),
+            _ => vec![7; 4],
+        };
+        // Two nodes on the way, and a leaf on the second; then a fork, nodes and leaves.
+        let trunk = [&[2, 0, 0, 0, 9, 0, 20, 0, 1, 1, 1, 0, 2, 2, 2, 40][..], &turn].concat();
+        let branch = [&[0, 2, 8, 8, 1, 0, 8, 8, 0, 2, 1, 0, 0, 0, 1, 1, 6][..], &turn].concat();
+        let twig = [3, 1, 1, 2, 3, 4, 0];
+        let mut sealed = vec![9];
+        sealed.extend([parts.len() as u8, 0]);
+        sealed.append(&mut parts);
+        for level in [&trunk[..], &branch, &twig] {
+            sealed.extend([level.len() as u8, 0]);
+            sealed.extend_from_slice(level);
+        }
+        save("stream", &format!("{name}_sealed"), &sealed)?;
+    }
     Ok(())
 }
 

@@ -35,3 +35,35 @@ fn promise(mesh: &Mesh) {
     mesh.check_normals().expect("unit normals");
     mesh.check_colors().expect("colours up to 1");
 }
+
+/// A stream of a tree with levels whose checksums hold. `data` is the head without its beginning and its check, then
+/// the levels without their lengths and checks; before each of them stands how many bytes it has, in two bytes, the
+/// lower one first.
+pub fn sealed(data: &[u8]) -> Vec<u8> {
+    let mut bytes = b"TREM\x01".to_vec();
+    let mut rest = data;
+    let head = part(&mut rest);
+    bytes.extend_from_slice(head);
+    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
+    while !rest.is_empty() {
+        let level = part(&mut rest);
+        let mut length = level.len();
+        while length >= 0x80 {
+            bytes.push(length as u8 | 0x80);
+            length >>= 7;
+        }
+        bytes.push(length as u8);
+        bytes.extend_from_slice(level);
+        bytes.extend((crc32fast::hash(&bytes) as u16).to_le_bytes());
+    }
+    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
+    bytes
+}
+
+fn part<'a>(rest: &mut &'a [u8]) -> &'a [u8] {
+    let (length, behind) = rest.split_at(rest.len().min(2));
+    let length = length.iter().rev().fold(0, |length, &byte| 256 * length + usize::from(byte));
+    let (part, behind) = behind.split_at(length.min(behind.len()));
+    *rest = behind;
+    part
+}

@@ -25,11 +25,14 @@ typedef struct attack {
     int (*call)(const unsigned *moods);
     unsigned n_arguments;
     unsigned n_moods[MOST_ARGUMENTS];
+    /* Which struct an argument is, counted from 1; 0 for all else. */
+    unsigned structs[MOST_ARGUMENTS];
     int control;
     int strict;
 } attack;
 
 static int n_failures;
+static size_t n_calls;
 static const char *now = "nothing";
 static unsigned moods_now[MOST_ARGUMENTS];
 
@@ -342,6 +345,13 @@ static const tree_card_params *small_cards(void) {
     must(tree_card_params_init(&params, sizeof params));
     params.size = 16;
     params.samples = 1;
+    return &params;
+}
+
+static const tree_hybrid_params *small_hybrid(void) {
+    static tree_hybrid_params params;
+    must(tree_hybrid_params_init(&params, sizeof params));
+    params.cards = small_cards();
     return &params;
 }
 

@@ -44,7 +44,7 @@ unsafe impl Versioned for tree_leaf_box_params {
 }
 
 impl tree_leaf_box_params {
-    pub(super) fn rust(&self) -> BoxParams {
+    pub(crate) fn rust(&self) -> BoxParams {
         BoxParams {
             levels: self.levels,
             least_volume: self.least_volume,

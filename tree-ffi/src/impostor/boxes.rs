@@ -2,15 +2,14 @@
 
 use super::box_params::{tree_leaf_box_params, tree_leaf_boxes_report};
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_PARAMETER, Versioned, call, fill, floats, foresee, free,
-    get, out, out_value, read_or_default, slice, tree_status, view, write,
+    Failure, Handle, Result, Shared, TREE_ERROR_PARAMETER, Versioned, call, fill, floats, foresee,
+    free, get, out, out_value, read_or_default, slice, tree_status, view, write,
 };
 use crate::control::{limits, run, tree_control};
 use crate::lod::tree_elements;
 use crate::mesh::{column, tree_mesh};
 use crate::skeleton::tree_skeleton;
 use bytemuck::{Pod, Zeroable};
-use std::sync::Arc;
 use tree_lod::impostor::boxes::{Bearers, Boxes, LeafBox};
 use tree_lod::impostor::cards::{self, Cards, Plane};
 use tree_model::tree_core::Resource;
@@ -21,28 +20,19 @@ pub const TREE_NO_BOX: u32 = 0xFFFF_FFFF;
 /// Boxes along the branches of a tree (Lluch et al. 2010, 4.2.1), that of the whole tree first: which leaves are seen
 /// as one, and an order of the leaves in which those of each box are one range. Parents come before their children,
 /// which lie side by side.
-pub struct tree_leaf_boxes(Held);
-
-/// Boxes of their own, or those of cards, which they keep alive.
-enum Held {
-    Own(Boxes),
-    Of(Arc<Cards>),
-}
+pub struct tree_leaf_boxes(Shared<Boxes>);
 
 impl Handle for tree_leaf_boxes {
     const NAME: &'static str = "tree_leaf_boxes";
 }
 
 impl tree_leaf_boxes {
-    pub(super) fn of(cards: Arc<Cards>) -> Self {
-        Self(Held::Of(cards))
+    pub(super) fn of(cards: &Shared<Cards>) -> Self {
+        Self(cards.part(Cards::boxes))
     }
 
     pub(super) fn rust(&self) -> &Boxes {
-        match &self.0 {
-            Held::Own(boxes) => boxes,
-            Held::Of(cards) => cards.boxes(),
-        }
+        self.0.get()
     }
 }
 
@@ -155,7 +145,7 @@ pub unsafe extern "C" fn tree_leaf_boxes_along(
             |control: &_| Ok(Boxes::along(skeleton, mesh, elements, &bearers, &params, control)?);
         let made = unsafe { run(control, body) }?;
         unsafe { view(report, "report", &tree_leaf_boxes_report::of(&made.report())) }?;
-        place.put(tree_leaf_boxes(Held::Own(made)));
+        place.put(tree_leaf_boxes(Shared::new(made)));
         Ok(())
     })
 }

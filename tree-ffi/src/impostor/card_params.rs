@@ -31,7 +31,7 @@ unsafe impl Versioned for tree_card_params {
 }
 
 impl tree_card_params {
-    pub(super) fn rust(&self) -> CardParams {
+    pub(crate) fn rust(&self) -> CardParams {
         CardParams { size: self.size, samples: self.samples, gutter: self.gutter }
     }
 }

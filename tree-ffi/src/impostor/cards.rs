@@ -4,25 +4,30 @@ use super::boxes::tree_leaf_boxes;
 use super::card_params::{tree_card_params, tree_cards_report};
 use super::map::{chosen, copied, show, tree_impostor_map};
 use crate::border::{
-    Handle, call, foresee, free, get, out, out_value, read_or_default, tree_status, view, write,
+    Handle, Shared, call, foresee, free, get, out, out_value, read_or_default, tree_status, view,
+    write,
 };
 use crate::control::{run, tree_control};
 use crate::lod::tree_elements;
 use crate::mesh::tree_mesh;
 use crate::preview::{tree_picture, tree_pixels};
-use std::sync::Arc;
 use tree_lod::impostor::cards::Cards;
 
 /// Six diagonal planes for each box, with pictures of its leaves, in two atlases (Lluch et al. 2010, 4.2.2).
-pub struct tree_cards(Arc<Cards>);
+pub struct tree_cards(Shared<Cards>);
 
 impl Handle for tree_cards {
     const NAME: &'static str = "tree_cards";
 }
 
 impl tree_cards {
+    /// Cards that are part of something.
+    pub(crate) fn part(held: Shared<Cards>) -> Self {
+        Self(held)
+    }
+
     pub(super) fn rust(&self) -> &Cards {
-        &self.0
+        self.0.get()
     }
 }
 
@@ -53,7 +58,7 @@ pub unsafe extern "C" fn tree_cards_bake(
         let made = unsafe { run(control, body) }?;
         let found = tree_cards_report::of(&made.report(), made.size());
         unsafe { view(report, "report", &found) }?;
-        place.put(tree_cards(Arc::new(made)));
+        place.put(tree_cards(Shared::new(made)));
         Ok(())
     })
 }
@@ -80,7 +85,7 @@ pub unsafe extern "C" fn tree_cards_boxes(
     call(|| {
         let place = unsafe { out(boxes, "boxes") }?;
         let cards = unsafe { get(cards, "cards") }?;
-        place.put(tree_leaf_boxes::of(cards.0.clone()));
+        place.put(tree_leaf_boxes::of(&cards.0));
         Ok(())
     })
 }

@@ -49,6 +49,36 @@ pub unsafe extern "C" fn tree_cards_mesh(
     })
 }
 
+/// As `tree_cards_mesh`, of some planes of each box only: `n_planes` numbers, 0 to 5, as `tree_leaf_boxes_planes` counts
+/// them, at most six. For programs without the shader: 0, 2 and 4, one for each axis, cover about as much as the leaves
+/// do. `TREE_ERROR_INVALID` when there is no such box or plane.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_cards_mesh_of_planes(
+    cards: *const tree_cards,
+    boxes: *const u32,
+    n_boxes: usize,
+    planes: *const u32,
+    n_planes: usize,
+    control: *const tree_control,
+    mesh: *mut *mut tree_mesh,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(mesh, "mesh") }?;
+        let cards = unsafe { get(cards, "cards") }?.rust();
+        let boxes = unsafe { few(boxes, n_boxes, BOXES_MAX, "boxes") }?;
+        let planes = unsafe { few(planes, n_planes, PLANES, "planes") }?;
+        let planes: Vec<_> = planes.iter().map(|&plane| plane as usize).collect();
+        let made = unsafe {
+            run(control, |control| {
+                foreseen(cards, boxes, control)?;
+                Ok(cards.mesh_of_planes(boxes, &planes)?)
+            })
+        }?;
+        place.put(tree_mesh::new(made));
+        Ok(())
+    })
+}
+
 /// What a camera sees of `n_boxes` boxes, at most 65,536, by one sample for each pixel: sRGB colour without light, alpha
 /// 0 or 255. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
 /// (`tree_view_place` helps). `control` may be NULL. Free the picture with `tree_picture_free`.

@@ -7,6 +7,7 @@ use crate::border::{
 };
 use crate::lod::take::{buffer, fill_some, room_for};
 use bytemuck::{Pod, Zeroable};
+use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 use tree_lod::impostor::choose::{Choice, ChooseParams, Watcher};
 
@@ -34,7 +35,7 @@ unsafe impl Versioned for tree_card_choose_params {
 }
 
 impl tree_card_choose_params {
-    fn rust(&self) -> ChooseParams {
+    pub(crate) fn rust(&self) -> ChooseParams {
         ChooseParams { texel_pixels: self.texel_pixels, hysteresis: self.hysteresis }
     }
 }
@@ -203,14 +204,25 @@ pub unsafe extern "C" fn tree_card_choice_ranges(
 ) -> tree_status {
     call(|| {
         let choice = unsafe { held(choice) }?;
-        let n = choice.leaves.len();
-        room_for(n, capacity, "ranges")?;
-        let places = unsafe { buffer(ranges, n, "ranges") }?;
-        for (place, rows) in places.iter_mut().zip(&choice.leaves) {
-            *place = tree_leaf_range { first: rows.start, n_leaves: rows.len() as u32 };
-        }
-        Ok(())
+        unsafe { write_ranges(ranges, capacity, &choice.leaves) }
     })
+}
+
+/// Writes ranges of rows to a caller's buffer.
+///
+/// # Safety
+/// As [`buffer`].
+pub(crate) unsafe fn write_ranges(
+    ranges: *mut tree_leaf_range,
+    capacity: usize,
+    found: &[Range<u32>],
+) -> Result<()> {
+    room_for(found.len(), capacity, "ranges")?;
+    let places = unsafe { buffer(ranges, found.len(), "ranges") }?;
+    for (place, rows) in places.iter_mut().zip(found) {
+        *place = tree_leaf_range { first: rows.start, n_leaves: rows.len() as u32 };
+    }
+    Ok(())
 }
 
 /// Frees a choice.

@@ -5,8 +5,8 @@ mod params;
 pub use params::*;
 
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, foresee, free, get, get_opt, out,
-    out_value, read_or_default, read_rows, slice, tree_status, vec3s, view, write,
+    Failure, Handle, Result, Shared, TREE_ERROR_INVALID, Versioned, call, foresee, free, get,
+    get_opt, out, out_value, read_or_default, read_rows, slice, tree_status, vec3s, view, write,
 };
 use crate::control::{limits, run, tree_control};
 use crate::look::tree_look;
@@ -16,7 +16,6 @@ use ::tree_mesh::instance::{InstancedTree, Twig, twigs};
 use ::tree_mesh::{Look, Mesh};
 use glam::{Quat, Vec3};
 use std::borrow::Cow;
-use std::sync::Arc;
 use tree_model::tree_core::{Limits, Resource};
 
 /// Most twigs of a caller's.
@@ -25,7 +24,7 @@ const TWIGS_MAX: usize = 1 << 16;
 const _: () = assert!(size_of::<Quat>() == 16 && align_of::<Quat>() == 4);
 
 /// A tree as a base mesh and a few unique twigs, set down many times: at a tenth of its memory and less.
-pub struct tree_twigs(Arc<InstancedTree>);
+pub struct tree_twigs(Shared<InstancedTree>);
 
 impl Handle for tree_twigs {
     const NAME: &'static str = "tree_twigs";
@@ -33,7 +32,7 @@ impl Handle for tree_twigs {
 
 impl tree_twigs {
     pub(crate) fn rust(&self) -> &InstancedTree {
-        &self.0
+        self.0.get()
     }
 }
 
@@ -69,7 +68,7 @@ pub unsafe extern "C" fn tree_twigs_build(
             })
         }?;
         unsafe { view(report, "report", &tree_instancing_report::of(&made.report)) }?;
-        place.put(tree_twigs(Arc::new(made)));
+        place.put(tree_twigs(Shared::new(made)));
         Ok(())
     })
 }
@@ -107,17 +106,18 @@ pub unsafe extern "C" fn tree_twigs_base(
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(base, "base") }?;
-        place.put(tree_mesh::base_of(unsafe { get(twigs, "twigs") }?.0.clone()));
+        place.put(tree_mesh::part(unsafe { get(twigs, "twigs") }?.0.part(|tree| &tree.base)));
         Ok(())
     })
 }
 
 fn twig_of(twigs: &tree_twigs, number: usize) -> Result<&Twig> {
-    let all = &twigs.rust().twigs;
-    all.get(number).ok_or_else(|| {
-        let n = all.len();
-        Failure::new(TREE_ERROR_INVALID, format!("number is {number}, there are {n} twigs"))
-    })
+    twigs.rust().twigs.get(number).ok_or_else(|| no_twig(twigs, number))
+}
+
+fn no_twig(twigs: &tree_twigs, number: usize) -> Failure {
+    let n = twigs.rust().twigs.len();
+    Failure::new(TREE_ERROR_INVALID, format!("number is {number}, there are {n} twigs"))
 }
 
 /// The mesh of twig `number`, its base at the origin; surfaces and materials as in the base mesh. Not
@@ -131,8 +131,8 @@ pub unsafe extern "C" fn tree_twigs_mesh(
     call(|| {
         let place = unsafe { out(mesh, "mesh") }?;
         let twigs = unsafe { get(twigs, "twigs") }?;
-        twig_of(twigs, number)?;
-        place.put(tree_mesh::twig_of(twigs.0.clone(), number));
+        let mesh = twigs.0.part_if(|tree| tree.twigs.get(number).map(|twig| &twig.mesh));
+        place.put(tree_mesh::part(mesh.ok_or_else(|| no_twig(twigs, number))?));
         Ok(())
     })
 }
@@ -268,7 +268,7 @@ pub unsafe extern "C" fn tree_twigs_from_parts(
                 Ok(InstancedTree::of_parts(base.clone(), parts)?)
             })
         }?;
-        place.put(tree_twigs(Arc::new(made)));
+        place.put(tree_twigs(Shared::new(made)));
         Ok(())
     })
 }

@@ -3,17 +3,16 @@
 use super::table::tree_lod_table;
 use super::take::fill_some;
 use crate::border::{
-    Failure, Handle, TREE_ERROR_PARAMETER, Versioned, call, free, get, out, out_value, tree_status,
-    write,
+    Failure, Handle, Shared, TREE_ERROR_PARAMETER, Versioned, call, free, get, out, out_value,
+    tree_status, write,
 };
 use crate::mesh::{column, tree_mesh};
 use bytemuck::{Pod, Zeroable};
 use std::ptr::null;
-use std::sync::Arc;
 use tree_lod::prune::{Cut, PrunedModel};
 
 /// A mesh whose foliage can be drawn at any level: windows of its index buffers (Neubert 2012, chapter 7).
-pub struct tree_pruned(Arc<PrunedModel>);
+pub struct tree_pruned(Shared<PrunedModel>);
 
 impl Handle for tree_pruned {
     const NAME: &'static str = "tree_pruned";
@@ -21,11 +20,11 @@ impl Handle for tree_pruned {
 
 impl tree_pruned {
     pub(super) fn new(model: PrunedModel) -> Self {
-        Self(Arc::new(model))
+        Self(Shared::new(model))
     }
 
     pub(super) fn rust(&self) -> &PrunedModel {
-        &self.0
+        self.0.get()
     }
 }
 
@@ -118,7 +117,7 @@ pub unsafe extern "C" fn tree_pruned_mesh(
     call(|| {
         let place = unsafe { out(mesh, "mesh") }?;
         let model = unsafe { get(pruned, "pruned") }?;
-        place.put(tree_mesh::pruned(model.0.clone()));
+        place.put(tree_mesh::part(model.0.part(PrunedModel::mesh)));
         Ok(())
     })
 }

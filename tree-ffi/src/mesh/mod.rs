@@ -18,28 +18,16 @@ pub use params::*;
 pub use topology::*;
 pub use view::*;
 
-use crate::border::{Handle, Result, call, free, tree_status};
+use crate::border::{Handle, Result, Shared, call, free, tree_status};
 use crate::memory::ask;
 use ::tree_mesh::Mesh;
-use ::tree_mesh::instance::InstancedTree;
-use std::sync::Arc;
-use tree_lod::multires::MultiMesh;
-use tree_lod::prune::PrunedModel;
 
 /// Surfaces with their materials, and the branches that move in the wind.
 pub struct tree_mesh {
-    held: Held,
+    /// Of its own, or part of an instanced tree, a pruned model, a mesh with levels or a hybrid model.
+    held: Shared<Mesh>,
     /// Leaf kinds drawn as cards for want of an outline, for the report of the mesh's making.
     leaf_fallbacks: Vec<u32>,
-}
-
-/// A mesh of its own, or part of an instanced tree, a pruned model or a mesh with levels, which it keeps alive.
-enum Held {
-    Own(Arc<Mesh>),
-    Base(Arc<InstancedTree>),
-    Twig(Arc<InstancedTree>, usize),
-    Pruned(Arc<PrunedModel>),
-    Multi(Arc<MultiMesh>),
 }
 
 impl Handle for tree_mesh {
@@ -47,37 +35,13 @@ impl Handle for tree_mesh {
 }
 
 impl tree_mesh {
-    fn holding(held: Held) -> Self {
-        Self { held, leaf_fallbacks: Vec::new() }
-    }
-
     pub(crate) fn new(mesh: Mesh) -> Self {
-        Self::shared(Arc::new(mesh))
+        Self::part(Shared::new(mesh))
     }
 
-    /// One more handle of a mesh.
-    pub(crate) fn shared(mesh: Arc<Mesh>) -> Self {
-        Self::holding(Held::Own(mesh))
-    }
-
-    /// The base of an instanced tree.
-    pub(crate) fn base_of(tree: Arc<InstancedTree>) -> Self {
-        Self::holding(Held::Base(tree))
-    }
-
-    /// A twig, which exists, of an instanced tree.
-    pub(crate) fn twig_of(tree: Arc<InstancedTree>, number: usize) -> Self {
-        Self::holding(Held::Twig(tree, number))
-    }
-
-    /// The mesh of a pruned model.
-    pub(crate) fn pruned(model: Arc<PrunedModel>) -> Self {
-        Self::holding(Held::Pruned(model))
-    }
-
-    /// A mesh with all its levels.
-    pub(crate) fn multi(mesh: Arc<MultiMesh>) -> Self {
-        Self::holding(Held::Multi(mesh))
+    /// A mesh that is part of something.
+    pub(crate) fn part(held: Shared<Mesh>) -> Self {
+        Self { held, leaf_fallbacks: Vec::new() }
     }
 
     fn built(mesh: Mesh, leaf_fallbacks: Vec<u32>) -> Self {
@@ -85,15 +49,7 @@ impl tree_mesh {
     }
 
     pub(crate) fn rust(&self) -> &Mesh {
-        match &self.held {
-            Held::Own(mesh) => mesh,
-            Held::Base(tree) => &tree.base,
-            Held::Pruned(model) => model.mesh(),
-            Held::Multi(multi) => multi.mesh(),
-            Held::Twig(tree, number) => {
-                tree.twigs.get(*number).map_or(&tree.base, |twig| &twig.mesh)
-            }
-        }
+        self.held.get()
     }
 
     fn leaf_fallbacks(&self) -> *const u32 {

@@ -3,8 +3,8 @@
 use super::model::tree_multires;
 use super::there;
 use crate::border::{
-    Failure, Handle, TREE_ERROR_BUFFER, Versioned, call, fill, free, get, get_opt, out, out_value,
-    tree_status, write,
+    Failure, Handle, Shared, TREE_ERROR_BUFFER, TREE_ERROR_PARAMETER, Versioned, call, fill, free,
+    get, get_opt, out, out_value, tree_status, write,
 };
 use crate::control::{run, tree_control};
 use crate::look::tree_look;
@@ -12,7 +12,6 @@ use crate::mesh::{ask_for_copies, column, mesh_params, tree_mesh, tree_mesh_para
 use bytemuck::{Pod, Zeroable};
 use std::borrow::Cow;
 use std::ptr::null;
-use std::sync::Arc;
 use tree_lod::multires::{Draw, MultiMesh};
 use tree_lod::tree_mesh::Look;
 
@@ -21,15 +20,20 @@ const FEW: usize = 32;
 
 /// Tubes and leaves in the order of their paths: the mesh of a level is a prefix of each index buffer, and a shader lets
 /// the path that comes next grow out of its fork.
-pub struct tree_multi_mesh(Arc<MultiMesh>);
+pub struct tree_multi_mesh(Shared<MultiMesh>);
 
 impl Handle for tree_multi_mesh {
     const NAME: &'static str = "tree_multi_mesh";
 }
 
 impl tree_multi_mesh {
+    /// A mesh with levels that is part of something.
+    pub(crate) fn part(held: Shared<MultiMesh>) -> Self {
+        Self(held)
+    }
+
     pub(super) fn rust(&self) -> &MultiMesh {
-        &self.0
+        self.0.get()
     }
 }
 
@@ -62,7 +66,7 @@ pub unsafe extern "C" fn tree_multi_mesh_new(
                 Ok(MultiMesh::new(multires, &look, &params, control)?)
             })
         }?;
-        place.put(tree_multi_mesh(Arc::new(made)));
+        place.put(tree_multi_mesh(Shared::new(made)));
         Ok(())
     })
 }
@@ -117,7 +121,7 @@ pub unsafe extern "C" fn tree_multi_mesh_mesh(
     call(|| {
         let place = unsafe { out(mesh, "mesh") }?;
         let multi = unsafe { get(multi_mesh, "multi_mesh") }?;
-        place.put(tree_mesh::multi(multi.0.clone()));
+        place.put(tree_mesh::part(multi.0.part(MultiMesh::mesh)));
         Ok(())
     })
 }
@@ -217,6 +221,23 @@ pub unsafe extern "C" fn tree_multi_mesh_draws(
             unsafe { fill(to, left, written, "draws") }?;
         }
         unsafe { out_value(n_triangles, counted, "n_triangles") }
+    })
+}
+
+/// Number of indices of the wood, surface 0, that are drawn at a level; levels are clamped to 1 and all.
+/// `TREE_ERROR_PARAMETER` for NaN.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_multi_mesh_wood_indices(
+    multi_mesh: *const tree_multi_mesh,
+    level: f32,
+    n_indices: *mut u32,
+) -> tree_status {
+    call(|| {
+        let multi = unsafe { get(multi_mesh, "multi_mesh") }?.rust();
+        if level.is_nan() {
+            return Err(Failure::new(TREE_ERROR_PARAMETER, "level is not a number"));
+        }
+        unsafe { out_value(n_indices, multi.wood_indices(level), "n_indices") }
     })
 }
 

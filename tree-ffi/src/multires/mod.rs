@@ -24,7 +24,7 @@ pub use stream::*;
 use crate::border::{Failure, Result, TREE_ERROR_PARAMETER};
 
 /// Says so when a row that is asked for is not there.
-fn there(argument: &str, found: usize, n: usize, what: &str) -> Result<()> {
+pub(crate) fn there(argument: &str, found: usize, n: usize, what: &str) -> Result<()> {
     if found < n {
         return Ok(());
     }

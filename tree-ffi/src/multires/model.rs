@@ -2,8 +2,8 @@
 
 use super::paths::{metric, tree_metric_params, tree_multi_paths};
 use crate::border::{
-    Failure, Handle, Result, TREE_ERROR_INVALID, Versioned, call, foresee, free, get, out, out_opt,
-    out_value, tree_status, view,
+    Failure, Handle, Result, Shared, TREE_ERROR_INVALID, Versioned, call, foresee, free, get, out,
+    out_opt, out_value, tree_status, view,
 };
 use crate::control::{limits, run, tree_control};
 use crate::foliage::tree_rows;
@@ -19,7 +19,7 @@ const BYTES_A_ROW: u64 = 64;
 
 /// A tree with its nodes and leaves sorted path by path: its first levels are its coarser forms, and a level is no more
 /// than a number. It is as large as the tree, and 8 bytes a level more.
-pub struct tree_multires(Multires);
+pub struct tree_multires(Shared<Multires>);
 
 impl Handle for tree_multires {
     const NAME: &'static str = "tree_multires";
@@ -27,11 +27,16 @@ impl Handle for tree_multires {
 
 impl tree_multires {
     pub(super) fn new(multires: Multires) -> Self {
-        Self(multires)
+        Self(Shared::new(multires))
+    }
+
+    /// A tree with levels that is part of something.
+    pub(crate) fn part(held: Shared<Multires>) -> Self {
+        Self(held)
     }
 
     pub(super) fn rust(&self) -> &Multires {
-        &self.0
+        self.0.get()
     }
 }
 
@@ -63,7 +68,7 @@ pub unsafe extern "C" fn tree_multires_new(
                 Ok(Multires::new(tree, &metric, control)?)
             })
         }?;
-        place.put(tree_multires(made));
+        place.put(tree_multires::new(made));
         Ok(())
     })
 }
@@ -101,7 +106,7 @@ pub unsafe extern "C" fn tree_multires_of_paths(
         if let Some(leaves) = leaves {
             leaves.put(tree_rows::new(rows.leaves));
         }
-        place.put(tree_multires(made));
+        place.put(tree_multires::new(made));
         Ok(())
     })
 }
@@ -124,7 +129,7 @@ pub unsafe extern "C" fn tree_multires_count(
     n_levels: *mut usize,
 ) -> tree_status {
     call(|| {
-        let n = unsafe { get(multires, "multires") }?.0.n_levels();
+        let n = unsafe { get(multires, "multires") }?.rust().n_levels();
         unsafe { out_value(n_levels, n, "n_levels") }
     })
 }
@@ -138,7 +143,7 @@ pub unsafe extern "C" fn tree_multires_counts(
     n_leaves: *mut usize,
 ) -> tree_status {
     call(|| {
-        let counts = unsafe { get(multires, "multires") }?.0.counts(n_levels);
+        let counts = unsafe { get(multires, "multires") }?.rust().counts(n_levels);
         unsafe { out_value(n_nodes, counts.0, "n_nodes") }?;
         unsafe { out_value(n_leaves, counts.1, "n_leaves") }
     })
@@ -157,7 +162,7 @@ pub unsafe extern "C" fn tree_multires_level(
     call(|| {
         unsafe { foresee(columns.cast_const(), "columns") }?;
         unsafe { foresee(foliage.cast_const(), "foliage") }?;
-        let level = unsafe { get(multires, "multires") }?.0.level(n_levels);
+        let level = unsafe { get(multires, "multires") }?.rust().level(n_levels);
         let nodes = tree_skeleton_columns {
             n_nodes: level.positions.len(),
             positions: column(level.positions).cast(),
@@ -211,7 +216,7 @@ pub unsafe extern "C" fn tree_multires_level_of_nodes(
     n_levels: *mut usize,
 ) -> tree_status {
     call(|| {
-        let n = unsafe { get(multires, "multires") }?.0.level_of_nodes(n_nodes);
+        let n = unsafe { get(multires, "multires") }?.rust().level_of_nodes(n_nodes);
         unsafe { out_value(n_levels, n, "n_levels") }
     })
 }

@@ -65,7 +65,7 @@ unsafe impl Versioned for tree_metric_params {
 }
 
 /// The caller's metric; NULL is the default.
-pub(super) unsafe fn metric(
+pub(crate) unsafe fn metric(
     params: *const tree_metric_params,
     seed: u64,
     limits: &Limits,

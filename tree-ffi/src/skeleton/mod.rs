@@ -12,7 +12,7 @@ pub use measure::*;
 pub use swc::*;
 
 use crate::border::{
-    Handle, Result, Versioned, call, fill, free, get, out, slice, tree_status, vec3s, write,
+    Handle, Result, Shared, Versioned, call, fill, free, get, out, slice, tree_status, vec3s, write,
 };
 use crate::control::{limits, tree_control};
 use glam::Vec3;
@@ -23,13 +23,7 @@ use tree_model::tree_core::{Resource, Skeleton, Tree};
 pub const TREE_NO_PARENT: u32 = 0xFFFF_FFFF;
 
 /// Branches as a rooted tree of nodes with radii.
-pub struct tree_skeleton(Held);
-
-/// A skeleton of its own (which the file it came from may share), or that of a tree which it keeps alive.
-enum Held {
-    Own(Arc<Skeleton>),
-    Of(Arc<Tree>),
-}
+pub struct tree_skeleton(Shared<Skeleton>);
 
 impl Handle for tree_skeleton {
     const NAME: &'static str = "tree_skeleton";
@@ -41,18 +35,15 @@ impl tree_skeleton {
     }
 
     pub(crate) fn shared(skeleton: Arc<Skeleton>) -> Self {
-        Self(Held::Own(skeleton))
+        Self(Shared::of(skeleton))
     }
 
     pub(crate) fn of(tree: Arc<Tree>) -> Self {
-        Self(Held::Of(tree))
+        Self(Shared::of(tree).part(Tree::skeleton))
     }
 
     pub(crate) fn rust(&self) -> &Skeleton {
-        match &self.0 {
-            Held::Own(skeleton) => skeleton,
-            Held::Of(tree) => tree.skeleton(),
-        }
+        self.0.get()
     }
 }
 

@@ -72,6 +72,8 @@ void test_prune(void);
 void test_multires(void);
 void test_lsystem(void);
 void test_impostor(void);
+void test_octahedral(void);
+void test_hybrid(void);
 void test_threads(void);
 
 #endif

@@ -1,68 +1,5 @@
-#include "check.h"
+#include "crown.h"
 #include <math.h>
-
-enum { TIPS = 9, PER_TIP = 12, LEAVES = TIPS * PER_TIP, NODES = 5 + TIPS };
-
-static float tips[3 * TIPS];
-
-/* A trunk that forks three ways, and each of those again three ways. */
-static tree_skeleton *a_forked_tree(void) {
-    static float positions[3 * NODES], radii[NODES];
-    static uint32_t parents[NODES];
-    positions[4] = 2;
-    parents[0] = TREE_NO_PARENT;
-    for (int i = 0; i < NODES; i++) radii[i] = i < 2 ? 0.15f : 0.05f;
-    for (int i = 0; i < 3; i++) {
-        float turn = 2.1f * (float)i + 0.4f, *limb = positions + 3 * (2 + 4 * i);
-        limb[0] = 2 * sinf(turn), limb[1] = 3, limb[2] = 2 * cosf(turn);
-        parents[2 + 4 * i] = 1;
-        for (int k = 0; k < 3; k++) {
-            float angle = 2.1f * (float)k + (float)i, *tip = limb + 3 * (k + 1);
-            tip[0] = 3 * sinf(turn) + sinf(angle);
-            tip[1] = 3.8f + 0.3f * cosf(angle);
-            tip[2] = 3 * cosf(turn) + cosf(angle);
-            parents[3 + 4 * i + k] = (uint32_t)(2 + 4 * i);
-            memcpy(tips + 3 * (3 * i + k), tip, 3 * sizeof(float));
-        }
-    }
-    tree_skeleton_columns columns = {sizeof columns, NODES, positions, radii, parents};
-    tree_skeleton *skeleton = NULL;
-    OK(tree_skeleton_from_columns(&columns, NULL, &skeleton));
-    return skeleton;
-}
-
-/* Square leaves around the tips. */
-static tree_mesh *leaves_at_tips(void) {
-    static float positions[12 * LEAVES], normals[12 * LEAVES];
-    static const float uvs[8 * LEAVES];
-    static uint32_t indices[6 * LEAVES];
-    static const int corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    static const uint32_t quad[] = {0, 1, 2, 0, 2, 3};
-    for (int i = 0; i < LEAVES; i++) {
-        float y = 1 - (2 * (float)(i % PER_TIP) + 1) / PER_TIP, ring = sqrtf(1 - y * y);
-        float turn = 2.3999632f * (float)i, s = sinf(turn), c = cosf(turn);
-        float normal[3] = {ring * s, y, ring * c}, along[3] = {c, 0, -s}, up[3] = {-y * s, ring, -y * c};
-        for (int k = 0; k < 4; k++)
-            for (int axis = 0; axis < 3; axis++) {
-                int at = 3 * (4 * i + k) + axis;
-                float side = (float)corners[k][0] * along[axis] + (float)corners[k][1] * up[axis];
-                positions[at] = tips[3 * (i / PER_TIP) + axis] + 0.4f * normal[axis] + 0.15f * side;
-                normals[at] = normal[axis];
-            }
-        for (int k = 0; k < 6; k++) indices[6 * i + k] = (uint32_t)(4 * i) + quad[k];
-    }
-    tree_surface surface = {.struct_size = sizeof surface, .n_vertices = 4 * LEAVES,
-                            .n_indices = 6 * LEAVES, .positions = positions, .normals = normals,
-                            .uvs = uvs, .indices = indices};
-    tree_material material;
-    OK(tree_material_init(&material, sizeof material));
-    material.name = (tree_str){"leaves", 6};
-    material.base_color[1] = 0.5f;
-    material.double_sided = 1;
-    tree_mesh *mesh = NULL;
-    OK(tree_mesh_from_surfaces(&surface, 1, &material, 1, NULL, 0, NULL, &mesh));
-    return mesh;
-}
 
 static void bearers_of_a_tree(void) {
     tree_tree *tree = an_oak_twig();
@@ -215,26 +152,6 @@ static void atlases(const tree_cards *cards) {
     OK(tree_picture_free(picture));
 }
 
-static tree_view from_the_side(uint32_t camera) {
-    tree_view view;
-    OK(tree_view_init(&view, sizeof view));
-    view.width = view.height = 32;
-    view.camera = camera;
-    view.lens = TREE_LENS_ORTHOGRAPHIC;
-    view.lens_height = 10;
-    view.eye[0] = 40;
-    view.eye[1] = view.target[1] = 3.8f;
-    return view;
-}
-
-static int n_covered(const tree_picture *picture) {
-    tree_pixels pixels = {.struct_size = sizeof pixels};
-    int n = 0;
-    OK(tree_picture_view(picture, &pixels));
-    for (size_t i = 3; i < pixels.n_bytes; i += 4) n += pixels.pixels[i] >= 128;
-    return n;
-}
-
 static void drawn(const tree_cards *cards) {
     static const uint32_t two[] = {0, 1}, missing[] = {4096};
     tree_mesh *mesh = NULL;
@@ -244,6 +161,15 @@ static void drawn(const tree_cards *cards) {
     CHECK(totals.n_triangles == 24 && totals.n_vertices == 48);
     OK(tree_mesh_free(mesh));
     FAILS(TREE_ERROR_INVALID, "no box", tree_cards_mesh(cards, missing, 1, NULL, &mesh));
+    static const uint32_t planes[] = {0, 2, 4, 6, 0, 0, 0};
+    OK(tree_cards_mesh_of_planes(cards, two, 2, planes, 3, NULL, &mesh));
+    OK(tree_mesh_count(mesh, &totals));
+    CHECK(totals.n_triangles == 12 && totals.n_vertices == 24);
+    OK(tree_mesh_free(mesh));
+    FAILS(TREE_ERROR_INVALID, "no plane",
+          tree_cards_mesh_of_planes(cards, two, 1, planes, 4, NULL, &mesh));
+    FAILS(TREE_ERROR_PARAMETER, "at most 6",
+          tree_cards_mesh_of_planes(cards, two, 1, planes, 7, NULL, &mesh));
     float metres = 0;
     OK(tree_cards_texel(cards, 0, &metres));
     CHECK(metres > 0.1f && metres < 2);
@@ -358,112 +284,6 @@ static void choices(const tree_cards *cards, size_t n_boxes) {
     OK(tree_card_choice_free(choice));
 }
 
-static tree_octahedral *all_round(const tree_mesh *mesh) {
-    tree_octahedral_params params;
-    tree_octahedral_report report = {.struct_size = sizeof report}, again = report;
-    tree_octahedral *octahedral = NULL;
-    OK(tree_octahedral_params_init(&params, sizeof params));
-    CHECK(params.grid == 12 && params.hemi == 1 && params.side == 2048 && params.half_detail == 0);
-    OK(tree_octahedral_params_check(&params));
-    params.grid = 1;
-    FAILS(TREE_ERROR_PARAMETER, "octahedral.grid", tree_octahedral_params_check(&params));
-    FAILS(TREE_ERROR_PARAMETER, "octahedral.grid",
-          tree_octahedral_bake(mesh, &params, NULL, NULL, &octahedral));
-    CHECK(octahedral == NULL);
-    params.grid = 3;
-    params.side = 64;
-    params.samples = 1;
-    params.half_detail = 1;
-    OK(tree_octahedral_bake(mesh, &params, NULL, &report, &octahedral));
-    CHECK(report.n_views == 9 && report.n_triangles == 2 * LEAVES && report.covered > 100);
-    CHECK(report.bytes == 4 * (64 * 64 + 32 * 32));
-    OK(tree_octahedral_measure(octahedral, &again));
-    CHECK(memcmp(&again, &report, sizeof report) == 0);
-    return octahedral;
-}
-
-/* Numbers, pictures, and the same impostor put together again. */
-static void parts_of(const tree_octahedral *octahedral) {
-    tree_octahedral_meta meta = {.struct_size = sizeof meta};
-    OK(tree_octahedral_describe(octahedral, &meta));
-    CHECK(meta.grid == 3 && meta.hemi == 1 && meta.side == 64 && meta.tile == 21 && meta.detail_side == 32);
-    CHECK(meta.radius > 3 && meta.wide > 2 && meta.high > 0.3f && meta.texel > 0.1f);
-    OK(tree_octahedral_meta_check(&meta));
-    float half[2] = {0, 0}, reach = 0;
-    OK(tree_octahedral_meta_extent(&meta, 0, &half, &reach));
-    CHECK(half[0] == meta.wide && half[1] == meta.high && reach == meta.wide);
-    tree_bytes *json = NULL;
-    const uint8_t *data = NULL;
-    size_t len = 0;
-    OK(tree_octahedral_to_json(octahedral, &json));
-    OK(tree_bytes_view(json, &data, &len));
-    CHECK(len > 100 && memcmp(data, "{ \"kind\": \"octahedral\"", 22) == 0);
-    OK(tree_bytes_free(json));
-
-    tree_pixels color = {.struct_size = sizeof color}, detail = {.struct_size = sizeof detail};
-    OK(tree_octahedral_pixels(octahedral, TREE_IMPOSTOR_COLOR, &color));
-    OK(tree_octahedral_pixels(octahedral, TREE_IMPOSTOR_DETAIL, &detail));
-    CHECK(color.width == 64 && detail.width == 32);
-    FAILS(TREE_ERROR_ENUM, "TREE_IMPOSTOR_", tree_octahedral_pixels(octahedral, 2, &color));
-    tree_picture *pictures[2] = {NULL, NULL}, *seen = NULL, *same = NULL;
-    OK(tree_octahedral_picture(octahedral, TREE_IMPOSTOR_COLOR, NULL, &pictures[0]));
-    OK(tree_octahedral_picture(octahedral, TREE_IMPOSTOR_DETAIL, NULL, &pictures[1]));
-    tree_octahedral *again = NULL, *none = NULL;
-    OK(tree_octahedral_from_pictures(&meta, pictures[0], pictures[1], NULL, &again));
-    FAILS(TREE_ERROR_INVALID, "another size",
-          tree_octahedral_from_pictures(&meta, pictures[1], pictures[0], NULL, &none));
-    tree_view view = from_the_side(TREE_CAMERA_PLACED);
-    OK(tree_octahedral_view(octahedral, &view, NULL, &seen));
-    OK(tree_octahedral_view(again, &view, NULL, &same));
-    tree_pixels a = {.struct_size = sizeof a}, b = {.struct_size = sizeof b};
-    OK(tree_picture_view(seen, &a));
-    OK(tree_picture_view(same, &b));
-    CHECK(memcmp(a.pixels, b.pixels, a.n_bytes) == 0);
-    CHECK(n_covered(seen) > 20 && n_covered(seen) < 32 * 32);
-    tree_mask *mask = NULL;
-    tree_mask_columns columns = {.struct_size = sizeof columns};
-    OK(tree_octahedral_mask(octahedral, &view, NULL, &mask));
-    OK(tree_mask_view(mask, &columns));
-    int alike = 1;
-    for (size_t i = 0; i < columns.n_pixels; i++) alike &= columns.coverage[i] == a.pixels[4 * i + 3];
-    CHECK(columns.n_pixels == 32 * 32 && alike);
-    OK(tree_mask_free(mask));
-    view = from_the_side(TREE_CAMERA_FRAMED);
-    FAILS(TREE_ERROR_INVALID, "placed", tree_octahedral_mask(octahedral, &view, NULL, &mask));
-    meta.detail_side = 7;
-    FAILS(TREE_ERROR_INVALID, "detail_side", tree_octahedral_meta_check(&meta));
-    FAILS(TREE_ERROR_INVALID, "detail_side",
-          tree_octahedral_from_pictures(&meta, pictures[0], pictures[1], NULL, &none));
-    CHECK(none == NULL && mask == NULL);
-    OK(tree_picture_free(pictures[0]));
-    OK(tree_picture_free(pictures[1]));
-    OK(tree_picture_free(seen));
-    OK(tree_picture_free(same));
-    OK(tree_octahedral_free(again));
-}
-
-static void directions(void) {
-    static const float slanted[] = {0.6f, 0.48f, 0.64f}, outside[] = {2, 0}, nowhere[3];
-    float place[2] = {-1, -1}, back[3] = {0, 0, 0}, right[3], up[3], toward[3];
-    for (uint32_t hemi = 0; hemi < 2; hemi++) {
-        OK(tree_octahedral_encode(slanted, hemi, &place));
-        CHECK(place[0] > 0 && place[0] < 1 && place[1] > 0 && place[1] < 1);
-        OK(tree_octahedral_decode(place, hemi, &back));
-        for (int i = 0; i < 3; i++) CHECK(fabsf(back[i] - slanted[i]) < 1e-5f);
-        tree_octahedral_frame frames[3];
-        OK(tree_octahedral_frames(slanted, 3, hemi, frames, 3));
-        CHECK(fabsf(frames[0].weight + frames[1].weight + frames[2].weight - 1) < 1e-5f);
-        for (int i = 0; i < 3; i++) CHECK(frames[i].column < 3 && frames[i].row < 3);
-        FAILS(TREE_ERROR_BUFFER, "frames", tree_octahedral_frames(slanted, 3, hemi, frames, 2));
-        FAILS(TREE_ERROR_PARAMETER, "grid is 65", tree_octahedral_frames(slanted, 65, hemi, frames, 3));
-    }
-    OK(tree_octahedral_axes(1, 1, 3, 1, &right, &up, &toward));
-    CHECK(right[0] == 1 && fabsf(toward[1] - 1) < 1e-6f && fabsf(up[2] + 1) < 1e-6f);
-    FAILS(TREE_ERROR_PARAMETER, "(3, 0)", tree_octahedral_axes(3, 0, 3, 1, &right, &up, &toward));
-    FAILS(TREE_ERROR_PARAMETER, "direction", tree_octahedral_encode(nowhere, 1, &place));
-    FAILS(TREE_ERROR_PARAMETER, "place", tree_octahedral_decode(outside, 1, &back));
-}
-
 static void limited(const tree_mesh *mesh, const tree_elements *elements, const tree_leaf_boxes *boxes,
                     const tree_cards *cards) {
     static const uint32_t one[] = {0};
@@ -503,9 +323,5 @@ void test_impostor(void) {
     shaders_and_weights();
     choices(cards, n_boxes);
     OK(tree_cards_free(cards));
-    tree_octahedral *octahedral = all_round(mesh);
     OK(tree_mesh_free(mesh));
-    parts_of(octahedral);
-    OK(tree_octahedral_free(octahedral));
-    directions();
 }

@@ -54,6 +54,8 @@ int main(void) {
     test_multires();
     test_lsystem();
     test_impostor();
+    test_octahedral();
+    test_hybrid();
     test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);

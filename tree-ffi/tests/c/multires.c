@@ -438,6 +438,7 @@ static void draws(const tree_multi_mesh *multi, const tree_multires *multires) {
     tree_multi_draw rows[SURFACES] = {{0, 0}, {0, 0}};
     tree_mesh *whole = NULL, *mesh = NULL, *none = NULL;
     uint64_t n = 0, before = 0;
+    uint32_t n_indices = 0;
     size_t n_levels = 0;
     OK(tree_multi_mesh_measure(multi, &totals));
     CHECK(totals.n_levels == LEVELS && totals.n_surfaces == SURFACES);
@@ -446,12 +447,15 @@ static void draws(const tree_multi_mesh *multi, const tree_multires *multires) {
         CHECK(n > before && 3 * n == rows[0].index_count + rows[1].index_count && rows[1].surface == 1);
         OK(tree_multi_mesh_level_of_wood(multi, rows[0].index_count / 3, &n_levels));
         CHECK(n_levels == (size_t)level);
+        OK(tree_multi_mesh_wood_indices(multi, (float)level, &n_indices));
+        CHECK(n_indices == rows[0].index_count);
     }
     CHECK(n == totals.n_triangles);
     OK(tree_multi_mesh_draws(multi, INFINITY, rows, SURFACES, &n));
     CHECK(n == totals.n_triangles);
     OK(tree_multi_mesh_level_of_wood(multi, 0, &n_levels));
     CHECK(n_levels == 1);
+    FAILS(TREE_ERROR_PARAMETER, "level", tree_multi_mesh_wood_indices(multi, NAN, &n_indices));
     FAILS(TREE_ERROR_PARAMETER, "level", tree_multi_mesh_draws(multi, NAN, rows, SURFACES, &n));
     FAILS(TREE_ERROR_BUFFER, "draws", tree_multi_mesh_draws(multi, 1, rows, SURFACES - 1, &n));
     FAILS(TREE_ERROR_NULL, "draws", tree_multi_mesh_draws(multi, 1, NULL, SURFACES, &n));

@@ -25,6 +25,7 @@ pub(crate) const SINGLES: &[&str] = &[
     "level",
     "measure",
     "metres",
+    "n_indices",
     "n_levels",
     "n_runs",
     "n_triangles",
@@ -46,6 +47,7 @@ pub(crate) const SINGLES: &[&str] = &[
     "n_threads",
     "value",
     "volume",
+    "window",
 ];
 
 /// Yes or no, as an argument.

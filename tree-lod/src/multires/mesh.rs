@@ -7,6 +7,7 @@ use crate::error::{LodError, Result, check_range};
 use crate::prune::vertices::compact;
 use rayon::prelude::*;
 use tree_core::{Control, Resource};
+use tree_mesh::wind::{Branch, branches_of_lines};
 use tree_mesh::{Look, Mesh, MeshParams, Surface};
 
 /// Most paths whose numbers a shader tells apart.
@@ -57,9 +58,8 @@ impl MultiMesh {
             MeshParams { sides_min: 3, sides_max: 3, tangents: false, lightmap: false, ..*params };
         let built = tree_mesh::build(multires.tree(), look, &thin, &control.part(0.0, 0.5))?;
         let mut mesh = built.mesh;
-        // Their numbers are those of axes, which paths are not.
-        mesh.branches = Vec::new();
-        mesh.surfaces.iter_mut().for_each(|surface| surface.branches = Vec::new());
+        // Those of the tree's axes, which paths are not.
+        mesh.branches = wind(multires);
         let leaves = mesh.surfaces.iter().skip(1).map(Surface::n_triangles).sum::<usize>();
         let (wood, ends, branches) = wood(multires, params, leaves, &control.part(0.5, 0.9))?;
         let mut this = Self { mesh, ends: vec![ends], branches: vec![branches] };
@@ -70,11 +70,15 @@ impl MultiMesh {
         for kind in 0..multires.tree().species().leaf_kinds.len() {
             this.leaves(multires, kind)?;
         }
+        for (surface, branches) in this.mesh.surfaces.iter_mut().zip(&this.branches) {
+            surface.branches = branches.iter().map(|&[.., path]| path as u32).collect();
+        }
         control.report("done", 1.0)?;
         Ok(this)
     }
 
-    /// All levels. Surface 0 is the wood, the others are leaves, one for each kind.
+    /// All levels. Surface 0 is the wood, the others are leaves, one for each kind. Each path is a branch that moves
+    /// in the [wind](tree_mesh::wind); a shader lets it grow first, then bends it.
     #[must_use]
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
@@ -153,6 +157,10 @@ impl MultiMesh {
             for (p, &branch) in surface.positions.iter_mut().zip(branches) {
                 *p = position(*p, branch, level);
             }
+            if let Some(size) = surface.vertices_per_leaf().filter(|&size| size > 0) {
+                let leaves = surface.anchors.iter_mut().zip(branches.iter().step_by(size));
+                leaves.for_each(|(p, &branch)| *p = position(*p, branch, level));
+            }
             let mut kept = vec![false; surface.positions.len()];
             surface.indices.iter().for_each(|&index| kept[index as usize] = true);
             compact(surface, &kept);
@@ -208,6 +216,16 @@ fn branch(multires: &Multires, path: usize) -> [f32; 4] {
     let first = if path == 0 { 0 } else { multires.counts(path).0 };
     let fork = skeleton.parent(first as u32).unwrap_or(0);
     skeleton.positions()[fork as usize].extend(path as f32).to_array()
+}
+
+/// Each path as the wind sees it: nodes are sorted, so those of a path follow one another.
+fn wind(multires: &Multires) -> Vec<Branch> {
+    let nodes: Vec<u32> = (0..multires.tree().skeleton().len() as u32).collect();
+    let line = |path: usize| {
+        let first = if path == 0 { 0 } else { multires.counts(path).0 };
+        nodes.get(first..multires.counts(path + 1).0).unwrap_or_default()
+    };
+    branches_of_lines(multires.tree().skeleton(), (0..multires.n_levels()).map(line))
 }
 
 type Wood = (Surface, Vec<u32>, Vec<[f32; 4]>);

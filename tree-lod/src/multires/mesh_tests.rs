@@ -114,3 +114,46 @@ fn a_single_node_is_a_tree_without_wood() {
     let multi = MultiMesh::new(&multires, &look, &MeshParams::default(), &control).unwrap();
     assert_eq!((multi.n_levels(), multi.mesh().n_triangles()), (1, 0));
 }
+
+#[test]
+fn every_path_is_a_branch_in_the_wind() {
+    let (multires, multi) = made();
+    let skeleton = multires.tree().skeleton();
+    let branches = &multi.mesh().branches;
+    assert_eq!(branches.len(), multires.n_levels());
+    for (path, branch) in branches.iter().enumerate().skip(1) {
+        let first = multires.counts(path).0;
+        let fork = skeleton.parents()[first];
+        assert_eq!(branch.pivot, skeleton.positions()[fork as usize]);
+        // The path that the fork is on.
+        let bearer = (1..=path).find(|&n| (fork as usize) < multires.counts(n).0).unwrap() - 1;
+        assert_eq!(branch.parent as usize, bearer);
+        assert_eq!(branch.level, branches[bearer].level + 1);
+    }
+    for level in [1.0, 3.5, 8.0] {
+        let mesh = multi.mesh_at(level).unwrap();
+        mesh.check().unwrap();
+        let wind = tree_mesh::wind::vertices(&mesh, 1).unwrap();
+        // Leaves hang on the paths that are drawn, at the nodes they grow from.
+        assert!(wind.iter().all(|vertex| (vertex.branch as f32) < level));
+        assert_eq!(mesh.surfaces[1].anchors.len(), 2 * level.ceil() as usize);
+        assert!(wind.iter().any(|vertex| vertex.flutter == 1.0));
+        // All paths but the first are straight, with their leaves at the tip.
+        let mut whole = wind.iter().filter(|vertex| vertex.branch > 0 && level == level.floor());
+        assert!(whole.all(|vertex| vertex.reach > 0.99));
+    }
+}
+
+#[test]
+fn wind_bends_twigs_and_leaves_the_foot_alone() {
+    let (_, multi) = made();
+    let mesh = multi.mesh();
+    let bent = tree_mesh::wind::bend(mesh, &tree_mesh::wind::Wind::default(), 0.3).unwrap();
+    let wood = mesh.surfaces[0].positions.iter().zip(&bent[0]);
+    for (before, after) in wood.filter(|(before, _)| before.y < 0.1) {
+        assert!(before.distance(*after) < 1e-6);
+    }
+    let leaves = mesh.surfaces[1].positions.iter().zip(&bent[1]);
+    let n_moved = leaves.filter(|(before, after)| before.distance(**after) > 0.01).count();
+    assert!(4 * n_moved > 3 * bent[1].len(), "{n_moved} of {}", bent[1].len());
+}

@@ -44,7 +44,11 @@ impl PrunedModel {
             for &index in &surface.indices {
                 kept[index as usize] = true;
             }
+            let whole = kept.iter().all(|&keep| keep);
             compact(surface, &kept);
+            if !whole {
+                surface.anchors = Vec::new();
+            }
         });
         Ok(mesh)
     }

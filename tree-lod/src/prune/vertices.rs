@@ -125,6 +125,7 @@ pub(crate) fn compact(surface: &mut Surface, kept: &[bool]) {
     for index in &mut surface.indices {
         *index = new[*index as usize];
     }
+    keep_anchors(surface, kept);
     weld(&mut surface.welds, kept, &new);
     column(&mut surface.positions, kept);
     column(&mut surface.normals, kept);
@@ -134,7 +135,18 @@ pub(crate) fn compact(surface: &mut Surface, kept: &[bool]) {
     column(&mut surface.branches, kept);
     column(&mut surface.occlusion, kept);
     column(&mut surface.welds, kept);
-    surface.anchors = Vec::new();
+}
+
+/// Anchors of the leaves that are left; none at all when a leaf is left in part.
+fn keep_anchors(surface: &mut Surface, kept: &[bool]) {
+    let size = surface.vertices_per_leaf().filter(|&size| size > 0);
+    let leaves = || kept.chunks(size.unwrap_or(1));
+    if size.is_none() || leaves().any(|leaf| leaf.iter().any(|&keep| keep != leaf[0])) {
+        surface.anchors = Vec::new();
+        return;
+    }
+    let mut keep = leaves().map(|leaf| leaf[0]);
+    surface.anchors.retain(|_| keep.next().unwrap_or(false));
 }
 
 /// Welds vertices to the first that is left of those at the same point; the column's rows are not dropped

@@ -108,40 +108,64 @@ impl Branch {
 /// O(nodes).
 #[must_use]
 pub fn branches(skeleton: &Skeleton, axes: &Axes) -> Vec<Branch> {
-    let (positions, radii) = (skeleton.positions(), skeleton.radii());
-    axes.iter()
-        .map(|axis| {
-            let first = axis.nodes.first().copied().unwrap_or(0);
-            let fork = skeleton.parent(first).unwrap_or(first);
-            let tip = axis.nodes.last().copied().unwrap_or(first);
-            let pivot = positions[fork as usize];
-            let mut last = pivot;
-            let length = axis.nodes.iter().fold(0.0, |sum, &node| {
-                let at = positions[node as usize];
-                let step = at.distance(last);
-                last = at;
-                sum + step
-            });
-            let radius = radii[first as usize];
-            // A ring of the branch's radius, where its axis leaves a ball as thick as the parent.
-            let collar = if axis.index == 0 {
-                FLARE_RADII * radius
-            } else {
-                glam::Vec2::new(radii[fork as usize], radius).length()
-            };
-            Branch {
-                parent: axes.axis_of()[fork as usize],
-                level: axis.order,
-                pivot,
-                axis: (positions[tip as usize] - pivot).normalize_or(Vec3::Y),
-                length,
-                radius,
-                collar: collar.min(COLLAR_MAX * length),
-                phase: phase(axis.index),
-                stiffness: stiffness(length, radius),
+    branches_of_lines(skeleton, axes.iter().map(|axis| axis.nodes))
+}
+
+/// As [`branches`], for any lines that the nodes are cut into: each goes from child to child, and comes after the
+/// line that bears it. Nodes that do not exist are passed over; what is on no line counts as the first one's.
+///
+/// # Complexity
+/// O(nodes).
+#[must_use]
+pub fn branches_of_lines<'a>(
+    skeleton: &Skeleton,
+    lines: impl IntoIterator<Item = &'a [u32]>,
+) -> Vec<Branch> {
+    let mut line_of = vec![0; skeleton.len()];
+    let mut branches: Vec<Branch> = Vec::new();
+    for (number, nodes) in (0..).zip(lines) {
+        for &node in nodes {
+            if let Some(place) = line_of.get_mut(node as usize) {
+                *place = number;
             }
-        })
-        .collect()
+        }
+        let first = nodes.first().copied().unwrap_or(0);
+        let fork = skeleton.parent(first).unwrap_or(first);
+        let parent = if number == 0 { 0 } else { line_of.get(fork as usize).copied().unwrap_or(0) };
+        let level = branches.get(parent as usize).map_or(0, |below| below.level + 1);
+        branches.push(Branch { parent, level, ..branch(skeleton, number, nodes, fork) });
+    }
+    branches
+}
+
+/// What a line is by itself, without what carries it.
+fn branch(skeleton: &Skeleton, number: u32, nodes: &[u32], fork: u32) -> Branch {
+    let (positions, radii) = (skeleton.positions(), skeleton.radii());
+    let thick = |node: u32| radii.get(node as usize).copied().unwrap_or_default();
+    let pivot = positions.get(fork as usize).copied().unwrap_or_default();
+    let (mut last, mut length) = (pivot, 0.0);
+    for &at in nodes.iter().filter_map(|&node| positions.get(node as usize)) {
+        length += at.distance(last);
+        last = at;
+    }
+    let radius = thick(nodes.first().copied().unwrap_or(fork));
+    // A ring of the branch's radius, where its axis leaves a ball as thick as the parent.
+    let collar = if number == 0 {
+        FLARE_RADII * radius
+    } else {
+        glam::Vec2::new(thick(fork), radius).length()
+    };
+    Branch {
+        parent: 0,
+        level: 0,
+        pivot,
+        axis: (last - pivot).normalize_or(Vec3::Y),
+        length,
+        radius,
+        collar: collar.min(COLLAR_MAX * length),
+        phase: phase(number),
+        stiffness: stiffness(length, radius),
+    }
 }
 
 fn stiffness(length: f32, radius: f32) -> f32 {

@@ -5,6 +5,8 @@
 //! 2. [`Grammar::derive`] replaces all modules of a [`Word`] at once, step by step.
 //! 3. [`Grammar::interpretation`] makes of the word what a turtle is to see.
 //!
+//! `docs/LSYSTEMS.md` in the repository tells how to write a grammar, with pictures of all presets.
+//!
 //! ```
 //! use tree_model::lsystem::Grammar;
 //! use tree_model::tree_core::{Control, Limits, Seed};

@@ -1,7 +1,7 @@
 //! Writes small files of every sort for other people's readers and validators.
 //!
 //! ```sh
-//! cargo run -p tree-mesh --all-features --example samples -- /tmp/samples
+//! cargo run --release --example samples -- /tmp/samples
 //! node examples/validate/validate.mjs /tmp/samples/*.gl*
 //! ```
 
