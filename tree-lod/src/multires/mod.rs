@@ -23,6 +23,7 @@
 
 mod adt;
 mod chain;
+mod density;
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod grow;
