@@ -1,10 +1,8 @@
 //! The tree of branches (the paper's *tree abstract data type*, section 4.1.2).
 
+use super::shown::shown;
 use crate::error::{LodError, Result};
-use tree_core::{NO_PARENT, Skeleton, Tree};
-
-/// Area of a leaf of length 1 on a picture: half as wide as long, and turned anyhow.
-const LEAF_AREA: f64 = 0.25;
+use tree_core::{Foliage, NO_PARENT, Skeleton, Tree};
 
 /// One module of a bracketed chain, as far as its branches are concerned.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +28,7 @@ pub struct Adt {
     pub(super) modules: Vec<u32>,
     /// Length of each branch alone.
     pub(super) lengths: Vec<f64>,
-    /// Area of each branch alone, seen from the side, with its own leaves.
+    /// Area that each branch alone shows from the side, with its own leaves.
     pub(super) areas: Vec<f64>,
     /// Where the children of each branch begin in `children`.
     pub(super) child_starts: Vec<u32>,
@@ -67,7 +65,7 @@ impl Adt {
                     open.pop();
                 }
                 Token::Module(length) if length >= 0.0 && length.is_finite() => {
-                    rows.module(current, place, length, length);
+                    rows.module(current, place, length);
                 }
                 Token::Module(_) => return fail("its length must be finite, 0 or more"),
             }
@@ -80,19 +78,33 @@ impl Adt {
     }
 
     /// The branches of a skeleton: the runs of nodes between forks. Modules are its nodes; the length of a
-    /// node is that of the segment to its parent, in metres, and its area that of the wood seen from the side, in m².
+    /// node is that of the segment to its parent, in metres. Areas are in m², as the wood is seen from the side: where
+    /// branches lie before each other, they share what is seen.
     ///
     /// # Complexity
     /// O(nodes).
     #[must_use]
     pub fn of_skeleton(skeleton: &Skeleton) -> Self {
+        Self::of_columns(skeleton, &Foliage::default())
+    }
+
+    /// As [`of_skeleton`](Self::of_skeleton); leaves hide and share too, and count among the areas of the branches that
+    /// bear them.
+    ///
+    /// # Complexity
+    /// O(nodes + leaves).
+    #[must_use]
+    pub fn of_tree(tree: &Tree) -> Self {
+        Self::of_columns(tree.skeleton(), tree.foliage())
+    }
+
+    fn of_columns(skeleton: &Skeleton, foliage: &Foliage) -> Self {
         let (positions, parents) = (skeleton.positions(), skeleton.parents());
-        let radii = skeleton.radii();
         let mut n_children = vec![0_u32; skeleton.len()];
         skeleton.segments().for_each(|(parent, _)| n_children[parent as usize] += 1);
         let mut rows = Rows::default();
         let mut branch_of = vec![rows.branch(NO_PARENT, 0)];
-        rows.module(0, 0, 0.0, 0.0);
+        rows.module(0, 0, 0.0);
         for node in 1..skeleton.len() {
             let parent = parents[node] as usize;
             let mut branch = branch_of[parent];
@@ -101,33 +113,11 @@ impl Adt {
             }
             branch_of.push(branch);
             let length = (positions[node].as_dvec3() - positions[parent].as_dvec3()).length();
-            // A twig is not as wide as the limb that it stands on.
-            let first = rows.n_modules[branch as usize] == 0;
-            let foot = if first { radii[node] } else { radii[parent] };
-            let area = length * (f64::from(foot) + f64::from(radii[node]));
-            rows.module(branch, node as u32, length, area);
+            rows.module(branch, node as u32, length);
         }
-        rows.finish()
-    }
-
-    /// As [`of_skeleton`](Self::of_skeleton); the leaves count among the areas of the branches that bear them.
-    ///
-    /// # Complexity
-    /// O(nodes + leaves).
-    #[must_use]
-    pub fn of_tree(tree: &Tree) -> Self {
-        let mut adt = Self::of_skeleton(tree.skeleton());
-        if tree.foliage().is_empty() {
-            return adt;
-        }
-        let mut branch_of = vec![0_u32; tree.skeleton().len()];
-        for branch in 0..adt.len() as u32 {
-            adt.modules(branch).iter().for_each(|&node| branch_of[node as usize] = branch);
-        }
-        for leaf in tree.foliage().iter() {
-            let size = f64::from(leaf.size);
-            adt.areas[branch_of[leaf.node as usize] as usize] += LEAF_AREA * size * size;
-        }
+        let mut adt = rows.finish();
+        let first = |node: usize| n_children[parents[node] as usize] != 1;
+        adt.areas = shown(skeleton, foliage, &branch_of, adt.len(), first);
         adt
     }
 
@@ -150,7 +140,8 @@ impl Adt {
         &self.lengths
     }
 
-    /// Area that each branch alone shows from the side, with the leaves that it bears itself where they are known.
+    /// Area that each branch alone shows from the side, in m², with the leaves that it bears itself where they are known;
+    /// of chains their lengths.
     #[must_use]
     pub fn areas(&self) -> &[f64] {
         &self.areas
@@ -189,7 +180,6 @@ struct Rows {
     parents: Vec<u32>,
     after: Vec<u32>,
     lengths: Vec<f64>,
-    areas: Vec<f64>,
     n_modules: Vec<u32>,
     /// The modules in the order of the chain: branch and place.
     owners: Vec<(u32, u32)>,
@@ -200,15 +190,13 @@ impl Rows {
         self.parents.push(parent);
         self.after.push(after);
         self.lengths.push(0.0);
-        self.areas.push(0.0);
         self.n_modules.push(0);
         self.parents.len() as u32 - 1
     }
 
-    fn module(&mut self, branch: u32, place: u32, length: f64, area: f64) {
+    fn module(&mut self, branch: u32, place: u32, length: f64) {
         self.owners.push((branch, place));
         self.lengths[branch as usize] += length;
-        self.areas[branch as usize] += area;
         self.n_modules[branch as usize] += 1;
     }
 
@@ -217,7 +205,8 @@ impl Rows {
         let (starts, modules) = sorted(n, self.owners.iter().copied());
         let owned = self.parents.iter().zip(0..).skip(1).map(|(&parent, child)| (parent, child));
         let (child_starts, children) = sorted(n, owned);
-        let Self { parents, after, lengths, areas, .. } = self;
+        let Self { parents, after, lengths, .. } = self;
+        let areas = lengths.clone();
         Adt { parents, after, starts, modules, lengths, areas, child_starts, children }
     }
 }

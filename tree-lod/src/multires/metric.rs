@@ -7,7 +7,8 @@ use tree_core::Seed;
 /// How branches are compared.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Metric {
-    /// Area ([`Adt::areas`]) of a branch and of what it bears, for each branch that has to be drawn for it. The default.
+    /// Area shown ([`Adt::areas`]) for each branch that is drawn: a branch comes the earlier, the more it and what it bears show
+    /// and the fewer branches that takes. Shows more of the silhouette than all others here. The default.
     #[default]
     Density,
     /// As [`Density`](Self::Density), with these worths in the place of areas, one for each branch, finite and 0 or more.

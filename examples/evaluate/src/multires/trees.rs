@@ -1,6 +1,7 @@
 //! The trees of the evaluation.
 
 use super::{Outcome, SEED};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use tree_core::glam::Vec3;
 use tree_core::{Control, Limits, Skeleton, Species, Tree, file, swc};
@@ -110,11 +111,12 @@ fn cylinders(text: &str) -> Outcome<Skeleton> {
     let mut rows = text.lines();
     let names: Vec<&str> = rows.next().unwrap_or_default().split(',').collect();
     let column = |name: &str| names.iter().position(|&n| n == name).ok_or("a column is missing");
-    let columns = ["startX", "startY", "startZ", "endX", "endY", "endZ", "radius_cyl", "parent_ID"];
+    let columns =
+        ["startX", "startY", "startZ", "endX", "endY", "endZ", "radius_cyl", "parent_ID", "cyl_ID"];
     let columns = columns.map(column).into_iter().collect::<Result<Vec<_>, _>>()?;
     let mut builder = None;
-    // A number of a row is its place, from 1 on.
-    let mut nodes = Vec::new();
+    // The node at the end of each cylinder, by its number; 0 is the foot of the first.
+    let mut nodes = BTreeMap::from([(0_u32, 0_u32)]);
     for row in rows {
         let cells: Vec<&str> = row.split(',').collect();
         let cell = |i: usize| -> Outcome<f32> {
@@ -122,13 +124,13 @@ fn cylinders(text: &str) -> Outcome<Skeleton> {
         };
         let point =
             |i: usize| -> Outcome<Vec3> { Ok(Vec3::new(cell(i)?, cell(i + 2)?, -cell(i + 1)?)) };
-        let (radius, parent) = (cell(6)?, cell(7)? as usize);
+        let (radius, parent, number) = (cell(6)?, cell(7)? as u32, cell(8)? as u32);
         let skeleton = match &mut builder {
             Some(skeleton) => skeleton,
             none => none.insert(Skeleton::builder(point(0)?, radius)?),
         };
-        let bearer = parent.checked_sub(1).map_or(Some(0), |row| nodes.get(row).copied());
-        nodes.push(skeleton.add(bearer.ok_or("a parent is missing")?, point(3)?, radius)?);
+        let bearer = *nodes.get(&parent).ok_or("a parent is missing")?;
+        nodes.insert(number, skeleton.add(bearer, point(3)?, radius)?);
     }
     Ok(builder.ok_or("no cylinders")?.finish())
 }
