@@ -3,7 +3,7 @@
 use super::{Outcome, information};
 use crate::table::{Aim, Row, Table};
 use tree_core::{Control, Limits, Seed};
-use tree_model::lsystem::Grammar;
+use tree_model::lsystem::{Grammar, Kind};
 
 /// Modules that are rewritten at once.
 const MODULES: usize = 30_000;
@@ -101,6 +101,6 @@ fn chosen(weights: &[f64], seed: Seed) -> Outcome<Vec<usize>> {
     let grammar = Grammar::parse(&text, &Limits::default())?;
     let word = grammar.derive(Some(1), seed, &Control::default())?.word;
     let kinds: Vec<_> = names.map(|name| grammar.symbols().find(name, 0)).into_iter().collect();
-    let which = |kind: &_| kinds.iter().position(|k| k.as_ref() == Some(kind));
+    let which = |kind: &Kind| kinds.iter().position(|k| k.as_ref() == Some(kind));
     word.kinds().iter().map(|kind| which(kind).ok_or_else(|| "an A is left".into())).collect()
 }
