@@ -10,6 +10,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::str::FromStr;
 use tree_core::{Control, Seed, Tree, file};
 use tree_lod::hybrid::{Hybrid, HybridParams};
 use tree_lod::multires::stream::{self, StreamParams};
@@ -29,19 +30,19 @@ const SHOWN: u32 = 512;
 struct Request {
     system: String,
     seed: u64,
-    precision: f32,
+    stream: StreamParams,
     out: PathBuf,
 }
 
 impl Request {
     fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self, Box<dyn Error>> {
-        let mut request =
-            Self { system: String::new(), seed: 1, precision: 0.001, out: "out".into() };
+        let stream = StreamParams { precision: 0.001 };
+        let mut request = Self { system: String::new(), seed: 1, stream, out: "out".into() };
         while let Some(name) = arguments.next() {
             let mut value = || arguments.next().ok_or(format!("{name} needs a value"));
             match name.as_str() {
-                "--seed" => request.seed = value()?.parse()?,
-                "--precision" => request.precision = value()?.parse()?,
+                "--seed" => request.seed = number(&name, &value()?)?,
+                "--precision" => request.stream.precision = number(&name, &value()?)?,
                 "--out" => request.out = value()?.into(),
                 _ if name.starts_with("--") => {
                     return Err(format!("unknown argument '{name}'").into());
@@ -50,6 +51,7 @@ impl Request {
                 _ => return Err("give one grammar".into()),
             }
         }
+        request.stream.validate()?;
         if request.system.is_empty() {
             request.system = "oak".into();
         }
@@ -68,6 +70,10 @@ impl Request {
         let system = LSystem::preset(&self.system)?;
         Ok((system.grow(Seed(self.seed), control)?.tree, self.system.clone()))
     }
+}
+
+fn number<T: FromStr>(name: &str, text: &str) -> Result<T, String> {
+    text.parse().map_err(|_| format!("{name}: '{text}' is not a number that fits"))
 }
 
 fn main() -> ExitCode {
@@ -95,8 +101,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     let options = GlbOptions::default();
     hybrid.write_glb_levels(&HEIGHTS, SCREEN, &path("_hybrid.glb"), &options)?;
     hybrid.wood().write_glb(&path("_wood.glb"), &options)?;
-    let params = StreamParams { precision: request.precision };
-    stream::write_file(hybrid.multires(), usize::MAX, &params, &path(".trem"))?;
+    stream::write_file(hybrid.multires(), usize::MAX, &request.stream, &path(".trem"))?;
     if let Some(cards) = hybrid.cards() {
         cards.color.save_png(path("_cards.png"))?;
     }

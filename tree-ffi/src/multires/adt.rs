@@ -9,6 +9,7 @@ use crate::control::{limits, run, tree_control};
 use crate::memory::ask;
 use crate::mesh::column;
 use crate::skeleton::tree_skeleton;
+use crate::tree::tree_tree;
 use std::ptr::null;
 use std::sync::Arc;
 use tree_lod::multires::{Adt, Token};
@@ -135,6 +136,29 @@ pub unsafe extern "C" fn tree_adt_of_skeleton(
     })
 }
 
+/// As `tree_adt_of_skeleton` for the skeleton of a tree; its leaves count among the areas of the branches that bear
+/// them, as they do for `tree_multires_new`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_adt_of_tree(
+    tree: *const tree_tree,
+    control: *const tree_control,
+    adt: *mut *mut tree_adt,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(adt, "adt") }?;
+        let tree = unsafe { get(tree, "tree") }?.rust();
+        let made = unsafe {
+            run(control, |control| {
+                control.check()?;
+                ask(BYTES_A_MODULE.saturating_mul(tree.skeleton().len() as u64))?;
+                Ok(Adt::of_tree(tree))
+            })
+        }?;
+        place.put(tree_adt(Arc::new(made)));
+        Ok(())
+    })
+}
+
 /// Branches in columns.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -147,6 +171,9 @@ pub struct tree_adt_columns {
     pub parents: *const u32,
     /// One for each branch: the length of its own modules together.
     pub lengths: *const f64,
+    /// One for each branch: the area that its own modules show from the side, in m² for skeletons and trees; that of its
+    /// own leaves is in it for trees. Lengths for chains of modules.
+    pub areas: *const f64,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers and pointers only.
@@ -154,7 +181,13 @@ unsafe impl Versioned for tree_adt_columns {
     const NAME: &'static str = "tree_adt_columns";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self { struct_size: size_of::<Self>(), n_branches: 0, parents: null(), lengths: null() }
+        Self {
+            struct_size: size_of::<Self>(),
+            n_branches: 0,
+            parents: null(),
+            lengths: null(),
+            areas: null(),
+        }
     }
 }
 
@@ -170,6 +203,7 @@ pub unsafe extern "C" fn tree_adt_view(
             n_branches: adt.len(),
             parents: column(adt.parents()),
             lengths: column(adt.lengths()),
+            areas: column(adt.areas()),
             ..tree_adt_columns::default_value()
         };
         unsafe { write(columns, "columns", &found) }

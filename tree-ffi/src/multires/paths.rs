@@ -17,7 +17,7 @@ use tree_model::tree_core::{Limits, Resource, Seed};
 pub type tree_metric = u32;
 
 /// Length of the branch and of all that it bears; what has been put into a path does not count any more. What the paper
-/// prefers, and the default.
+/// prefers.
 pub const TREE_METRIC_BRANCHING_LENGTH: u32 = 0;
 /// As `TREE_METRIC_BRANCHING_LENGTH`, with worths of your own in the place of lengths: areas of wood, numbers of leaves.
 pub const TREE_METRIC_BRANCHING: u32 = 1;
@@ -31,6 +31,10 @@ pub const TREE_METRIC_LONGEST_PATH: u32 = 4;
 pub const TREE_METRIC_GENERATION: u32 = 5;
 /// Any branch whose parent is there, by chance. For comparison.
 pub const TREE_METRIC_RANDOM: u32 = 6;
+/// Area of a branch and of what it bears, for each branch that has to be drawn for it. The default.
+pub const TREE_METRIC_DENSITY: u32 = 7;
+/// As `TREE_METRIC_DENSITY`, with worths of your own in the place of areas.
+pub const TREE_METRIC_DENSITY_OF: u32 = 8;
 
 /// How branches are compared. Begin with `tree_metric_params_init`.
 #[repr(C)]
@@ -38,12 +42,12 @@ pub const TREE_METRIC_RANDOM: u32 = 6;
 pub struct tree_metric_params {
     /// `sizeof(tree_metric_params)`.
     pub struct_size: usize,
-    /// For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
-    /// default, for all others.
+    /// For `TREE_METRIC_BRANCHING` and `TREE_METRIC_DENSITY_OF`: one for each branch, as `tree_adt_view` lists them, 0 to
+    /// 1e30. NULL, the default, for all others.
     pub worths: *const f64,
     /// Number of worths: the number of branches, or 0 for the default.
     pub n_worths: usize,
-    /// What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
+    /// What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_DENSITY`.
     pub metric: tree_metric,
     /// 0.
     pub reserved: u32,
@@ -58,7 +62,7 @@ unsafe impl Versioned for tree_metric_params {
             struct_size: size_of::<Self>(),
             worths: null(),
             n_worths: 0,
-            metric: TREE_METRIC_BRANCHING_LENGTH,
+            metric: TREE_METRIC_DENSITY,
             reserved: 0,
         }
     }
@@ -73,8 +77,9 @@ pub(crate) unsafe fn metric(
     let given = unsafe { read_or_default(params, "params") }?;
     let (n, rows) = (given.n_worths, Resource::Modules);
     let worths = unsafe { slice(given.worths, n, limits, rows, "params.worths") }?;
-    if n > 0 && given.metric != TREE_METRIC_BRANCHING {
-        let text = "params.n_worths: worths are for TREE_METRIC_BRANCHING alone";
+    if n > 0 && ![TREE_METRIC_BRANCHING, TREE_METRIC_DENSITY_OF].contains(&given.metric) {
+        let text =
+            "params.n_worths: worths are for TREE_METRIC_BRANCHING and TREE_METRIC_DENSITY_OF";
         return Err(Failure::new(TREE_ERROR_PARAMETER, text));
     }
     Ok(match given.metric {
@@ -85,6 +90,8 @@ pub(crate) unsafe fn metric(
         TREE_METRIC_LONGEST_PATH => Metric::LongestPath,
         TREE_METRIC_GENERATION => Metric::Generation,
         TREE_METRIC_RANDOM => Metric::Random(Seed(seed)),
+        TREE_METRIC_DENSITY => Metric::Density,
+        TREE_METRIC_DENSITY_OF => Metric::DensityOf(worths.to_vec()),
         other => return Err(Failure::not_one_of("params.metric", other, "TREE_METRIC_")),
     })
 }
@@ -115,8 +122,7 @@ impl tree_multi_paths {
     }
 }
 
-/// Cuts branches into paths and sorts them, the most relevant first: from the root to a tip along the branches of most
-/// worth, again and again, on what is left. `params` may be NULL for the default metric. `seed` matters to
+/// Cuts branches into paths and sorts them, the most relevant first. `params` may be NULL for the default metric. `seed` matters to
 /// `TREE_METRIC_RANDOM` alone. `control` may be NULL. Free the paths with `tree_multi_paths_free`.
 ///
 /// `TREE_ERROR_INVALID` when there are not as many worths as branches, `TREE_ERROR_PARAMETER` when one is out of range.

@@ -65,6 +65,7 @@ static void branches(void) {
     OK(tree_adt_view(adt, &columns));
     CHECK(columns.n_branches == 3 && columns.parents[0] == TREE_NO_PARENT && columns.parents[2] == 0);
     CHECK(columns.lengths[0] == 2 && columns.lengths[1] == 2 && columns.lengths[2] == 1);
+    CHECK(columns.areas[0] == 2 && columns.areas[1] == 2 && columns.areas[2] == 1);
     const uint32_t *row = NULL;
     size_t n = 0;
     OK(tree_adt_modules(adt, 0, &row, &n));
@@ -117,7 +118,11 @@ static void chains(void) {
     uint32_t ends[MODULES];
     for (uint32_t i = 0; i < MODULES; i++) ends[i] = i + 1;
     OK(adt_of(paper, &adt));
-    OK(tree_multi_paths_new(adt, NULL, 0, NULL, &paths));
+    tree_metric_params params;
+    OK(tree_metric_params_init(&params, sizeof params));
+    CHECK(params.metric == TREE_METRIC_DENSITY && params.worths == NULL && params.n_worths == 0);
+    params.metric = TREE_METRIC_BRANCHING_LENGTH;
+    OK(tree_multi_paths_new(adt, &params, 0, NULL, &paths));
     size_t n = 0, all = 0;
     const uint32_t *first = NULL, *row = NULL;
     OK(tree_multi_paths_count(paths, &n));
@@ -167,10 +172,7 @@ static void chains(void) {
     OK(tree_tree_free(tree));
     OK(tree_multi_paths_free(paths));
 
-    tree_metric_params params;
-    OK(tree_metric_params_init(&params, sizeof params));
-    CHECK(params.metric == TREE_METRIC_BRANCHING_LENGTH && params.worths == NULL);
-    for (tree_metric metric = TREE_METRIC_CHILDREN; metric <= TREE_METRIC_RANDOM; metric++) {
+    for (tree_metric metric = TREE_METRIC_CHILDREN; metric <= TREE_METRIC_DENSITY; metric++) {
         params.metric = metric;
         OK(tree_multi_paths_new(adt, &params, 7, NULL, &paths));
         OK(tree_multi_paths_branches(paths, &first, &all));
@@ -187,6 +189,11 @@ static void chains(void) {
     OK(tree_multi_paths_path(paths, 0, &row, &n));
     CHECK(n == 4 && row[n - 1] == 15);
     OK(tree_multi_paths_free(paths));
+    params.metric = TREE_METRIC_DENSITY_OF;
+    OK(tree_multi_paths_new(adt, &params, 0, NULL, &paths));
+    OK(tree_multi_paths_path(paths, 0, &row, &n));
+    CHECK(n == 4 && row[n - 1] == 15);
+    OK(tree_multi_paths_free(paths));
     params.n_worths = 15;
     FAILS(TREE_ERROR_INVALID, "worths", tree_multi_paths_new(adt, &params, 0, NULL, &no_paths));
     params.n_worths = 16;
@@ -195,7 +202,7 @@ static void chains(void) {
     params.metric = TREE_METRIC_CHILDREN;
     FAILS(TREE_ERROR_PARAMETER, "n_worths", tree_multi_paths_new(adt, &params, 0, NULL, &no_paths));
     params.n_worths = 0;
-    params.metric = 7;
+    params.metric = TREE_METRIC_DENSITY_OF + 1;
     FAILS(TREE_ERROR_ENUM, "TREE_METRIC_", tree_multi_paths_new(adt, &params, 0, NULL, &no_paths));
     CHECK(no_paths == NULL);
     OK(tree_adt_free(adt));
@@ -209,7 +216,19 @@ static tree_multires *levels_of(const tree_tree *tree) {
     tree_multi_paths *paths = NULL;
     tree_rows *nodes = NULL, *leaves = NULL;
     OK(tree_tree_skeleton(tree, &skeleton));
-    OK(tree_adt_of_skeleton(skeleton, NULL, &adt));
+    tree_adt_columns wood = {.struct_size = sizeof wood}, leafy = wood;
+    tree_adt *bare = NULL;
+    OK(tree_adt_of_skeleton(skeleton, NULL, &bare));
+    OK(tree_adt_of_tree(tree, NULL, &adt));
+    OK(tree_adt_view(bare, &wood));
+    OK(tree_adt_view(adt, &leafy));
+    CHECK(wood.n_branches == leafy.n_branches);
+    size_t leaf_branches = 0;
+    for (size_t i = 0; i < wood.n_branches; i++) leaf_branches += leafy.areas[i] > wood.areas[i];
+    CHECK(leaf_branches == LEAVES / 2);
+    OK(tree_adt_free(bare));
+    bare = NULL;
+    FAILS(TREE_ERROR_NULL, "tree", tree_adt_of_tree(NULL, NULL, &bare));
     OK(tree_multi_paths_new(adt, NULL, 0, NULL, &paths));
     OK(tree_adt_free(adt));
     OK(tree_multires_of_paths(tree, paths, NULL, &nodes, &leaves, &same));

@@ -7,6 +7,7 @@ use crate::preview::{Camera, Filter, Pattern, Projector, Scene, clip_loose};
 use crate::quality::Score;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
+use std::ops::Range;
 use tree_core::{Control, Resource};
 use tree_mesh::Mesh;
 
@@ -93,6 +94,27 @@ impl<'a> Stage<'a> {
     #[must_use]
     pub fn kept(&self, view: usize) -> Option<&Bits> {
         self.shots.get(view).map(|shot| &shot.kept)
+    }
+
+    /// Calls `run` with row, first column and end of the runs of pixels that some triangles of a surface cover in a
+    /// view. Runs overlap where triangles do. There are none for a view, a surface or triangles that are not there.
+    ///
+    /// # Complexity
+    /// O(triangles + covered pixels).
+    pub fn runs_of(
+        &self,
+        view: usize,
+        surface: usize,
+        triangles: Range<usize>,
+        run: impl FnMut(u32, u32, u32),
+    ) {
+        let (Some(shot), Some(mesh)) = (self.shots.get(view), self.mesh().surfaces.get(surface))
+        else {
+            return;
+        };
+        let rows = mesh.indices.as_chunks::<3>().0.get(triangles).unwrap_or_default();
+        let surface = surface as u32;
+        self.runs(shot, Piece { surface, triangles: rows, center: Vec3::ZERO, growth: 1.0 }, run);
     }
 
     pub(crate) fn shots(&self) -> &[Shot] {

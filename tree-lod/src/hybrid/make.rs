@@ -5,14 +5,14 @@ use crate::error::{Result, check_range};
 use crate::impostor::boxes::{Bearers, BoxParams, Boxes};
 use crate::impostor::cards::{CardParams, Cards};
 use crate::impostor::choose::ChooseParams;
-use crate::multires::{Metric, MultiMesh, Multires};
+use crate::multires::{Adt, Metric, MultiMesh, Multires, paths};
 use tree_core::{Aabb, Control, Tree};
 use tree_mesh::{Look, Mesh, MeshParams};
 
 /// Parameters of every step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HybridParams {
-    /// What branches are worth.
+    /// What branches are worth. Leaves are drawn whatever the level of the wood, so their areas do not count.
     pub metric: Metric,
     /// How wood and leaves are drawn.
     pub mesh: MeshParams,
@@ -78,7 +78,7 @@ impl Hybrid {
     /// pictures.
     ///
     /// # Errors
-    /// As [`HybridParams::validate`], [`Multires::new`], [`MultiMesh::new`], [`Boxes::along`] and [`Cards::bake`].
+    /// As [`HybridParams::validate`], [`paths`], [`MultiMesh::new`], [`Boxes::along`] and [`Cards::bake`].
     ///
     /// # Complexity
     /// Dominated by the pictures: O(boxes · samples + levels · triangles).
@@ -89,7 +89,9 @@ impl Hybrid {
         control: &Control,
     ) -> Result<Self> {
         params.validate()?;
-        let multires = Multires::new(tree, &params.metric, &control.part(0.0, 0.1))?;
+        let adt = Adt::of_skeleton(tree.skeleton());
+        let paths = paths(&adt, &params.metric, &control.part(0.0, 0.1))?;
+        let (multires, _) = Multires::of_paths(tree, &adt, &paths)?;
         let wood = MultiMesh::new(&multires, look, &params.mesh, &control.part(0.1, 0.3))?;
         let mut mesh = wood.mesh().clone();
         let surfaces: Vec<u32> = (1..mesh.surfaces.len() as u32)

@@ -1,7 +1,8 @@
 //! The tree of branches (the paper's *tree abstract data type*, section 4.1.2).
 
+use super::shown::shown;
 use crate::error::{LodError, Result};
-use tree_core::{NO_PARENT, Skeleton};
+use tree_core::{Foliage, NO_PARENT, Skeleton, Tree};
 
 /// One module of a bracketed chain, as far as its branches are concerned.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +28,8 @@ pub struct Adt {
     pub(super) modules: Vec<u32>,
     /// Length of each branch alone.
     pub(super) lengths: Vec<f64>,
+    /// Area that each branch alone shows from the side, with its own leaves.
+    pub(super) areas: Vec<f64>,
     /// Where the children of each branch begin in `children`.
     pub(super) child_starts: Vec<u32>,
     /// Children in the order of the chain.
@@ -35,7 +38,7 @@ pub struct Adt {
 
 impl Adt {
     /// The branches of a chain: one for each bracket, and one for what is in none (Fig. 2a). Modules are
-    /// named by their places in the chain, brackets counted.
+    /// named by their places in the chain, brackets counted. All are equally wide: areas are lengths.
     ///
     /// # Errors
     /// [`LodError::Chain`] for brackets that do not match, a chain of 2³² modules or more, and lengths
@@ -75,12 +78,27 @@ impl Adt {
     }
 
     /// The branches of a skeleton: the runs of nodes between forks. Modules are its nodes; the length of a
-    /// node is that of the segment to its parent, in metres.
+    /// node is that of the segment to its parent, in metres. Areas are in m², as the wood is seen from the side: where
+    /// branches lie before each other, they share what is seen.
     ///
     /// # Complexity
     /// O(nodes).
     #[must_use]
     pub fn of_skeleton(skeleton: &Skeleton) -> Self {
+        Self::of_columns(skeleton, &Foliage::default())
+    }
+
+    /// As [`of_skeleton`](Self::of_skeleton); leaves hide and share too, and count among the areas of the branches that
+    /// bear them.
+    ///
+    /// # Complexity
+    /// O(nodes + leaves).
+    #[must_use]
+    pub fn of_tree(tree: &Tree) -> Self {
+        Self::of_columns(tree.skeleton(), tree.foliage())
+    }
+
+    fn of_columns(skeleton: &Skeleton, foliage: &Foliage) -> Self {
         let (positions, parents) = (skeleton.positions(), skeleton.parents());
         let mut n_children = vec![0_u32; skeleton.len()];
         skeleton.segments().for_each(|(parent, _)| n_children[parent as usize] += 1);
@@ -97,7 +115,10 @@ impl Adt {
             let length = (positions[node].as_dvec3() - positions[parent].as_dvec3()).length();
             rows.module(branch, node as u32, length);
         }
-        rows.finish()
+        let mut adt = rows.finish();
+        let first = |node: usize| n_children[parents[node] as usize] != 1;
+        adt.areas = shown(skeleton, foliage, &branch_of, adt.len(), first);
+        adt
     }
 
     /// Number of branches, at least 1.
@@ -117,6 +138,13 @@ impl Adt {
     #[must_use]
     pub fn lengths(&self) -> &[f64] {
         &self.lengths
+    }
+
+    /// Area that each branch alone shows from the side, in m², with the leaves that it bears itself where they are known;
+    /// of chains their lengths.
+    #[must_use]
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
     }
 
     /// The modules of a branch; empty for one that is not there.
@@ -178,7 +206,8 @@ impl Rows {
         let owned = self.parents.iter().zip(0..).skip(1).map(|(&parent, child)| (parent, child));
         let (child_starts, children) = sorted(n, owned);
         let Self { parents, after, lengths, .. } = self;
-        Adt { parents, after, starts, modules, lengths, child_starts, children }
+        let areas = lengths.clone();
+        Adt { parents, after, starts, modules, lengths, areas, child_starts, children }
     }
 }
 

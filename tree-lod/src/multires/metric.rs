@@ -1,12 +1,18 @@
 //! What a branch is worth (section 4.1.1).
 
 use super::adt::Adt;
-use crate::error::{LodError, Result};
+use crate::error::{LodError, Result, check_range};
 use tree_core::Seed;
 
 /// How branches are compared.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Metric {
+    /// Area shown ([`Adt::areas`]) for each branch that is drawn: a branch comes the earlier, the more it and what it bears show
+    /// and the fewer branches that takes. Shows more of the silhouette than all others here. The default.
+    #[default]
+    Density,
+    /// As [`Density`](Self::Density), with these worths in the place of areas, one for each branch, finite and 0 or more.
+    DensityOf(Vec<f64>),
     /// Number of children, B(n).
     Children,
     /// Number of descendants, R(n).
@@ -14,8 +20,7 @@ pub enum Metric {
     /// Longest way to a tip, the branch itself included, P(n).
     LongestPath,
     /// Length of the branch and of all that it bears, L(n): what the paper prefers. What has been put
-    /// into a path does not count any more (section 4.1.3). The default.
-    #[default]
+    /// into a path does not count any more (section 4.1.3).
     BranchingLength,
     /// As [`BranchingLength`](Self::BranchingLength), with these worths in the place of lengths, one for each
     /// branch, finite and 0 or more: areas of wood, numbers of leaves.
@@ -33,6 +38,8 @@ pub(super) enum Worth {
     Left(Vec<f64>),
     /// The best of all branches that stem from what is there. `on`: a path goes on to a tip.
     Fixed { worth: Vec<f64>, on: bool },
+    /// Most for each branch.
+    Density(Vec<f64>),
 }
 
 impl Metric {
@@ -57,16 +64,9 @@ impl Metric {
                 fixed(longest.iter().zip(&adt.lengths).map(|(below, own)| below + own).collect())
             }
             Self::BranchingLength => Ok(Worth::Left(adt.lengths.clone())),
-            Self::Branching(worths) => {
-                if worths.len() != n {
-                    let (found, expected) = (worths.len(), n);
-                    return Err(LodError::Length { what: "worths of branches", found, expected });
-                }
-                for &worth in worths {
-                    crate::error::check_range("worth of a branch", worth, 0.0, 1e30)?;
-                }
-                Ok(Worth::Left(worths.clone()))
-            }
+            Self::Branching(worths) => Ok(Worth::Left(checked(worths, n)?)),
+            Self::Density => Ok(Worth::Density(adt.areas.clone())),
+            Self::DensityOf(worths) => Ok(Worth::Density(checked(worths, n)?)),
             Self::Generation => {
                 let mut orders = vec![0.0; n];
                 for branch in 1..n {
@@ -81,6 +81,18 @@ impl Metric {
             }
         }
     }
+}
+
+/// A worth for each branch.
+fn checked(worths: &[f64], n_branches: usize) -> Result<Vec<f64>> {
+    if worths.len() != n_branches {
+        let (found, expected) = (worths.len(), n_branches);
+        return Err(LodError::Length { what: "worths of branches", found, expected });
+    }
+    for &worth in worths {
+        check_range("worth of a branch", worth, 0.0, 1e30)?;
+    }
+    Ok(worths.to_vec())
 }
 
 /// Children before their parents: parents come first in the columns.

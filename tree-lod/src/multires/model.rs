@@ -77,7 +77,7 @@ impl Multires {
     /// # Complexity
     /// As [`paths`], and O(nodes + leaves).
     pub fn new(tree: &Tree, metric: &Metric, control: &Control) -> Result<Self> {
-        let adt = Adt::of_skeleton(tree.skeleton());
+        let adt = Adt::of_tree(tree);
         let paths = paths(&adt, metric, control)?;
         Ok(Self::of_paths(tree, &adt, &paths)?.0)
     }

@@ -1,6 +1,7 @@
 //! Paths in the order of their worth (section 4.1.3).
 
 use super::adt::Adt;
+use super::density::by_density;
 use super::metric::{Metric, Worth, upwards};
 use crate::error::Result;
 use std::cmp::Reverse;
@@ -18,6 +19,29 @@ pub struct Paths {
 }
 
 impl Paths {
+    /// None yet, with room for some branches.
+    pub(super) fn with_room(n_branches: usize) -> Self {
+        Self { starts: vec![0], branches: Vec::with_capacity(n_branches) }
+    }
+
+    /// Adds a branch to the path that is being made.
+    pub(super) fn push(&mut self, branch: u32) {
+        self.branches.push(branch);
+    }
+
+    /// The path that is being made ends.
+    pub(super) fn end(&mut self) {
+        self.starts.push(self.branches.len() as u32);
+    }
+
+    /// Asks for cancellation now and then; `n_branches` in all.
+    pub(super) fn report(&self, n_branches: usize, control: &Control) -> Result<()> {
+        if self.len().is_multiple_of(PATHS_A_CHECK) {
+            control.report("paths", self.branches.len() as f32 / n_branches as f32)?;
+        }
+        Ok(())
+    }
+
     /// Number of paths: levels of detail.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "there is always a path")]
@@ -51,7 +75,8 @@ impl Paths {
 /// With a branching metric as in the paper: from the root the branch of which most is left is followed
 /// until one is met that is in no path; from there a path leads to a tip, always into the child of which most
 /// is left; then it is taken off what is left of all branches on the way. Of equals the first in the chain
-/// is taken. With the other metrics the next path begins at the best branch of all that stem from what is
+/// is taken. By density, at each fork a path goes on the way to a tip that has the most worth a branch, and the paths are sorted
+/// such that prefixes hold the most worth, on average over their numbers of branches (Horn 1972). With the other metrics the next path begins at the best branch of all that stem from what is
 /// there.
 ///
 /// # Errors
@@ -64,6 +89,7 @@ pub fn paths(adt: &Adt, metric: &Metric, control: &Control) -> Result<Paths> {
     match metric.worth(adt)? {
         Worth::Left(worth) => by_what_is_left(adt, &worth, control),
         Worth::Fixed { worth, on } => best_first(adt, &worth, on, control),
+        Worth::Density(worth) => by_density(adt, &worth, control),
     }
 }
 
@@ -135,13 +161,11 @@ impl<'a> Heaps<'a> {
 fn by_what_is_left(adt: &Adt, worth: &[f64], control: &Control) -> Result<Paths> {
     let mut heaps = Heaps::new(adt, worth);
     let mut taken = vec![false; adt.len()];
-    let mut found = Paths { starts: vec![0], branches: Vec::with_capacity(adt.len()) };
+    let mut found = Paths::with_room(adt.len());
     // From the root to the end of the path, all firsts of their heaps.
     let mut way = Vec::new();
     while heaps.open[0] > 0 {
-        if found.len().is_multiple_of(PATHS_A_CHECK) {
-            control.report("paths", found.branches.len() as f32 / adt.len() as f32)?;
-        }
+        found.report(adt.len(), control)?;
         way.clear();
         way.push(0);
         let mut at = 0;
@@ -159,7 +183,7 @@ fn by_what_is_left(adt: &Adt, worth: &[f64], control: &Control) -> Result<Paths>
             at = next;
         }
         found.branches.extend_from_slice(&way[first..]);
-        found.starts.push(found.branches.len() as u32);
+        found.end();
         let (mut n, mut sum) = (0, 0.0);
         for (i, &branch) in way.iter().enumerate().rev() {
             if i >= first {
@@ -179,7 +203,7 @@ fn by_what_is_left(adt: &Adt, worth: &[f64], control: &Control) -> Result<Paths>
 
 /// A worth that sorts.
 #[derive(PartialEq)]
-struct Key(f64);
+pub(super) struct Key(pub(super) f64);
 
 impl Eq for Key {}
 
@@ -196,22 +220,20 @@ impl Ord for Key {
 }
 
 fn best_first(adt: &Adt, worth: &[f64], on: bool, control: &Control) -> Result<Paths> {
-    let mut found = Paths { starts: vec![0], branches: Vec::with_capacity(adt.len()) };
+    let mut found = Paths::with_room(adt.len());
     let key = |branch: u32| (Key(worth[branch as usize]), Reverse(branch));
     let mut heap = BinaryHeap::from([key(0)]);
     while let Some((_, Reverse(branch))) = heap.pop() {
-        if found.len().is_multiple_of(PATHS_A_CHECK) {
-            control.report("paths", found.branches.len() as f32 / adt.len() as f32)?;
-        }
+        found.report(adt.len(), control)?;
         let mut at = Some(branch);
         while let Some(branch) = at {
-            found.branches.push(branch);
+            found.push(branch);
             let children = adt.children(branch);
             let fits = |child: &&u32| on && adt.is_at_end(**child);
             at = children.iter().filter(fits).copied().max_by_key(|&child| key(child));
             heap.extend(children.iter().filter(|&&child| at != Some(child)).map(|&c| key(c)));
         }
-        found.starts.push(found.branches.len() as u32);
+        found.end();
     }
     Ok(found)
 }

@@ -74,24 +74,30 @@ fn a_million_brackets_do_not_overflow_the_stack() {
     let n = 1_000_000;
     let deep = std::iter::repeat_n([Token::Push, Token::Module(1.0)], n).flatten();
     let adt = Adt::of_tokens(deep.chain(std::iter::repeat_n(Token::Pop, n))).unwrap();
-    let paths = paths(&adt, &Metric::BranchingLength, &Control::default()).unwrap();
-    assert_eq!((paths.len(), paths.path(0).len()), (1, n + 1));
+    for metric in [Metric::BranchingLength, Metric::Density] {
+        let paths = paths(&adt, &metric, &Control::default()).unwrap();
+        assert_eq!((paths.len(), paths.path(0).len()), (1, n + 1));
+    }
 }
 
 #[test]
 fn a_bush_of_many_branches_is_quick() {
     let chain = std::iter::repeat_n([Token::Push, Token::Module(1.0), Token::Pop], 200_000);
     let adt = Adt::of_tokens(chain.flatten()).unwrap();
-    let paths = paths(&adt, &Metric::BranchingLength, &Control::default()).unwrap();
-    assert_eq!(paths.len(), 200_000);
+    for metric in [Metric::BranchingLength, Metric::Density] {
+        let paths = paths(&adt, &metric, &Control::default()).unwrap();
+        assert_eq!(paths.len(), 200_000);
+    }
 }
 
 #[test]
 fn worths_must_fit_the_branches() {
     let adt = adt(CHAIN);
-    let try_worths = |worths| paths(&adt, &Metric::Branching(worths), &Control::default());
-    assert!(matches!(try_worths(vec![1.0]), Err(crate::LodError::Length { .. })));
-    assert!(matches!(try_worths(vec![f64::NAN; 16]), Err(crate::LodError::Parameter { .. })));
+    for metric in [Metric::Branching, Metric::DensityOf] {
+        let try_worths = |worths| paths(&adt, &metric(worths), &Control::default());
+        assert!(matches!(try_worths(vec![1.0]), Err(crate::LodError::Length { .. })));
+        assert!(matches!(try_worths(vec![f64::NAN; 16]), Err(crate::LodError::Parameter { .. })));
+    }
 }
 
 #[test]
@@ -137,13 +143,13 @@ fn chain_of(numbers: &[u8]) -> Vec<Token> {
 proptest! {
     #[test]
     fn every_module_is_there_once_and_states_are_saved_before_they_are_needed(
-        numbers in proptest::collection::vec(any::<u8>(), 0..300), which in 0..6_usize,
+        numbers in proptest::collection::vec(any::<u8>(), 0..300), which in 0..7_usize,
     ) {
         let tokens = chain_of(&numbers);
         let adt = Adt::of_tokens(tokens.iter().copied()).unwrap();
         let metrics = [
             Metric::Children, Metric::Descendants, Metric::LongestPath, Metric::BranchingLength,
-            Metric::Generation, Metric::Random(Seed(3)),
+            Metric::Generation, Metric::Random(Seed(3)), Metric::Density,
         ];
         let paths = paths(&adt, &metrics[which], &Control::default()).unwrap();
         let mut branches = paths.branches().to_vec();

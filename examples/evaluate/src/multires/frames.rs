@@ -106,7 +106,7 @@ pub(super) fn hybrid_triangles(
 ) -> Outcome<u64> {
     let cards = model.cards.as_ref().ok_or("a tree without leaves")?;
     choice.update(cards.boxes(), watcher, &ChooseParams::default())?;
-    let bounds = model.mesh.mesh().bounds();
+    let bounds = model.bounds;
     let distance = watcher.eye.distance(watcher.eye.clamp(bounds.min, bounds.max)).max(0.1);
     let pixels = bounds.size().y * watcher.pixels_per_metre / distance;
     let all = model.wood_triangles(model.mesh.n_levels(), draws)?;

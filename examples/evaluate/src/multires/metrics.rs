@@ -1,11 +1,13 @@
-//! Silhouette quality by number of branches drawn: metrics side by side.
+//! Silhouette quality by number of branches drawn: metrics side by side, on the trees that the default was chosen with
+//! and on others.
 
+use super::drawn::Drawn;
 use super::orders::{self, Order};
-use super::parts::{Masks, Parts};
-use super::trees::Case;
+use super::parts::Parts;
+use super::trees::{self, Case};
 use super::{Outcome, information, mean};
 use crate::table::{Aim, Row, Table};
-use rayon::prelude::*;
+use tree_core::Tree;
 use tree_lod::cover::Around;
 use tree_lod::multires::Adt;
 use tree_mesh::Look;
@@ -13,79 +15,88 @@ use tree_mesh::Look;
 /// Shares of branches that are drawn.
 const SHARES: [f64; 5] = [0.05, 0.1, 0.2, 0.4, 0.7];
 
-/// Views that no order has seen.
-fn held_out() -> Around {
+/// Views that no order has seen, but the one that is a bound.
+fn views() -> Around {
     Around { azimuths: 8, turn: 0.3, size: 512, ..Around::default() }
 }
 
-/// The first of the orders are the paper's metrics, undone derivations and chance; the best metric of ours.
-const PEERS: usize = 6;
-const OURS: &str = "densest, area";
+/// Quality of an order at each share, the mean of these, and the mean over all numbers of branches.
+#[derive(Clone, Copy)]
+struct Quality {
+    at: [f64; SHARES.len()],
+    of_shares: f64,
+    of_all: f64,
+}
 
-/// Quality of an order at each share.
-type Qualities = [f64; SHARES.len()];
+impl Quality {
+    fn new(drawn: &Drawn, order: &Order) -> Self {
+        let all = drawn.qualities(&order.branches);
+        let at =
+            SHARES.map(|share| all[((share * all.len() as f64) as usize).clamp(1, all.len()) - 1]);
+        Self { at, of_shares: mean(&at), of_all: mean(&all) }
+    }
+}
 
-pub(super) fn evaluate(table: &mut Table, trees: &[Case]) -> Outcome {
-    let mut names = Vec::new();
-    let (mut of_wood, mut of_all) = (Vec::new(), Vec::new());
-    let mut runs = Vec::new();
-    for case in trees {
-        let adt = Adt::of_skeleton(case.tree.skeleton());
-        let wood = Parts::wood(&case.tree, &adt)?;
-        let orders = orders::all(&case.tree, &adt, &wood)?;
-        names = orders.iter().map(|order| order.name).collect();
-        for order in &orders {
-            runs.push(orders::n_runs(&adt, &order.branches) as f64 / adt.len() as f64);
-        }
-        of_wood.push(qualities(&wood, &orders)?);
-        information(table, &format!("branches of {}", case.name), "number", adt.len() as f64, "");
-        if !case.tree.foliage().is_empty() {
-            let look = Look::built_in(case.tree.species())?;
-            of_all.push(qualities(&Parts::new(&case.tree, &adt, &look)?, &orders)?);
+/// For each tree, for each order.
+type Qualities = Vec<Vec<Quality>>;
+
+pub(super) fn evaluate(table: &mut Table, ten: &[Case]) -> Outcome {
+    rows_of(table, "ten trees", ten)?;
+    rows_of(table, "held-out trees", &trees::held_out()?)
+}
+
+fn rows_of(table: &mut Table, set: &str, trees: &[Case]) -> Outcome {
+    let (mut wood, mut all) = (Qualities::new(), Qualities::new());
+    let mut levels = Vec::new();
+    for Case { name, tree } in trees {
+        let bare = Tree::bare(tree.skeleton().clone(), tree.species().clone());
+        let (adt, found) = qualities(&bare, &Look::plain(tree.species()))?;
+        information(table, &format!("branches of {name}"), "number", adt.len() as f64, "");
+        levels.push(orders::levels(&adt)?);
+        wood.push(found);
+        if !tree.foliage().is_empty() {
+            all.push(qualities(tree, &Look::built_in(tree.species())?)?.1);
         }
     }
-    for (order, name) in names.iter().enumerate() {
-        let of_order: Vec<f64> = runs.iter().copied().skip(order).step_by(names.len()).collect();
-        information(table, &format!("levels: {name}"), "of a branch", mean(&of_order), "");
+    for (at, name) in orders::NAMES.iter().enumerate().take(levels.first().map_or(0, Vec::len)) {
+        let of_order: Vec<f64> = levels.iter().map(|tree| tree[at]).collect();
+        information(table, &format!("levels, {set}: {name}"), "of a branch", mean(&of_order), "");
     }
-    rows(table, "wood", &names, &of_wood);
-    rows(table, "wood and leaves", &names, &of_all);
+    rows(table, &format!("wood of {set}"), &wood);
+    rows(table, &format!("wood and leaves of {set}"), &all);
     Ok(())
 }
 
-fn qualities(parts: &Parts, orders: &[Order]) -> Outcome<Vec<Qualities>> {
-    let masks = Masks::new(&parts.mesh, &held_out())?;
-    let of = |order: &Order| -> Result<Qualities, String> {
-        let mut found = [0.0; SHARES.len()];
-        for (found, share) in found.iter_mut().zip(SHARES) {
-            let n = ((share * order.branches.len() as f64) as usize).max(1);
-            let mesh = parts.of(&order.branches[..n]);
-            *found = masks.quality(&mesh).map_err(|error| error.to_string())?;
-        }
-        Ok(found)
-    };
-    let found: Result<Vec<_>, String> = orders.par_iter().map(of).collect();
-    Ok(found?)
+fn qualities(tree: &Tree, look: &Look) -> Outcome<(Adt, Vec<Quality>)> {
+    let adt = Adt::of_tree(tree);
+    let parts = Parts::new(tree, &adt, look)?;
+    let drawn = Drawn::new(&parts, &views())?;
+    let orders = orders::all(&adt, Some(&drawn))?;
+    let found = orders.iter().map(|order| Quality::new(&drawn, order)).collect();
+    Ok((adt, found))
 }
 
-/// Means over the trees, and over the shares.
-fn rows(table: &mut Table, what: &str, names: &[&str], of_trees: &[Vec<Qualities>]) {
-    let at = |order: usize, share: usize| {
-        mean(&of_trees.iter().map(|tree| tree[order][share]).collect::<Vec<_>>())
+/// Means over the trees.
+fn rows(table: &mut Table, what: &str, trees: &Qualities) {
+    let over = |order: usize, value: fn(&Quality) -> f64| {
+        mean(&trees.iter().map(|tree| value(&tree[order])).collect::<Vec<_>>())
     };
-    let all =
-        |order: usize| mean(&(0..SHARES.len()).map(|share| at(order, share)).collect::<Vec<_>>());
-    for (order, name) in names.iter().enumerate() {
-        let case = format!("Q of {what}, {} trees: {name}", of_trees.len());
+    for (order, name) in orders::NAMES.iter().enumerate() {
+        let case = format!("Q of {what} ({}): {name}", trees.len());
         for (share, percent) in SHARES.iter().enumerate() {
             let metric = format!("at {} % of branches", 100.0 * percent);
-            information(table, &case, &metric, at(order, share), "");
+            let of_trees: Vec<f64> = trees.iter().map(|tree| tree[order].at[share]).collect();
+            information(table, &case, &metric, mean(&of_trees), "");
         }
-        // The metric of ours is held against the best of the others.
-        let best = (0..PEERS).map(all).fold(f64::MIN, f64::max);
-        let aim = if *name == OURS { Aim::AtLeast(best) } else { Aim::None };
-        let metric = "mean over shares";
-        let peer = Some(best);
-        table.row(&Row { case: &case, metric, paper: None, peer, ours: all(order), unit: "", aim });
+        // The default is held against the best of the others.
+        let mut row = |metric: &str, value: fn(&Quality) -> f64| {
+            let others = 1..orders::N_METRICS;
+            let best = others.map(|other| over(other, value)).fold(f64::MIN, f64::max);
+            let aim = if order == 0 { Aim::AtLeast(best) } else { Aim::None };
+            let (paper, peer, ours) = (None, Some(best), over(order, value));
+            table.row(&Row { case: &case, metric, paper, peer, ours, unit: "", aim });
+        };
+        row("mean over shares", |quality| quality.of_shares);
+        row("mean over all numbers", |quality| quality.of_all);
     }
 }

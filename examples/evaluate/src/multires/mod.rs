@@ -1,8 +1,10 @@
-//! L-systems and the hybrid multiresolution tree (Lluch et al. 2010): derivation, chains, orders of branches,
+//! L-systems and the hybrid multiresolution tree (Lluch et al. 2010): printed words, derivation, chains, orders of branches,
 //! times, sizes, triangles, impostors.
 
 mod chain;
+mod chance;
 mod derivation;
+mod drawn;
 mod frames;
 mod impostors;
 mod levels;
@@ -11,6 +13,7 @@ mod model;
 mod orders;
 mod parts;
 mod pictures;
+mod published;
 mod scene;
 mod size;
 mod trees;
@@ -26,6 +29,8 @@ const SEED: Seed = Seed(2010);
 
 /// All of it; see the rows.
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
+    published::evaluate(table)?;
+    chance::evaluate(table)?;
     derivation::evaluate(table)?;
     let trees = trees::ten()?;
     chain::evaluate(table, &trees)?;

@@ -1,7 +1,7 @@
 //! A tree with everything that is drawn of it: levels, their mesh, pictures of its leaves.
 
 use super::Outcome;
-use tree_core::{Control, Limits, Seed, Species, Tree};
+use tree_core::{Aabb, Control, Limits, Seed, Species, Tree};
 use tree_lod::impostor::boxes::{Bearers, BoxParams, Boxes};
 use tree_lod::impostor::cards::{CardParams, Cards};
 use tree_lod::multires::{Draw, Metric, MultiMesh, Multires};
@@ -58,6 +58,8 @@ pub(super) fn mesh_params() -> MeshParams {
 pub(super) struct Model {
     pub(super) multires: Multires,
     pub(super) mesh: MultiMesh,
+    /// Of the mesh, which is too large to look at in each frame.
+    pub(super) bounds: Aabb,
     /// None where there are no leaves.
     pub(super) cards: Option<Cards>,
 }
@@ -68,7 +70,8 @@ impl Model {
         let control = Control::default();
         let multires = Multires::new(tree, &Metric::default(), &control)?;
         let mesh = MultiMesh::new(&multires, look, &mesh_params(), &control)?;
-        Ok(Self { multires, mesh, cards: None })
+        let bounds = mesh.mesh().bounds();
+        Ok(Self { multires, mesh, bounds, cards: None })
     }
 
     /// Everything of a tree.

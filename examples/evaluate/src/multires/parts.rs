@@ -3,11 +3,8 @@
 use super::Outcome;
 use std::ops::Range;
 use tree_core::{Control, Tree};
-use tree_lod::cover::{Around, Bits, Stage};
 use tree_lod::multires::{Adt, Draw, Metric, MultiMesh, Multires, paths};
-use tree_lod::preview::Camera;
-use tree_lod::quality::{Score, mean_quality};
-use tree_mesh::{ErrorBound, Look, Mesh, MeshParams, Surface};
+use tree_mesh::{ErrorBound, Look, Mesh, MeshParams};
 
 /// Wood of a tree as a silhouette needs it.
 const PARAMS: MeshParams = MeshParams {
@@ -80,50 +77,15 @@ impl Parts {
         mesh
     }
 
-    /// The wood of one branch as a mesh of its own; none when it is too short to be drawn.
-    pub(super) fn one(&self, branch: u32) -> Option<Mesh> {
-        let full = self.mesh.surfaces.first()?;
-        let indices = &full.indices[self.ranges[0][branch as usize].clone()];
-        let (first, last) = (*indices.iter().min()?, *indices.iter().max()?);
-        let rows = first as usize..last as usize + 1;
-        let surface = Surface {
-            positions: full.positions[rows.clone()].to_vec(),
-            normals: full.normals[rows.clone()].to_vec(),
-            uvs: full.uvs[rows].to_vec(),
-            indices: indices.iter().map(|i| i - first).collect(),
-            ..Surface::default()
-        };
-        let materials = self.mesh.materials[..1].to_vec();
-        Some(Mesh { surfaces: vec![surface], materials, ..Mesh::default() })
-    }
-}
-
-/// Masks of a whole tree from all around.
-pub(super) struct Masks {
-    cameras: Vec<Camera>,
-    size: u32,
-    full: Vec<Bits>,
-}
-
-impl Masks {
-    pub(super) fn new(mesh: &Mesh, around: &Around) -> Outcome<Self> {
-        let placed = around.cameras().into_iter().map(|camera| camera.pose(mesh, 1.0));
-        let cameras = placed.map(|pose| pose.map(Camera::Placed)).collect::<Result<Vec<_>, _>>()?;
-        let stage = Stage::new(mesh, &cameras, around.size, &[], &Control::default())?;
-        let full = (0..stage.n_views()).filter_map(|view| stage.full(view).cloned()).collect();
-        Ok(Self { cameras, size: around.size, full })
+    pub(super) fn n_branches(&self) -> usize {
+        self.ranges.first().map_or(0, Vec::len)
     }
 
-    /// What is covered in each view.
-    pub(super) fn of(&self, mesh: &Mesh) -> Outcome<Vec<Bits>> {
-        let stage = Stage::new(mesh, &self.cameras, self.size, &[], &Control::default())?;
-        Ok((0..stage.n_views()).filter_map(|view| stage.full(view).cloned()).collect())
-    }
-
-    /// Mean quality of a mesh against the whole.
-    pub(super) fn quality(&self, mesh: &Mesh) -> Outcome<f64> {
-        let masks = self.of(mesh)?;
-        let scores: Vec<Score> = masks.iter().zip(&self.full).map(|(a, b)| a.score(b)).collect();
-        Ok(mean_quality(&scores))
+    /// The triangles of a branch: surface, and which of its triangles.
+    pub(super) fn triangles(&self, branch: u32) -> impl Iterator<Item = (usize, Range<usize>)> {
+        self.ranges.iter().enumerate().map(move |(surface, ranges)| {
+            let Range { start, end } = ranges[branch as usize];
+            (surface, start / 3..end / 3)
+        })
     }
 }

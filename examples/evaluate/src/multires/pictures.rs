@@ -55,7 +55,7 @@ fn metrics(case: &Case, name: &str) -> Outcome {
     let parts = Parts::wood(&case.tree, &adt)?;
     let mut row = vec![tree(&parts.mesh, &parts.mesh, SIZES[1])?];
     let n = ((FEW * adt.len() as f64) as usize).max(1);
-    for order in orders::all(&case.tree, &adt, &parts)? {
+    for order in orders::all(&adt, None)? {
         row.push(tree(&parts.of(&order.branches[..n]), &parts.mesh, SIZES[1])?);
     }
     let half = row.len().div_ceil(2);

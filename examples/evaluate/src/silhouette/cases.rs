@@ -166,6 +166,14 @@ fn ground(tree: &TreeStrokes) -> (Vec2, f32) {
     (foot.unwrap_or(Vec2::new(0.5 * (low.x + high.x), high.y)), high.y - low.y)
 }
 
+/// The first tree of one of [`KINDS`].
+pub(crate) fn tree(name: &str) -> Result<Tree, Box<dyn Error>> {
+    let kind = KINDS.iter().find(|kind| kind.name == name).ok_or("no such drawing")?;
+    let sessions = kind.case()?.sessions()?;
+    let (session, _, _) = sessions.first().ok_or("an empty drawing")?;
+    Ok(session.tree(&Control::default())?.tree)
+}
+
 /// The tree in space, and its mesh.
 pub(super) fn mesh(session: &Session) -> Result<(Grown, Mesh), Box<dyn Error>> {
     let control = Control::default();

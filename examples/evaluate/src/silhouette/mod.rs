@@ -14,6 +14,8 @@ mod view;
 use crate::table::Table;
 use std::error::Error;
 
+pub(crate) use cases::tree;
+
 pub(crate) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
     // First, before the machine is warm.
     speed::rows(table)?;
