@@ -84,6 +84,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     let request = Request::parse(std::env::args().skip(1))
         .map_err(|error| format!("{error}\nusage: {USAGE}"))?;
     let control = Control::default();
+    let params = StreamParams { precision: request.precision };
+    params.validate()?;
     let (tree, name) = request.tree(&control)?;
     let look = Look::built_in(tree.species())?;
     let hybrid = Hybrid::make(&tree, &look, &HybridParams::default(), &control)?;
@@ -95,7 +97,6 @@ fn run() -> Result<(), Box<dyn Error>> {
     let options = GlbOptions::default();
     hybrid.write_glb_levels(&HEIGHTS, SCREEN, &path("_hybrid.glb"), &options)?;
     hybrid.wood().write_glb(&path("_wood.glb"), &options)?;
-    let params = StreamParams { precision: request.precision };
     stream::write_file(hybrid.multires(), usize::MAX, &params, &path(".trem"))?;
     if let Some(cards) = hybrid.cards() {
         cards.color.save_png(path("_cards.png"))?;

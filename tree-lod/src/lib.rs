@@ -3,6 +3,7 @@
 
 pub mod cover;
 pub mod element;
+mod knob;
 mod error;
 pub mod hybrid;
 pub mod implicit;

@@ -4,6 +4,7 @@
 mod chain;
 mod derivation;
 mod frames;
+mod hybrids;
 mod impostors;
 mod levels;
 mod metrics;
@@ -35,6 +36,7 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
     frames::evaluate(table)?;
     metrics::evaluate(table, &trees)?;
     impostors::evaluate(table)?;
+    hybrids::evaluate(table)?;
     pictures::evaluate(table, &trees)
 }
 

@@ -71,13 +71,13 @@ impl Octahedral {
         control.limits.check(Resource::Pixels, u64::from(width) * u64::from(height))?;
         let pose = camera.pose(&Mesh::default(), 1.0)?;
         let projector = Projector::new(&pose, width, height, 2.0 * self.meta.radius);
-        let srgb = Srgb::new();
+        let srgb = Srgb::shared();
         let mut pixels = vec![T::default(); width as usize * height as usize];
         pixels.par_chunks_mut(width as usize).enumerate().try_for_each(|(y, row)| {
             control.check()?;
             for (x, out) in row.iter_mut().enumerate() {
                 let (origin, direction) = projector.ray(x as f32 + 0.5, y as f32 + 0.5);
-                *out = pixel(self.ray(origin, direction.normalize(), &srgb), &srgb);
+                *out = pixel(self.ray(origin, direction.normalize(), srgb), srgb);
             }
             Ok::<_, LodError>(())
         })?;
@@ -96,7 +96,12 @@ impl Octahedral {
         }
         let ends = [(middle - inside.sqrt()).max(0.0), middle + inside.sqrt()];
         let mut sum = Met::default();
-        for (frame, weight) in frames(-direction, self.meta.grid, self.meta.hemi) {
+        let mut all = frames(-direction, self.meta.grid, self.meta.hemi);
+        let pow = crate::knob::knob("POW", 1.0);
+        all.iter_mut().for_each(|f| f.1 = libm::powf(f.1, pow));
+        let total: f32 = all.iter().map(|f| f.1).sum();
+        all.iter_mut().for_each(|f| f.1 /= total);
+        for (frame, weight) in all {
             if weight <= 0.0 {
                 continue;
             }

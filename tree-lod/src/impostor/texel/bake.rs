@@ -1,6 +1,6 @@
 //! Triangles to a tile.
 
-use crate::preview::{Band, Draw, Projector, Scene};
+use crate::preview::{Band, Draw, Part, Projector, Scene, Spot};
 use glam::{Vec2, Vec3};
 
 /// Marks a sample that sees nothing.
@@ -38,6 +38,7 @@ pub(crate) struct Tile {
 pub(crate) struct Samples {
     depth: Vec<f32>,
     ids: Vec<u32>,
+    spots: Vec<Spot>,
 }
 
 impl Window {
@@ -65,13 +66,13 @@ impl Window {
     }
 }
 
-/// Draws `triangles` (numbers of the scene) into a tile of `side`² texels, `samples`² samples each.
+/// Draws a part of the scene into a tile of `side`² texels, `samples`² samples each.
 ///
 /// # Complexity
 /// O(triangles + samples of all texels).
 pub(crate) fn bake(
     scene: &Scene<'_>,
-    triangles: &[u32],
+    part: &Part,
     window: &Window,
     side: u32,
     samples: u32,
@@ -86,7 +87,7 @@ pub(crate) fn bake(
     let projector = window.projector(across);
     let mut band =
         Band { top: 0, width: across as i32, depth: &mut buffers.depth, ids: &mut buffers.ids };
-    Draw { scene, projector: &projector, spots: &[] }.draw_list(triangles, &mut band);
+    Draw { scene, projector: &projector, spots: &[] }.draw_part(part, &mut buffers.spots, &mut band);
     let n_texels = side as usize * side as usize;
     let mut tile = Tile {
         side,
@@ -102,6 +103,21 @@ pub(crate) fn bake(
         shade(scene, window, [across, samples], &seen, texel, &mut tile);
     }
     tile
+}
+
+impl Tile {
+    /// Alpha moves away from the mean of its neighbours.
+    pub(crate) fn sharpen(&mut self, by: f32) {
+        let side = self.side as i32;
+        let old = self.alpha.clone();
+        let at = |x: i32, y: i32| old[(y.clamp(0, side - 1) * side + x.clamp(0, side - 1)) as usize];
+        for (i, alpha) in self.alpha.iter_mut().enumerate() {
+            let (x, y) = (i as i32 % side, i as i32 / side);
+            if self.normal[i] == Vec3::ZERO && *alpha <= 0.0 { continue; }
+            let mean = 0.25 * (at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1));
+            *alpha = (*alpha + by * (*alpha - mean)).clamp(0.0, 1.0);
+        }
+    }
 }
 
 /// What a texel sees of one triangle.
@@ -170,6 +186,19 @@ fn shade(
     tile.color[texel] = color / n;
     tile.normal[texel] = normal / n;
     tile.depth[texel] = depth / n;
+    let mode = crate::knob::knob("DEPTH", 0.0);
+    if mode == 1.0 {
+        let best = seen.iter().reduce(|a, b| if b.count > a.count || b.count == a.count && b.depth / b.count as f32 > a.depth / a.count as f32 { b } else { a });
+        if let Some(b) = best { tile.depth[texel] = b.depth / b.count as f32; }
+    } else if mode == 2.0 {
+        // median
+        let mut v: Vec<(f32, u32)> = seen.iter().map(|e| (e.depth / e.count as f32, e.count)).collect();
+        v.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut k = 0;
+        for (d, c) in v { k += c; if 2 * k >= total { tile.depth[texel] = d; break; } }
+    } else if mode == 3.0 {
+        tile.depth[texel] = seen.iter().map(|e| e.depth / e.count as f32).fold(f32::MIN, f32::max);
+    }
 }
 
 #[cfg(test)]
@@ -189,7 +218,7 @@ mod tests {
     fn baked(cards: &[(Vec3, f32)]) -> Tile {
         let mesh = mesh_of(cards.iter().map(|&(at, size)| card(at, size)));
         let scene = Scene::new(&mesh, true, &Control::default()).unwrap();
-        let all: Vec<u32> = (0..scene.n_triangles()).collect();
+        let all = Part::new(&scene, 0..scene.n_triangles());
         bake(&scene, &all, &FRONT, 16, 4, &mut Samples::default())
     }
 
