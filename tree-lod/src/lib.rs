@@ -3,7 +3,6 @@
 
 pub mod cover;
 pub mod element;
-mod knob;
 mod error;
 pub mod hybrid;
 pub mod implicit;

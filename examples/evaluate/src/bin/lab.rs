@@ -176,12 +176,12 @@ fn look(names: &[String]) -> R {
             (full, Box::new(move |px| Ok(h.mesh_of(&h.choice_for_height(px)?)?)))
         };
         let mut sheet: Vec<[Picture; 2]> = Vec::new();
-        for px in [1000.0_f32, 250.0, 100.0, 40.0] {
+        for px in std::env::var("LAB_PX").unwrap_or("250,100,40".into()).split(',').map(|v| v.parse::<f32>().unwrap()) {
             let ours = at(px)?;
             let (mut q, mut cov, mut lum, mut diff, mut n) = (0.0, 0.0, [0.0_f64; 6], 0.0, 0.0);
-            for yaw in 0..8 {
-                for pitch in [0.05, 0.4] {
-                    let camera = Camera::Framed(Framing { yaw: 0.3 + 0.785 * yaw as f32, pitch, ..Framing::default() });
+            for yaw in 0..2 {
+                for pitch in [0.05] {
+                    let camera = Camera::Framed(Framing { yaw: 0.3 + 1.9 * yaw as f32, pitch, ..Framing::default() });
                     let camera = Camera::Placed(camera.pose(&full, 1.0)?);
                     let side = px.min(250.0) as u32;
                     let view = View { width: side, height: side, samples: 3, camera };
@@ -195,7 +195,7 @@ fn look(names: &[String]) -> R {
                     let (x, y) = (mean(&pa, &ma), mean(&pb, &mb));
                     for i in 0..3 { lum[i] += x[i]; lum[3 + i] += y[i]; }
                     diff += pa.pixels.iter().zip(&pb.pixels).map(|(a, b)| f64::from(a.abs_diff(*b))).sum::<f64>() / pa.pixels.len() as f64;
-                    if yaw == 0 && pitch < 0.1 {
+                    if yaw == 0 {
                         let big = |p: &Picture| { let mut s = Picture { width: 400, height: 400, pixels: Vec::new() }; for j in 0..400 { for i in 0..400 { s.pixels.extend(p.pixel(i * side / 400, j * side / 400).unwrap()); } } s };
                         sheet.push([big(&pa), big(&pb)]);
                     }

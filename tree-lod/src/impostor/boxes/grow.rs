@@ -235,7 +235,7 @@ fn groups(
     fit: &dyn Fn(&[u32]) -> Option<Fit>,
     place: &dyn Fn(u32) -> Vec3,
 ) -> Vec<(Vec<u32>, Fit)> {
-    let (mut found, mut stack) = (Vec::new(), vec![rows]);
+    let (n, mut found, mut stack) = (rows.len(), Vec::new(), vec![rows]);
     while let Some(mut rows) = stack.pop() {
         if rows.len() < params.least_leaves as usize {
             continue;
@@ -245,7 +245,8 @@ fn groups(
         if share < params.least_volume {
             continue;
         }
-        if share <= params.most_volume {
+        // All of them would only be the same box again.
+        if share <= params.most_volume && rows.len() < n {
             rows.sort_unstable();
             found.push((rows, fit));
             continue;

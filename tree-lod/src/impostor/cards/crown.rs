@@ -74,7 +74,7 @@ impl Crown {
             let [nx, ny, _] = self.n;
             let middle = [cell % nx, cell / nx % ny, cell / (nx * ny)].map(|i| i as f32 + 0.5);
             let sum: f32 = sky.iter().map(|&way| self.through(middle.into(), way)).sum();
-            { let k = crate::knob::knob("SCATTERED", SCATTERED); k + (1.0 - k) * sum / sky.len() as f32 }
+            SCATTERED + (1.0 - SCATTERED) * sum / sky.len() as f32
         };
         Light { crown: self, values: (0..self.hides.len()).into_par_iter().map(at).collect() }
     }
@@ -91,7 +91,7 @@ impl Crown {
             at += way;
         }
         // No transcendental of the standard library: the same bits everywhere.
-        libm::expf(-depth * self.cell * crate::knob::knob("DENSE", 1.0))
+        libm::expf(-depth * self.cell)
     }
 }
 
@@ -111,5 +111,44 @@ impl Light<'_> {
         let row = |y, z| mix(value(0, y, z), value(1, y, z), f.x);
         let face = |z| mix(row(0, z), row(1, z), f.y);
         mix(face(0), face(1), f.z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::{Foliage, Grain};
+    use crate::impostor::tests::leaves;
+    use tree_core::{Control, Seed, seed};
+
+    /// Leaves in a ball of 2 m.
+    fn ball(n: usize) -> Crown {
+        let mut rng = Seed(8).rng();
+        let at: Vec<Vec3> = (0..n).map(|_| 2.0 * seed::in_unit_ball(&mut rng)).collect();
+        let mesh = leaves(&at, 0.05);
+        let control = Control::default();
+        let elements = Elements::of_mesh(&mesh, &Foliage::Found, Grain::Leaf, &control).unwrap();
+        Crown::new(&mesh, &elements, &|_| 1.0)
+    }
+
+    #[test]
+    fn less_light_comes_deeper_into_a_crown_and_into_a_denser_one() {
+        let (thin, dense) = (ball(500), ball(5000));
+        let (thin, dense) = (thin.light(), dense.light());
+        let down: Vec<f32> =
+            [1.9, 1.0, 0.0, -1.0].iter().map(|&y| dense.at(Vec3::Y * y)).collect();
+        assert!(down.windows(2).all(|pair| pair[0] > pair[1]), "{down:?}");
+        assert!(thin.at(Vec3::ZERO) > dense.at(Vec3::ZERO));
+        assert!(down.iter().all(|light| (SCATTERED..=1.0).contains(light)));
+        assert!(dense.at(Vec3::Y * 50.0) > 0.5);
+    }
+
+    #[test]
+    fn light_falls_off_as_through_an_even_medium() {
+        let (crown, k) = (ball(4000), HIDES * 4000.0 * 0.01 / (4.0 / 3.0 * std::f32::consts::PI * 8.0));
+        let middle = Vec3::from(crown.n.map(|n| n as f32)) * 0.5;
+        let found = crown.through(middle, Vec3::Y);
+        let wanted = libm::expf(-2.0 * k);
+        assert!((found - wanted).abs() < 0.15 * wanted, "{found} {wanted}");
     }
 }

@@ -115,6 +115,11 @@ impl Cards {
                 empty += usize::from(tile.covered() == 0);
             }
         }
+        let leaf_size = |leaf_box: &LeafBox| {
+            let leaves = boxes.leaves(leaf_box.leaves.clone());
+            let area: f32 = leaves.iter().map(|&leaf| elements.areas[leaf as usize]).sum();
+            (area / leaves.len().max(1) as f32).sqrt()
+        };
         let report = CardReport {
             n_boxes: n,
             n_images: n * PLANES,
@@ -132,6 +137,7 @@ impl Cards {
             columns: grid.columns,
             report,
             crown: Crown::new(mesh, elements, &|surface| scene.drawn_share(surface as usize)),
+            leaf_sizes: boxes.boxes().iter().map(leaf_size).collect(),
             lit: Lit::default(),
         })
     }

@@ -55,6 +55,8 @@ pub struct Cards {
     columns: u32,
     report: CardReport,
     crown: crown::Crown,
+    /// For each box.
+    leaf_sizes: Vec<f32>,
     lit: plain::Lit,
 }
 
@@ -85,6 +87,11 @@ impl Cards {
         let longest = |plane: &Plane| 2.0 * plane.half.max_element();
         let size = planes(self.boxes.get(number)?).iter().map(longest).fold(0.0, f32::max);
         Ok(size / self.inner())
+    }
+
+    /// Side in metres of a square as large as a box's mean leaf.
+    pub(crate) fn leaf_size(&self, number: u32) -> f32 {
+        self.leaf_sizes.get(number as usize).copied().unwrap_or(f32::INFINITY)
     }
 
     /// Texels of a tile without gutters.

@@ -46,7 +46,7 @@ impl Cards {
         for &number in boxes {
             let leaf_box = self.boxes.get(number)?;
             let faces = planes(leaf_box);
-            for plane in best_planes(&faces).into_iter().take(crate::knob::knob("PLAIN", 3.0) as usize) {
+            for plane in best_planes(&faces) {
                 for side in [1.0, -1.0] {
                     self.side(&mut surface, number, plane, &faces[plane], side, crown);
                 }
@@ -93,9 +93,7 @@ impl Cards {
 
     fn shine(&self) -> Texture {
         let srgb = Srgb::shared();
-        let t = std::time::Instant::now();
         let light = self.crown.light();
-        if crate::knob::knob("TIME", 0.0) > 0.0 { eprintln!("light {:?}", t.elapsed()); }
         let mut pixels = self.color.pixels.clone();
         let width = self.color.width as usize;
         let stride = 4 * width * self.size as usize;
@@ -111,13 +109,11 @@ impl Cards {
                     let at = y * width + column * self.size as usize + x;
                     let Some(texel) = rows.get_mut(4 * at..4 * at + 3) else { continue };
                     let found = detail.get(row * self.size as usize * width + at);
-                    let [nx, ny, nz, depth] =
+                    let [_, ny, _, depth] =
                         found.copied().unwrap_or_default().map(|v| f32::from(v) / 127.5 - 1.0);
-                    let _ = (nx, nz);
                     let p = self.position(&face, [x, y], depth);
-                    let below = crate::knob::knob("BELOW", BELOW);
-                    let soft = below + (1.0 - below) * (0.5 + 0.5 * ny);
-                    let shine = crate::knob::knob("EXPOSURE", EXPOSURE) * light.at(p) * soft;
+                    let soft = BELOW + (1.0 - BELOW) * (0.5 + 0.5 * ny);
+                    let shine = EXPOSURE * light.at(p) * soft;
                     for byte in texel {
                         let linear = srgb.decode([*byte; 4]).x;
                         *byte = srgb.encode((linear * shine).min(1.0));
@@ -143,7 +139,7 @@ impl Cards {
 fn rounded(p: Vec3, side: Vec3, crown: &LeafBox) -> Vec3 {
     let half = crown.half.max_element();
     let out = (p - crown.center) / half;
-    (out + crate::knob::knob("TOWARD", TOWARD) * side).try_normalize().unwrap_or(side)
+    (out + TOWARD * side).try_normalize().unwrap_or(side)
 }
 
 /// Directions that planes are chosen for: around the horizon and a little above.
@@ -181,4 +177,77 @@ fn best_planes(faces: &[Plane; PLANES]) -> [usize; PLAIN] {
         }
     }
     chosen
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::LodError;
+    use crate::impostor::cards::CardParams;
+    use crate::impostor::tests::forked;
+    use glam::Quat;
+    use tree_core::Control;
+
+    fn cards() -> Cards {
+        let tree = forked(900);
+        let params = CardParams { size: 32, samples: 2, gutter: 1 };
+        let control = Control::default();
+        Cards::bake(&tree.mesh, &tree.elements, &tree.boxes, &params, &control).unwrap()
+    }
+
+    #[test]
+    fn planes_are_drawn_from_both_sides_with_normals_to_the_viewer() {
+        let cards = cards();
+        let all: Vec<u32> = (0..cards.boxes().boxes().len() as u32).collect();
+        let mesh = cards.plain(&all).unwrap();
+        mesh.check().unwrap();
+        mesh.check_normals().unwrap();
+        assert_eq!(mesh.n_triangles(), 4 * PLAIN * all.len());
+        assert!(!mesh.materials[0].double_sided);
+        let surface = &mesh.surfaces[0];
+        // The crown's own planes: the light of a corner comes from the side that the square looks to.
+        for corners in surface.indices[..12 * PLAIN / 2].as_chunks::<3>().0 {
+            let [a, b, c] = corners.map(|i| surface.positions[i as usize]);
+            let side = (b - a).cross(c - a).normalize();
+            for i in corners {
+                assert!(surface.normals[*i as usize].dot(side) > 0.3);
+            }
+        }
+        assert!(matches!(cards.plain(&[1000]), Err(LodError::Impostor(_))));
+    }
+
+    #[test]
+    fn an_upright_box_shows_its_upright_planes_first() {
+        let leaf_box = LeafBox {
+            parent: 0,
+            level: 0,
+            node: 0,
+            center: Vec3::ZERO,
+            half: Vec3::ONE,
+            turn: Quat::IDENTITY,
+            leaves: 0..0,
+            own: 0..0,
+            children: 0..0,
+        };
+        let mut upright = best_planes(&planes(&leaf_box))[..2].to_vec();
+        upright.sort_unstable();
+        assert_eq!(upright, [2, 3]);
+    }
+
+    #[test]
+    fn light_darkens_and_colours_stay_as_they_are() {
+        let cards = cards();
+        let before = cards.color.clone();
+        let lit = cards.lit();
+        assert_eq!(cards.color, before);
+        assert!(Arc::ptr_eq(&lit, &cards.lit()), "made once");
+        let texels = lit.pixels.as_chunks::<4>().0.iter().zip(before.pixels.as_chunks::<4>().0);
+        let (mut values, mut darker) = (std::collections::BTreeSet::new(), 0);
+        for (lit, plain) in texels.filter(|(_, plain)| plain[3] >= 128) {
+            assert_eq!(lit[3], plain[3]);
+            values.insert(lit[1]);
+            darker += usize::from(lit[1] < plain[1]);
+        }
+        assert!(values.len() > 10 && darker > 0, "one white leaf is as bright as another");
+    }
 }

@@ -115,8 +115,6 @@ impl Octahedral {
                     control.check()?;
                     let mut tile =
                         bake(&scene, &part, &window(view), tile, params.samples, buffers);
-                    let usm = crate::knob::knob("USM", 0.0);
-                    if usm > 0.0 { tile.sharpen(usm); }
                     tile.dilate();
                     Ok(tile.bytes(meta.radius, scene.srgb))
                 })

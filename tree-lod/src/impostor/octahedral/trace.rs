@@ -61,14 +61,14 @@ impl Octahedral {
         for _ in 0..STEPS {
             let here = self.place(frame, start + along * s);
             let above = height - sink * s - self.detail(here).w * meta.radius;
-            if above <= slab && above >= -slab - crate::knob::knob("THICK", THICKNESS) * meta.radius {
+            if above <= slab && above >= -slab - THICKNESS * meta.radius {
                 let met = self.met(here, s, srgb);
-                if met.alpha >= crate::knob::knob("AMIN", ALPHA_MIN) {
+                if met.alpha >= ALPHA_MIN {
                     // To where the ray crosses the depth that was found, unless that is beside a thin twig.
                     let crossing = (s + above / sink).clamp(near, far);
                     let there =
                         self.met(self.place(frame, start + along * crossing), crossing, srgb);
-                    return if met.alpha * crate::knob::knob("PICK", 1.0) > there.alpha { met } else { there };
+                    return if met.alpha > there.alpha { met } else { there };
                 }
             }
             s += step;
@@ -108,8 +108,6 @@ impl Octahedral {
             color += weight * srgb.decode(texel);
             alpha += weight * f32::from(texel[3]) / 255.0;
         }
-        let sharp = crate::knob::knob("SHARP", 1.0);
-        let alpha = ((alpha - 0.5) * sharp + 0.5 + crate::knob::knob("BIAS", 0.0)).clamp(0.0, 1.0);
         Met { alpha, color, normal: self.detail(place).truncate(), distance }
     }
 }

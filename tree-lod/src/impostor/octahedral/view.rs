@@ -96,12 +96,7 @@ impl Octahedral {
         }
         let ends = [(middle - inside.sqrt()).max(0.0), middle + inside.sqrt()];
         let mut sum = Met::default();
-        let mut all = frames(-direction, self.meta.grid, self.meta.hemi);
-        let pow = crate::knob::knob("POW", 1.0);
-        all.iter_mut().for_each(|f| f.1 = libm::powf(f.1, pow));
-        let total: f32 = all.iter().map(|f| f.1).sum();
-        all.iter_mut().for_each(|f| f.1 /= total);
-        for (frame, weight) in all {
+        for (frame, weight) in frames(-direction, self.meta.grid, self.meta.hemi) {
             if weight <= 0.0 {
                 continue;
             }

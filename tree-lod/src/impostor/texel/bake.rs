@@ -105,21 +105,6 @@ pub(crate) fn bake(
     tile
 }
 
-impl Tile {
-    /// Alpha moves away from the mean of its neighbours.
-    pub(crate) fn sharpen(&mut self, by: f32) {
-        let side = self.side as i32;
-        let old = self.alpha.clone();
-        let at = |x: i32, y: i32| old[(y.clamp(0, side - 1) * side + x.clamp(0, side - 1)) as usize];
-        for (i, alpha) in self.alpha.iter_mut().enumerate() {
-            let (x, y) = (i as i32 % side, i as i32 / side);
-            if self.normal[i] == Vec3::ZERO && *alpha <= 0.0 { continue; }
-            let mean = 0.25 * (at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1));
-            *alpha = (*alpha + by * (*alpha - mean)).clamp(0.0, 1.0);
-        }
-    }
-}
-
 /// What a texel sees of one triangle.
 struct Seen {
     id: u32,
@@ -186,19 +171,6 @@ fn shade(
     tile.color[texel] = color / n;
     tile.normal[texel] = normal / n;
     tile.depth[texel] = depth / n;
-    let mode = crate::knob::knob("DEPTH", 0.0);
-    if mode == 1.0 {
-        let best = seen.iter().reduce(|a, b| if b.count > a.count || b.count == a.count && b.depth / b.count as f32 > a.depth / a.count as f32 { b } else { a });
-        if let Some(b) = best { tile.depth[texel] = b.depth / b.count as f32; }
-    } else if mode == 2.0 {
-        // median
-        let mut v: Vec<(f32, u32)> = seen.iter().map(|e| (e.depth / e.count as f32, e.count)).collect();
-        v.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut k = 0;
-        for (d, c) in v { k += c; if 2 * k >= total { tile.depth[texel] = d; break; } }
-    } else if mode == 3.0 {
-        tile.depth[texel] = seen.iter().map(|e| e.depth / e.count as f32).fold(f32::MIN, f32::max);
-    }
 }
 
 #[cfg(test)]
