@@ -8,15 +8,12 @@ use crate::prune::vertices::compact;
 use glam::Vec3;
 use tree_mesh::Mesh;
 
-/// Planes that a plain mesh has of each box, one for each of its axes. Without the shader that picks a plane for
-/// each pixel, all six would cover too much.
-const PLAIN: [usize; 3] = [0, 2, 4];
 /// From how many times the size of the tree levels are chosen: so far that all of it is at one scale.
 const FAR: f32 = 1e3;
 
 impl Hybrid {
     /// What is chosen as a mesh of its own, for previews, files and measuring: the wood grown to its level,
-    /// leaves, and three planes of each box.
+    /// leaves, and three planes of each box, with light in their picture ([`Cards::plain`](crate::impostor::cards::Cards::plain)).
     ///
     /// # Errors
     /// As [`MultiMesh::mesh_at`](crate::multires::MultiMesh::mesh_at); [`LodError::Impostor`](crate::LodError::Impostor)
@@ -41,16 +38,11 @@ impl Hybrid {
             mesh.surfaces[number] = surface;
         }
         if let (Some(cards), false) = (&self.cards, leaves.boxes.is_empty()) {
-            let planes = cards.mesh_of_planes(&leaves.boxes, &PLAIN)?;
+            let planes = cards.plain(&leaves.boxes)?;
             let first = mesh.materials.len() as u32;
             mesh.materials.extend(planes.materials);
-            let center = cards.boxes().get(0)?.center;
             for mut surface in planes.surfaces {
                 surface.material += first;
-                // Light as on a crown: that on flat planes would show them.
-                for (normal, p) in surface.normals.iter_mut().zip(&surface.positions) {
-                    *normal = (*p - center).try_normalize().unwrap_or(*normal);
-                }
                 mesh.surfaces.push(surface);
             }
         }

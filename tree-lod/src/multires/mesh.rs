@@ -17,8 +17,9 @@ const PATHS_A_CHECK: usize = 1024;
 
 /// Tubes and leaves in the order of the paths: the mesh of a level is a prefix of each index buffer.
 ///
-/// Each path is a closed tube of its own, with a cap at either end; branches begin inside the wood that
-/// bears them. Where trees are seen from near, [`tree_mesh::build`] makes one closed skin of them.
+/// Each path is a tube of its own, as coarse as [`MeshParams::error`] allows. Branches begin inside the wood
+/// that bears them, where they are open. Where trees are seen from near, [`tree_mesh::build`] makes one closed
+/// skin of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MultiMesh {
     mesh: Mesh,
@@ -37,8 +38,8 @@ pub struct Draw {
 }
 
 impl MultiMesh {
-    /// Draws a tree. Of the parameters, those of curves, flares, tangents and light maps are not used: a tube
-    /// has a ring at each node, the same number of sides all along.
+    /// Draws a tree. Of the parameters, those of curves, strips, flares, tangents and light maps are not used: a
+    /// tube has rings at nodes, those left out that lie within the error of it.
     ///
     /// # Errors
     /// As [`tree_mesh::build`]; [`LodError::Parameter`] for more than 2²⁴ levels.

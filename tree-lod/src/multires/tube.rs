@@ -1,5 +1,12 @@
-//! Wood of which a level is a prefix: each path is a closed tube of its own that begins inside the wood it
-//! stems from.
+//! Wood of which a level is a prefix: each path is a tube of its own that begins inside the wood it stems
+//! from.
+//!
+//! * A ring stands where the path turns or tapers: what is left out lies within
+//!   [`MeshParams::error`] of the tube that is drawn (Douglas, Peucker 1973, on points and radii).
+//! * A ring has as few sides as keep the middle of each within the same error of the circle; neighbours of
+//!   different numbers are joined side by side.
+//! * The base of a branch is open: it lies inside the wood that bears it. A tip thinner than the error ends
+//!   in a point, a thicker one in a cap.
 
 use super::model::Multires;
 use glam::{Quat, Vec2, Vec3};
@@ -11,48 +18,95 @@ use tree_mesh::{MeshParams, Surface};
 const STEP_MIN: f32 = 0.05;
 /// Fewest and most sides of any tube.
 const SIDES: (u32, u32) = (3, 64);
+/// Nodes between rings that stand whatever the path does: what is compared with a straight line stays short.
+const STRETCH: usize = 64;
 
-/// One path: a point and a radius for each ring.
+/// One path: a point, a radius and a number of sides for each ring.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Line {
     pub(super) points: Vec<Vec3>,
     radii: Vec<f32>,
-    sides: u32,
+    sides: Vec<u32>,
+    /// The base is closed: nothing bears it.
+    rooted: bool,
+    /// The last ring is a single point.
+    pointed: bool,
 }
 
 impl Line {
-    /// The nodes of a path after its fork, without those that hardly move on. Fewer than two points are
-    /// nothing to draw.
+    /// The nodes of a path after its fork, without those that hardly move on and those that a straight
+    /// line stands for. Fewer than two points are nothing to draw.
     pub(super) fn of_path(multires: &Multires, path: usize, params: &MeshParams) -> Self {
         let skeleton = multires.tree().skeleton();
         let first = if path == 0 { 0 } else { multires.counts(path).0 };
         let end = multires.counts(path + 1).0;
         let thick = |node: usize| skeleton.radii()[node].max(params.radius_min);
-        let mut line = Self::default();
         let fork = skeleton.parents()[first];
-        if fork != NO_PARENT {
-            line.points.push(skeleton.positions()[fork as usize]);
+        let mut line = Self { rooted: fork == NO_PARENT, ..Self::default() };
+        if !line.rooted {
             // A branch is as thick at its fork as a little further on, not as what bears it.
-            line.radii.push(thick(first).min(thick(fork as usize)));
+            let radius = thick(first).min(thick(fork as usize));
+            line.push(skeleton.positions()[fork as usize], radius);
         }
         for node in first..end {
             let (point, radius) = (skeleton.positions()[node], thick(node));
             let step = line.points.last().map_or(f32::MAX, |last| last.distance(point));
             let is_last = node + 1 == end && line.points.len() > 1;
             if step > STEP_MIN * radius {
-                line.points.push(point);
-                line.radii.push(radius);
+                line.push(point, radius);
             } else if is_last {
                 // The tip stays where it is.
                 line.points.pop();
                 line.radii.pop();
-                line.points.push(point);
-                line.radii.push(radius);
+                line.push(point, radius);
             }
         }
-        let thickest = line.radii.iter().copied().fold(0.0, f32::max);
-        line.sides = sides(thickest, params);
+        let error = params.error.metres();
+        if let (Some(tip), true) = (line.radii.last_mut(), line.points.len() > 1) {
+            line.pointed = *tip <= error;
+            *tip = if line.pointed { 0.0 } else { *tip };
+        }
+        line.simplify(error);
+        line.sides = line.radii.iter().map(|&radius| sides(radius, params)).collect();
         line
+    }
+
+    fn push(&mut self, point: Vec3, radius: f32) {
+        self.points.push(point);
+        self.radii.push(radius);
+    }
+
+    /// Leaves out what lies within `error` of the tube between its neighbours.
+    fn simplify(&mut self, error: f32) {
+        let n = self.points.len();
+        let mut kept: Vec<bool> =
+            (0..n).map(|i| i.is_multiple_of(STRETCH) || i + 1 == n).collect();
+        let mut stack: Vec<(usize, usize)> =
+            (0..n).step_by(STRETCH).map(|a| (a, (a + STRETCH).min(n - 1))).collect();
+        while let Some((a, b)) = stack.pop() {
+            let off = (a + 1..b).map(|i| (self.off(i, a, b), i));
+            let worst = off.reduce(|worst, other| if other.0 > worst.0 { other } else { worst });
+            if let Some((off, at)) = worst.filter(|&(off, _)| off > error)
+                && off.is_finite()
+            {
+                kept[at] = true;
+                stack.extend([(a, at), (at, b)]);
+            }
+        }
+        let mut rows = kept.iter().copied();
+        self.points.retain(|_| rows.next().unwrap_or(true));
+        let mut rows = kept.iter().copied();
+        self.radii.retain(|_| rows.next().unwrap_or(true));
+    }
+
+    /// How far the wood at a point leaves the straight tube between two others.
+    fn off(&self, at: usize, a: usize, b: usize) -> f32 {
+        let (from, way) = (self.points[a], self.points[b] - self.points[a]);
+        let to = self.points[at] - from;
+        let along = to.dot(way) / way.length_squared().max(f32::MIN_POSITIVE);
+        let along = along.clamp(0.0, 1.0);
+        let radius = self.radii[a] + (self.radii[b] - self.radii[a]) * along;
+        (to - way * along).length() + (self.radii[at] - radius).abs()
     }
 
     fn is_drawn(&self) -> bool {
@@ -60,13 +114,22 @@ impl Line {
         self.points.len() > 2 || first != last
     }
 
-    /// Vertices and triangles: rings with a seam, and a point at either end.
+    /// Rings of more than a point.
+    fn n_rings(&self) -> usize {
+        self.points.len() - usize::from(self.pointed)
+    }
+
+    /// Vertices and triangles: rings with a seam, and a point at a closed end.
     pub(super) fn size(&self) -> (u64, u64) {
         if !self.is_drawn() {
             return (0, 0);
         }
-        let (rings, sides) = (self.points.len() as u64, u64::from(self.sides));
-        (rings * (sides + 1) + 2, 2 * sides * (rings - 1) + 2 * sides)
+        let rings = &self.sides[..self.n_rings()];
+        let sum: u64 = rings.iter().map(|&sides| u64::from(sides)).sum();
+        // Each side of a ring has a triangle towards the ring before and one towards the next.
+        let open = if self.rooted { 0 } else { u64::from(rings.first().copied().unwrap_or(0)) };
+        let points = 1 + u64::from(self.rooted);
+        (sum + rings.len() as u64 + points, 2 * sum - open)
     }
 
     /// Appends the tube to a surface.
@@ -74,25 +137,23 @@ impl Line {
         if !self.is_drawn() {
             return;
         }
-        let (n, sides) = (self.points.len(), self.sides);
+        let n = self.points.len();
         let around = (TAU * self.radii[0] / params.bark_width).round().max(1.0);
         let mut normal = direction(&self.points, 0).any_orthonormal_vector();
         let mut before = direction(&self.points, 0);
-        let first = surface.positions.len() as u32;
         let mut along = 0.0;
-        for ring in 0..n {
+        let mut rings = Vec::with_capacity(n);
+        for ring in 0..self.n_rings() {
             let tangent = direction(&self.points, ring);
             normal = Quat::from_rotation_arc(before, tangent) * normal;
             normal = (normal - tangent * tangent.dot(normal))
                 .try_normalize()
                 .unwrap_or_else(|| tangent.any_orthonormal_vector());
             before = tangent;
-            if ring > 0 {
-                along += self.points[ring].distance(self.points[ring - 1]);
-            }
+            along += self.step(ring);
             let binormal = tangent.cross(normal);
             let v = -along / params.bark_length;
-            let start = surface.positions.len() as u32;
+            let (start, sides) = (surface.positions.len() as u32, self.sides[ring]);
             for side in 0..=sides {
                 let share = side as f32 / sides as f32;
                 let (sin, cos) = libm::sincosf(TAU * (side % sides) as f32 / sides as f32);
@@ -101,31 +162,46 @@ impl Line {
                 let weld = if side == sides { start } else { start + side };
                 push(surface, at, out, Vec2::new(share * around, v), weld);
             }
+            if let Some(&(below, n_below)) = rings.last() {
+                join(below, n_below, start, sides, surface);
+            }
+            rings.push((start, sides));
         }
-        let (base, tip) = (direction(&self.points, 0), direction(&self.points, n - 1));
-        for (at, out, v) in [(0, -base, 0.0), (n - 1, tip, -along / params.bark_length)] {
+        let (Some(&(first, n_first)), Some(&(last, n_last))) = (rings.first(), rings.last()) else {
+            return;
+        };
+        if self.rooted {
+            let out = -direction(&self.points, 0);
             let vertex = surface.positions.len() as u32;
-            push(surface, self.points[at], out, Vec2::new(0.5 * around, v), vertex);
+            push(surface, self.points[0], out, Vec2::new(0.5 * around, 0.0), vertex);
+            let fan = |side| [vertex, first + side + 1, first + side];
+            surface.indices.extend((0..n_first).flat_map(fan));
         }
-        self.index(first, surface);
+        let along = along + if self.pointed { self.step(n - 1) } else { 0.0 };
+        let at = Vec2::new(0.5 * around, -along / params.bark_length);
+        let vertex = surface.positions.len() as u32;
+        push(surface, self.points[n - 1], direction(&self.points, n - 1), at, vertex);
+        let fan = |side| [vertex, last + side, last + side + 1];
+        surface.indices.extend((0..n_last).flat_map(fan));
     }
 
-    fn index(&self, first: u32, surface: &mut Surface) {
-        let (n, sides) = (self.points.len() as u32, self.sides);
-        let at = |ring: u32, side: u32| first + ring * (sides + 1) + side;
-        let ends = first + n * (sides + 1);
-        for side in 0..sides {
-            surface.indices.extend([ends, at(0, side + 1), at(0, side)]);
-        }
-        for ring in 1..n {
-            for side in 0..sides {
-                let (a, b) = (at(ring - 1, side), at(ring - 1, side + 1));
-                let (c, d) = (at(ring, side), at(ring, side + 1));
-                surface.indices.extend([a, b, d, a, d, c]);
-            }
-        }
-        for side in 0..sides {
-            surface.indices.extend([ends + 1, at(n - 1, side), at(n - 1, side + 1)]);
+    /// Length of the way to a ring.
+    fn step(&self, ring: usize) -> f32 {
+        ring.checked_sub(1).map_or(0.0, |below| self.points[ring].distance(self.points[below]))
+    }
+}
+
+/// Triangles between two rings, whose vertices begin at `a` and `b`.
+fn join(a: u32, n_a: u32, b: u32, n_b: u32, surface: &mut Surface) {
+    let (mut i, mut j) = (0, 0);
+    while i < n_a || j < n_b {
+        // The one whose next vertex comes first goes on.
+        if j == n_b || i < n_a && (i + 1) * n_b <= (j + 1) * n_a {
+            surface.indices.extend([a + i, a + i + 1, b + j]);
+            i += 1;
+        } else {
+            surface.indices.extend([a + i, b + j + 1, b + j]);
+            j += 1;
         }
     }
 }
@@ -153,4 +229,68 @@ fn sides(radius: f32, params: &MeshParams) -> u32 {
     let sides = (std::f32::consts::PI / half).ceil() as u32;
     let (min, max) = SIDES;
     sides.clamp(params.sides_min.max(min), params.sides_max.clamp(min, max))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(points: Vec<Vec3>, radii: Vec<f32>) -> Line {
+        let params = MeshParams::default();
+        let mut line = Line { points, radii, rooted: true, ..Line::default() };
+        line.simplify(params.error.metres());
+        line.sides = line.radii.iter().map(|&radius| sides(radius, &params)).collect();
+        line
+    }
+
+    #[test]
+    fn a_straight_even_taper_has_two_rings_and_a_bend_one_more() {
+        let at = |i: usize| Vec3::Y * i as f32 * 0.1;
+        let radius = |i: usize| 0.1 - 0.001 * i as f32;
+        let straight = line((0..40).map(at).collect(), (0..40).map(radius).collect());
+        assert_eq!(straight.points, [at(0), at(39)]);
+        let bent = |i: usize| if i < 20 { at(i) } else { at(20) + Vec3::X * (i - 20) as f32 * 0.1 };
+        let bent = line((0..40).map(bent).collect(), (0..40).map(radius).collect());
+        assert_eq!(bent.points.len(), 3);
+    }
+
+    #[test]
+    fn what_is_left_out_lies_within_the_error() {
+        let at = |i: usize| {
+            let (sin, cos) = libm::sincosf(0.07 * i as f32);
+            Vec3::new(sin, 0.03 * i as f32, cos)
+        };
+        let radius = |i: usize| 0.1 / (1.0 + 0.05 * i as f32);
+        let all = Line {
+            points: (0..500).map(at).collect(),
+            radii: (0..500).map(radius).collect(),
+            ..Line::default()
+        };
+        let few = line(all.points.clone(), all.radii.clone());
+        assert!(few.points.len() < 250, "{}", few.points.len());
+        let rows: Vec<usize> = few
+            .points
+            .iter()
+            .map(|p| all.points.iter().position(|q| p == q).unwrap_or(usize::MAX))
+            .collect();
+        for pair in rows.windows(2) {
+            for i in pair[0]..pair[1] {
+                assert!(all.off(i, pair[0], pair[1]) <= MeshParams::default().error.metres());
+            }
+        }
+    }
+
+    #[test]
+    fn counts_are_those_of_what_is_drawn_where_sides_change() {
+        for (rooted, pointed) in [(true, false), (false, true), (false, false)] {
+            let radii = vec![0.5, 0.1, if pointed { 0.0 } else { 0.02 }];
+            let points = vec![Vec3::ZERO, Vec3::new(0.1, 1.0, 0.0), Vec3::new(0.5, 2.0, 0.1)];
+            let line = Line { rooted, pointed, ..line(points, radii) };
+            assert!(line.sides[0] > line.sides[1]);
+            let mut surface = Surface::default();
+            line.draw(&MeshParams::default(), &mut surface);
+            let found = (surface.positions.len() as u64, surface.indices.len() as u64 / 3);
+            assert_eq!(found, line.size());
+        }
+    }
 }

@@ -42,9 +42,11 @@ pub(crate) use project::clip_loose;
 pub(crate) use raster::{Band, Filter};
 pub use render::{mask, render, silhouette};
 pub(crate) use scene::{Pattern, Scene};
+pub(crate) use shadow::hemisphere;
 pub use style::{Backdrop, Style};
 pub(crate) use texture::Srgb;
-pub(crate) use visibility::Stage as Draw;
+pub(crate) use project::Spot;
+pub(crate) use visibility::{Part, Stage as Draw};
 
 use crate::error::{Result, check_range};
 use tree_core::{Limits, Resource};

@@ -21,7 +21,7 @@ pub(crate) struct Scene<'a> {
     /// One per material of the mesh.
     pub(super) skins: Vec<Skin>,
     pyramids: Vec<Pyramid>,
-    pub(crate) srgb: Srgb,
+    pub(crate) srgb: &'static Srgb,
     /// Largest side of the box around all vertices, in metres.
     pub(crate) size: f32,
 }
@@ -71,7 +71,7 @@ impl<'a> Scene<'a> {
             first_vertex.push(vertices);
             first_triangle.push(triangles);
         }
-        let srgb = Srgb::new();
+        let srgb = Srgb::shared();
         let mut wanted = Vec::new();
         let skins = mesh.materials.iter().map(|material| Skin::new(material, colors, &mut wanted));
         let skins = skins.collect();
@@ -80,7 +80,7 @@ impl<'a> Scene<'a> {
             .map(|(material, cutoff)| {
                 control.check()?;
                 let texture = material.texture.as_deref();
-                Ok(texture.map(|texture| Pyramid::new(texture, cutoff, colors, &srgb)))
+                Ok(texture.map(|texture| Pyramid::new(texture, cutoff, colors, srgb)))
             })
             .collect::<Result<Vec<_>>>()?;
         Ok(Self {
@@ -135,6 +135,14 @@ impl<'a> Scene<'a> {
     #[inline]
     pub(super) fn pyramid(&self, skin: &Skin) -> Option<&Pyramid> {
         skin.pyramid.map(|number| &self.pyramids[number])
+    }
+
+    /// Share of a surface's area that is drawn, if its texture is spread over it.
+    pub(crate) fn drawn_share(&self, surface: usize) -> f32 {
+        match self.pattern(surface) {
+            None => 0.0,
+            Some(Pattern { pyramid }) => pyramid.map_or(1.0, Pyramid::covered),
+        }
     }
 
     /// What of a surface is drawn; none when nothing is.

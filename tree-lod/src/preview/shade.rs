@@ -120,7 +120,7 @@ impl Scene<'_> {
             };
             let pixels = facing.abs() * (scale / distance) * (scale / distance) * per_pixel;
             let level = pyramid.level(pyramid.texel_area(uvs) / pixels);
-            albedo *= level.color(uv.x, uv.y, skin.cover == Cover::Masked, &self.srgb);
+            albedo *= level.color(uv.x, uv.y, skin.cover == Cover::Masked, self.srgb);
         }
         Hit { surface: number, position, normal, albedo }
     }

@@ -152,7 +152,7 @@ impl DepthMap {
 
 /// `count` directions spread evenly over the upper hemisphere: a spiral of golden angles
 /// (Vogel 1979), equal solid angle each.
-pub(super) fn hemisphere(count: u32) -> Vec<Vec3> {
+pub(crate) fn hemisphere(count: u32) -> Vec<Vec3> {
     const GOLDEN_ANGLE: f32 = 2.399_963_2;
     (0..count)
         .map(|i| {

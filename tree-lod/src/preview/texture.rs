@@ -12,6 +12,7 @@
 
 use super::raster::{Filter, Mask};
 use glam::{Vec2, Vec3};
+use std::sync::OnceLock;
 use tree_mesh::Texture;
 
 /// Below this many texels per sample (an area) alpha is interpolated.
@@ -65,6 +66,13 @@ impl Pyramid {
             levels.iter_mut().for_each(|level| level.texels = Vec::new());
         }
         Self { levels }
+    }
+
+    /// Share of the picture that is drawn.
+    pub(super) fn covered(&self) -> f32 {
+        let Some(level) = self.levels.last() else { return 1.0 };
+        let drawn = level.alpha.iter().filter(|&&a| u16::from(a) >= level.cutoff).count();
+        drawn as f32 / level.alpha.len().max(1) as f32
     }
 
     /// How a triangle of twice the area `area`, in samples, reads this texture.
@@ -265,7 +273,13 @@ pub(crate) struct Srgb {
 const ENCODE_STEPS: usize = 32_768;
 
 impl Srgb {
-    pub(crate) fn new() -> Self {
+    /// The tables, made once.
+    pub(crate) fn shared() -> &'static Self {
+        static TABLES: OnceLock<Srgb> = OnceLock::new();
+        TABLES.get_or_init(Self::new)
+    }
+
+    fn new() -> Self {
         let decode = std::array::from_fn(|byte| {
             let c = byte as f32 / 255.0;
             if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }

@@ -13,7 +13,7 @@ fn dots(side: u32) -> Texture {
 
 #[test]
 fn smaller_levels_cover_as_much_as_the_texture() {
-    let pyramid = Pyramid::new(&dots(192), 128, false, &Srgb::new());
+    let pyramid = Pyramid::new(&dots(192), 128, false, Srgb::shared());
     assert!(pyramid.levels.len() > 3);
     for level in &pyramid.levels {
         let n = level.alpha.iter().filter(|&&a| u16::from(a) >= level.cutoff).count();
@@ -26,17 +26,17 @@ fn smaller_levels_cover_as_much_as_the_texture() {
 fn what_lies_beside_a_leaf_does_not_bleed_into_it() {
     let mut texture = dots(64);
     texture.pixels.chunks_mut(4).filter(|p| p[3] == 0).for_each(|p| p[..3].fill(255));
-    let srgb = Srgb::new();
-    let pyramid = Pyramid::new(&texture, 128, true, &srgb);
+    let srgb = Srgb::shared();
+    let pyramid = Pyramid::new(&texture, 128, true, srgb);
     for level in &pyramid.levels {
-        let color = level.color(1.0 / 64.0 * 0.5, 1.0 / 64.0 * 0.5, true, &srgb);
+        let color = level.color(1.0 / 64.0 * 0.5, 1.0 / 64.0 * 0.5, true, srgb);
         assert!(color.x < 0.05 && color.y > 0.95, "{} px: {color}", level.width);
     }
 }
 
 #[test]
 fn srgb_survives_the_round_trip() {
-    let srgb = Srgb::new();
+    let srgb = Srgb::shared();
     for byte in 0..=255 {
         assert_eq!(srgb.encode(srgb.decode([byte, 0, 0, 0]).x), byte);
     }

@@ -11,7 +11,7 @@ use super::camera::Projector;
 use super::project::{Corner, MOST_CORNERS, Spot, clip};
 use super::raster::{Band, cross, draw, sample_range};
 use super::scene::{Cover, Scene};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -29,6 +29,48 @@ pub(crate) struct Stage<'a> {
     pub(crate) projector: &'a Projector,
     /// Empty where only lists are drawn.
     pub(crate) spots: &'a [Spot],
+}
+
+/// Triangles of a scene that many small pictures are taken of, and the vertices they need.
+#[derive(Debug, Default)]
+pub(crate) struct Part {
+    triangles: Vec<u32>,
+    corners: Vec<[u32; 3]>,
+    positions: Vec<Vec3>,
+}
+
+impl Part {
+    /// Of some triangles, by their numbers in the scene. Those that are never drawn are left out.
+    ///
+    /// # Complexity
+    /// O(triangles + vertices of the scene).
+    pub(crate) fn new(scene: &Scene<'_>, triangles: impl Iterator<Item = u32>) -> Self {
+        let mut now = vec![u32::MAX; scene.n_vertices()];
+        let mut part = Self::default();
+        let mut surface = 0;
+        for triangle in triangles {
+            surface = scene.surface_of(triangle, surface);
+            if scene.skin(surface).cover == Cover::None {
+                continue;
+            }
+            let (first, positions) =
+                (scene.first_vertex[surface], &scene.surface(surface).positions);
+            part.corners.push(scene.rows(surface, triangle).map(|row| {
+                let now = &mut now[first + row];
+                if *now == u32::MAX {
+                    *now = part.positions.len() as u32;
+                    part.positions.push(positions[row]);
+                }
+                *now
+            }));
+            part.triangles.push(triangle);
+        }
+        part
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.triangles.len()
+    }
 }
 
 /// The triangles of each band.
@@ -189,16 +231,16 @@ impl Stage<'_> {
         }
     }
 
-    /// Draws some triangles, and their numbers, into a band that holds the whole picture. Vertices are
-    /// projected here: for parts of a mesh, when many small pictures of it are taken.
-    pub(crate) fn draw_list(&self, triangles: &[u32], band: &mut Band<'_>) {
+    /// Draws a part of the mesh, and the numbers of its triangles, into a band that holds the whole picture.
+    /// `spots` is room for its vertices.
+    pub(crate) fn draw_part(&self, part: &Part, spots: &mut Vec<Spot>, band: &mut Band<'_>) {
+        spots.clear();
+        spots.extend(part.positions.iter().map(|&p| self.projector.spot(self.projector.view(p))));
         let mut surface = 0;
-        for &triangle in triangles {
-            surface = self.scene.surface_of(triangle, surface);
-            let positions = &self.scene.surface(surface).positions;
-            let rows = self.scene.rows(surface, triangle);
-            let spots = rows.map(|row| self.projector.spot(self.projector.view(positions[row])));
+        for (&triangle, corners) in part.triangles.iter().zip(&part.corners) {
+            let spots = corners.map(|corner| spots[corner as usize]);
             if spots.iter().any(Spot::is_outside) || self.rows_of(spots.into_iter()).is_some() {
+                surface = self.scene.surface_of(triangle, surface);
                 self.draw_one::<true>(band, surface, triangle, spots);
             }
         }
@@ -255,7 +297,6 @@ mod tests {
     use super::super::project::project_all;
     use super::super::tests::{mesh, square, surface};
     use super::*;
-    use glam::Vec3;
     use tree_core::Control;
     use tree_mesh::{Material, Mesh};
 

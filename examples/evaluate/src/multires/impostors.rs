@@ -42,20 +42,27 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     Ok(())
 }
 
+/// A model of other people, in metres; none with a notice where it is not there.
+pub(super) fn imported(name: &str) -> Outcome<Option<Mesh>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/meshes");
+    let path = folder.join(name).with_extension("glb");
+    if !path.exists() {
+        eprintln!("{name}: not there, left out");
+        return Ok(None);
+    }
+    let mut mesh = io::read(&path, &ImportOptions::default(), &Control::default())?.mesh;
+    for surface in &mut mesh.surfaces {
+        surface.positions.iter_mut().for_each(|p| *p *= UNIT);
+    }
+    Ok(Some(mesh))
+}
+
 fn models() -> Outcome<Vec<(String, Mesh)>> {
     let mut models = Vec::new();
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/meshes");
     for name in IMPORTED {
-        let path = folder.join(name).with_extension("glb");
-        if !path.exists() {
-            eprintln!("{name}: not there, left out");
-            continue;
+        if let Some(mesh) = imported(name)? {
+            models.push((name.into(), mesh));
         }
-        let mut mesh = io::read(&path, &ImportOptions::default(), &Control::default())?.mesh;
-        for surface in &mut mesh.surfaces {
-            surface.positions.iter_mut().for_each(|p| *p *= UNIT);
-        }
-        models.push((name.into(), mesh));
     }
     for name in SYSTEMS {
         let tree = LSystem::preset(name)?.grow(SEED, &Control::default())?.tree;

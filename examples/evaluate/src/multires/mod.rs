@@ -6,6 +6,7 @@ mod chance;
 mod derivation;
 mod drawn;
 mod frames;
+mod hybrids;
 mod impostors;
 mod levels;
 mod metrics;
@@ -40,6 +41,7 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
     frames::evaluate(table)?;
     metrics::evaluate(table, &trees)?;
     impostors::evaluate(table)?;
+    hybrids::evaluate(table)?;
     pictures::evaluate(table, &trees)
 }
 

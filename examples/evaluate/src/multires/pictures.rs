@@ -12,7 +12,7 @@ use tree_lod::preview::{Backdrop, Camera, Framing, Picture, Style, View, render}
 use tree_mesh::{Look, Mesh, MeshParams};
 
 /// Where pictures go.
-const OUT: &str = "out/multires";
+pub(super) const OUT: &str = "out/multires";
 /// Pixels of a tree at four distances, the nearest first.
 const SIZES: [u32; 4] = [480, 240, 120, 60];
 /// Trees of which pictures are made.
@@ -72,7 +72,7 @@ fn tree(mesh: &Mesh, framed: &Mesh, size: u32) -> Outcome<Picture> {
 }
 
 /// Pictures in a row, on white.
-fn beside(pictures: &[Picture]) -> Picture {
+pub(super) fn beside(pictures: &[Picture]) -> Picture {
     let height = pictures.iter().map(|p| p.height).max().unwrap_or(0);
     let width = pictures.iter().map(|p| p.width).sum();
     let mut sheet = blank(width, height);
@@ -84,7 +84,7 @@ fn beside(pictures: &[Picture]) -> Picture {
     sheet
 }
 
-fn below(top: &Picture, bottom: &Picture) -> Picture {
+pub(super) fn below(top: &Picture, bottom: &Picture) -> Picture {
     let mut sheet = blank(top.width.max(bottom.width), top.height + bottom.height);
     paste(&mut sheet, top, 0, 0);
     paste(&mut sheet, bottom, 0, top.height);

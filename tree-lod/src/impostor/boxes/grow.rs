@@ -4,6 +4,8 @@ use super::fit::{Fit, fit};
 use super::{Bearers, BoxReport, Boxes, LeafBox, NO_BOX};
 use crate::element::Elements;
 use crate::error::{LodError, Result, check_range};
+use glam::Vec3;
+use std::ops::Range;
 use tree_core::{Children, Control, Resource, Skeleton};
 use tree_mesh::Mesh;
 
@@ -90,8 +92,18 @@ impl Walk {
         walk
     }
 
+    fn rows(&self, node: u32) -> Range<usize> {
+        self.first[node as usize] as usize..self.end[node as usize] as usize
+    }
+
     fn of(&self, node: u32) -> &[u32] {
-        &self.leaves[self.first[node as usize] as usize..self.end[node as usize] as usize]
+        &self.leaves[self.rows(node)]
+    }
+
+    /// Rows of a box.
+    fn rows_of(&self, grown: &Grown) -> Vec<u32> {
+        let rows = self.rows(grown.node);
+        grown.group.clone().unwrap_or_else(|| (rows.start as u32..rows.end as u32).collect())
     }
 }
 
@@ -102,6 +114,8 @@ struct Grown {
     node: u32,
     fit: Fit,
     children: Vec<u32>,
+    /// Rows of the walk, when they are not those of the node.
+    group: Option<Vec<u32>>,
 }
 
 impl Boxes {
@@ -138,7 +152,8 @@ impl Boxes {
         let Some(whole) = fit(mesh, elements, walk.of(0), base(0)) else {
             return Err(LodError::Impostor("the leaves are all at one point, or beyond 1000 km"));
         };
-        let root = Grown { parent: NO_BOX, level: 0, node: 0, fit: whole, children: Vec::new() };
+        let root =
+            Grown { parent: NO_BOX, level: 0, node: 0, fit: whole, children: Vec::new(), group: None };
         let mut grown = vec![root];
         let mut dropped = 0;
         let mut at = 0;
@@ -147,32 +162,105 @@ impl Boxes {
             let here = &grown[at];
             if here.level < params.levels {
                 let room = params.most_boxes as usize - grown.len();
-                let (level, volume) = (here.level + 1, here.fit.volume());
-                let fit = |node: u32| fit(mesh, elements, walk.of(node), base(node));
-                let (mut found, small) = branches(&walk, here.node, volume, params, &fit, control)?;
+                let volume = here.fit.volume();
+                let fit_node = |node: u32| fit(mesh, elements, walk.of(node), base(node));
+                let (mut found, mut small) = (Vec::new(), 0);
+                if here.group.is_none() {
+                    (found, small) = branches(&walk, here.node, volume, params, &fit_node, control)?;
+                }
                 dropped += small + found.len().saturating_sub(room);
-                // The largest stay; they keep the order in which they grow.
-                let mut by_size: Vec<usize> = (0..found.len()).collect();
-                by_size.sort_by(|&a, &b| found[b].1.volume().total_cmp(&found[a].1.volume()));
-                let mut kept = vec![false; found.len()];
-                by_size.iter().take(room).for_each(|&i| kept[i] = true);
-                let mut row = 0..;
-                found.retain(|_| row.next().is_some_and(|i: usize| kept[i]));
-                let first = grown.len() as u32;
-                grown[at].children = (first..first + found.len() as u32).collect();
-                let child = |(node, fit)| Grown {
+                small += usize::from(here.group.is_some());
+                largest(&mut found, room);
+                let mut children: Vec<_> =
+                    found.into_iter().map(|(node, fit)| (node, fit, None)).collect();
+                if small > 0 && children.len() < room {
+                    let nodes: Vec<u32> = children.iter().map(|child| child.0).collect();
+                    let fit_rows = |rows: &[u32]| {
+                        let leaves: Vec<u32> =
+                            rows.iter().map(|&row| walk.leaves[row as usize]).collect();
+                        fit(mesh, elements, &leaves, base(here.node))
+                    };
+                    let rest = rest(&walk, walk.rows_of(here), &nodes);
+                    let place = |row: u32| elements.centers[walk.leaves[row as usize] as usize];
+                    let mut found = groups(rest, volume, params, &fit_rows, &place);
+                    largest(&mut found, room - children.len());
+                    let node = here.node;
+                    children.extend(found.into_iter().map(|(rows, fit)| (node, fit, Some(rows))));
+                }
+                let (first, level) = (grown.len() as u32, here.level + 1);
+                grown[at].children = (first..first + children.len() as u32).collect();
+                grown.extend(children.into_iter().map(|(node, fit, group)| Grown {
                     parent: at as u32,
                     level,
                     node,
                     fit,
                     children: Vec::new(),
-                };
-                grown.extend(found.into_iter().map(child));
+                    group,
+                }));
             }
             at += 1;
         }
         Ok(ordered(&grown, &walk, dropped))
     }
+}
+
+/// Keeps the largest, in the order they are in.
+fn largest<T>(found: &mut Vec<(T, Fit)>, room: usize) {
+    let mut by_size: Vec<usize> = (0..found.len()).collect();
+    by_size.sort_by(|&a, &b| found[b].1.volume().total_cmp(&found[a].1.volume()));
+    let mut kept = vec![false; found.len()];
+    by_size.iter().take(room).for_each(|&i| kept[i] = true);
+    let mut rows = kept.into_iter();
+    found.retain(|_| rows.next().unwrap_or(false));
+}
+
+/// Rows that are on none of some branches.
+fn rest(walk: &Walk, mut rows: Vec<u32>, nodes: &[u32]) -> Vec<u32> {
+    // Branches that were found grow beside each other, in the order of the walk.
+    let mut taken = nodes.iter().map(|&node| walk.rows(node)).peekable();
+    rows.retain(|&row| {
+        let row = row as usize;
+        while taken.next_if(|range| range.end <= row).is_some() {}
+        taken.peek().is_none_or(|range| row < range.start)
+    });
+    rows
+}
+
+/// What no branch takes, put together by place: halved across its longest side until the boxes are small
+/// enough.
+fn groups(
+    rows: Vec<u32>,
+    volume: f64,
+    params: &BoxParams,
+    fit: &dyn Fn(&[u32]) -> Option<Fit>,
+    place: &dyn Fn(u32) -> Vec3,
+) -> Vec<(Vec<u32>, Fit)> {
+    let (n, mut found, mut stack) = (rows.len(), Vec::new(), vec![rows]);
+    while let Some(mut rows) = stack.pop() {
+        if rows.len() < params.least_leaves as usize {
+            continue;
+        }
+        let Some(fit) = fit(&rows) else { continue };
+        let share = fit.volume() / volume;
+        if share < params.least_volume {
+            continue;
+        }
+        // All of them would only be the same box again.
+        if share <= params.most_volume && rows.len() < n {
+            rows.sort_unstable();
+            found.push((rows, fit));
+            continue;
+        }
+        if rows.len() < 2 {
+            continue;
+        }
+        let axis = Vec3::AXES[fit.half.max_position()];
+        let along = |row: u32| (fit.turn * axis).dot(place(row));
+        rows.sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
+        let upper = rows.split_off(rows.len() / 2);
+        stack.extend([upper, rows]);
+    }
+    found
 }
 
 /// The lowest subtrees above `node` whose boxes are small enough, and how many were too small.
@@ -227,8 +315,10 @@ fn ordered(grown: &[Grown], walk: &Walk, dropped: usize) -> Boxes {
     // The innermost box of each leaf. Children come after parents, so they overwrite.
     let mut innermost = vec![0_u32; n_leaves];
     for (number, grown) in grown.iter().enumerate() {
-        let rows = walk.first[grown.node as usize] as usize..walk.end[grown.node as usize] as usize;
-        innermost[rows].fill(number as u32);
+        match &grown.group {
+            Some(rows) => rows.iter().for_each(|&row| innermost[row as usize] = number as u32),
+            None => innermost[walk.rows(grown.node)].fill(number as u32),
+        }
     }
     let mut own = vec![0_u32; grown.len()];
     innermost.iter().for_each(|&number| own[number as usize] += 1);

@@ -4,12 +4,14 @@
 //! 2. `grow`: going up from the root, a subtree gets a box when its volume is a good deal smaller than that
 //!    of the box it is in, yet not tiny; up to a number of levels. What gets none stays with the box it is
 //!    in, as its *own* leaves.
+//!    Leaves whose branches are all too small for a box of their own are put together by place.
 //! 3. `fit`: the box of a branch has the frame of a turtle at its base: heading, left, up.
 //! 4. Leaves are brought into an order in which those of each box are one range.
 //!
 //! Departures: the paper opens a box at every PUSH. Where a fork goes on as nearly the same crown that gives
 //! chains of boxes with nearly the same content, so here a child must be smaller than a share
-//! ([`BoxParams::most_volume`]). The heading is that from the base to the middle of the leaves: that of the
+//! ([`BoxParams::most_volume`]). It leaves what is on small branches to the larger box, which draws it as
+//! geometry once it opens: most of a fern, or of a crown of many equal twigs. The heading is that from the base to the middle of the leaves: that of the
 //! first segment is mostly noise.
 //!
 //! Cost: O(nodes + leaves × levels).
@@ -37,7 +39,8 @@ pub struct LeafBox {
     pub parent: u32,
     /// 0 for the whole tree.
     pub level: u32,
-    /// The node of the skeleton it begins at.
+    /// The node of the skeleton it begins at; of leaves that are put together by place, that of the box they are
+    /// in.
     pub node: u32,
     /// Middle in metres.
     pub center: Vec3,

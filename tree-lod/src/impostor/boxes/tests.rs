@@ -122,3 +122,68 @@ fn the_nearest_node_is_found() {
         assert!(far(&skeleton.positions()[node as usize]) <= best + 1e-5);
     }
 }
+
+/// Leaves of two kinds in turn along a trunk, a metre apart; every fifth has no size.
+fn two_kinds() -> tree_core::Tree {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1).unwrap();
+    let mut foliage = tree_core::Foliage::default();
+    for i in 0..20_u32 {
+        let p = Vec3::Y * (i + 1) as f32;
+        let node = builder.add(i, p, 0.05).unwrap();
+        let size = if i % 5 == 4 { 0.0 } else { 0.1 };
+        let (rotation, kind) = (glam::Quat::IDENTITY, (i % 2) as u16);
+        foliage.push(tree_core::Leaf { node, position: p, rotation, size, kind }).unwrap();
+    }
+    let kinds = ["birch", "oak"].map(String::from).to_vec();
+    let species = tree_core::Species { leaf_kinds: kinds, ..tree_core::Species::default() };
+    tree_core::Tree::new(builder.finish(), foliage, species).unwrap()
+}
+
+#[test]
+fn leaves_of_a_tree_know_the_node_that_bears_them() {
+    let (tree, control) = (two_kinds(), Control::default());
+    let look = tree_mesh::Look::plain(tree.species());
+    let params = tree_mesh::MeshParams::default();
+    let mesh = tree_mesh::build(&tree, &look, &params, &control).unwrap().mesh;
+    let foliage = crate::Foliage::Surfaces(vec![1, 2]);
+    let elements = Elements::of_mesh(&mesh, &foliage, crate::Grain::Leaf, &control).unwrap();
+    let bearers = Bearers::of_tree(&tree, &mesh, &elements).unwrap();
+    assert_eq!(bearers.0.len(), 16);
+    for (center, &node) in elements.centers.iter().zip(&bearers.0) {
+        let at = tree.skeleton().positions()[node as usize];
+        assert!(center.distance(at) < 0.2, "{center} is not at {at}");
+    }
+    let one = crate::Foliage::Surfaces(vec![1]);
+    let few = Elements::of_mesh(&mesh, &one, crate::Grain::Leaf, &control).unwrap();
+    assert_eq!(Bearers::of_tree(&tree, &mesh, &few).unwrap().0.len(), 8);
+    let fewer = tree_core::Tree::bare(tree.skeleton().clone(), tree.species().clone());
+    let found = Bearers::of_tree(&fewer, &mesh, &elements);
+    assert!(matches!(found, Err(LodError::Impostor(_))));
+}
+
+#[test]
+fn leaves_on_branches_too_small_for_boxes_are_put_together_by_place() {
+    // A long trunk with many short twigs of four leaves each.
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.1).unwrap();
+    let (mut at, mut nodes, mut trunk) = (Vec::new(), Vec::new(), 0);
+    for i in 0..200 {
+        let y = 0.1 * i as f32;
+        trunk = builder.add(trunk, Vec3::Y * y, 0.1).unwrap();
+        let (sin, cos) = libm::sincosf(2.4 * i as f32);
+        let tip = Vec3::new(sin, y, cos);
+        let node = builder.add(trunk, tip, 0.01).unwrap();
+        for k in 0..4 {
+            at.push(tip + 0.1 * Vec3::new(0.0, k as f32, 1.0));
+            nodes.push(node);
+        }
+    }
+    let mesh = leaves(&at, 0.05);
+    let control = Control::default();
+    let elements =
+        Elements::of_mesh(&mesh, &crate::Foliage::Found, crate::Grain::Leaf, &control).unwrap();
+    let (skeleton, bearers) = (builder.finish(), Bearers(nodes));
+    let params = BoxParams::default();
+    let boxes = Boxes::along(&skeleton, &mesh, &elements, &bearers, &params, &control).unwrap();
+    check(&boxes, at.len());
+    assert!(boxes.boxes().len() > 8 && boxes.report().in_root_only < 40, "{:?}", boxes.report());
+}

@@ -1,11 +1,13 @@
 //! Leaves onto planes.
 
-use super::{Cards, PLANES, planes};
+use super::crown::Crown;
+use super::plain::Lit;
+use super::{Cards, PLANES, Plane, planes};
 use crate::element::Elements;
 use crate::error::{LodError, Result, check_range};
 use crate::impostor::boxes::{Boxes, LeafBox};
-use crate::impostor::texel::{Atlas, Grid, Samples, Tile, Window, bake};
-use crate::preview::Scene;
+use crate::impostor::texel::{Atlas, Bytes, Grid, Samples, Tile, Window, bake};
+use crate::preview::{Part, Scene};
 use rayon::prelude::*;
 use tree_core::{Control, Resource};
 use tree_mesh::Mesh;
@@ -66,7 +68,7 @@ impl Cards {
     /// picture for each thread); [`LodError::Cancelled`].
     ///
     /// # Complexity
-    /// O(boxes × 6 × samples of a picture + 6 × levels × triangles), in parallel over boxes.
+    /// O(boxes × 6 × samples of a picture + 6 × levels × triangles), in parallel over pictures.
     pub fn bake(
         mesh: &Mesh,
         elements: &Elements,
@@ -93,23 +95,31 @@ impl Cards {
         // Some boxes at a time, so that tiles do not pile up.
         for (first, chunk) in (0..).step_by(CHUNK).zip(boxes.boxes().chunks(CHUNK)) {
             control.report("cards", first as f32 / n as f32)?;
-            let bake_box = |buffers: &mut Samples, leaf_box: &LeafBox| {
-                control.check()?;
-                let triangles = triangles(&scene, elements, boxes.leaves(leaf_box.leaves.clone()));
-                Ok(tiles(&scene, &triangles, leaf_box, params, buffers))
+            let part = |leaf_box: &LeafBox| {
+                part(&scene, elements, boxes.leaves(leaf_box.leaves.clone()))
             };
-            let baked = chunk
-                .par_iter()
-                .map_init(Samples::default, bake_box)
-                .collect::<Result<Vec<[Tile; PLANES]>>>()?;
-            for (row, (tiles, leaf_box)) in baked.iter().zip(chunk).enumerate() {
-                for (plane, tile) in tiles.iter().enumerate() {
-                    let reach = planes(leaf_box)[plane].reach;
-                    atlas.put((first + row) * PLANES + plane, tile, reach, &scene.srgb);
-                    empty += usize::from(tile.alpha.iter().all(|&alpha| alpha < 0.5));
-                }
+            let parts: Vec<Part> = chunk.par_iter().map(part).collect();
+            let bake_plane = |buffers: &mut Samples, tile: usize| {
+                control.check()?;
+                let (row, plane) = (tile / PLANES, tile % PLANES);
+                let face = &planes(&chunk[row])[plane];
+                let tile = tile_of(&scene, &parts[row], face, params, buffers);
+                Ok(tile.bytes(face.reach, scene.srgb))
+            };
+            let baked = (0..chunk.len() * PLANES)
+                .into_par_iter()
+                .map_init(Samples::default, bake_plane)
+                .collect::<Result<Vec<Bytes>>>()?;
+            for (row, tile) in baked.iter().enumerate() {
+                atlas.put(first * PLANES + row, tile);
+                empty += usize::from(tile.covered() == 0);
             }
         }
+        let leaf_size = |leaf_box: &LeafBox| {
+            let leaves = boxes.leaves(leaf_box.leaves.clone());
+            let area: f32 = leaves.iter().map(|&leaf| elements.areas[leaf as usize]).sum();
+            (area / leaves.len().max(1) as f32).sqrt()
+        };
         let report = CardReport {
             n_boxes: n,
             n_images: n * PLANES,
@@ -126,6 +136,9 @@ impl Cards {
             gutter: params.gutter,
             columns: grid.columns,
             report,
+            crown: Crown::new(mesh, elements, &|surface| scene.drawn_share(surface as usize)),
+            leaf_sizes: boxes.boxes().iter().map(leaf_size).collect(),
+            lit: Lit::default(),
         })
     }
 }
@@ -133,33 +146,32 @@ impl Cards {
 /// Boxes baked before they are packed.
 const CHUNK: usize = 16;
 
-/// Numbers in the scene of the triangles of leaves.
-fn triangles(scene: &Scene<'_>, elements: &Elements, leaves: &[u32]) -> Vec<u32> {
+/// The triangles of leaves.
+fn part(scene: &Scene<'_>, elements: &Elements, leaves: &[u32]) -> Part {
     let of_leaf = |&leaf: &u32| {
         let first = scene.first_triangle[elements.surface[leaf as usize] as usize];
         elements.triangles_of(leaf as usize).iter().map(move |triangle| first + triangle)
     };
-    leaves.iter().flat_map(of_leaf).collect()
+    Part::new(scene, leaves.iter().flat_map(of_leaf))
 }
 
-fn tiles(
+/// The picture of a plane.
+fn tile_of(
     scene: &Scene<'_>,
-    triangles: &[u32],
-    leaf_box: &LeafBox,
+    part: &Part,
+    plane: &Plane,
     params: &CardParams,
     buffers: &mut Samples,
-) -> [Tile; PLANES] {
+) -> Tile {
     let outer = params.size as f32 / (params.size - 2 * params.gutter) as f32;
-    planes(leaf_box).map(|plane| {
-        let window = Window {
-            center: plane.center,
-            right: plane.right,
-            up: plane.up,
-            toward: plane.normal,
-            half: plane.half * outer,
-        };
-        let mut tile = bake(scene, triangles, &window, params.size, params.samples, buffers);
-        tile.dilate();
-        tile
-    })
+    let window = Window {
+        center: plane.center,
+        right: plane.right,
+        up: plane.up,
+        toward: plane.normal,
+        half: plane.half * outer,
+    };
+    let mut tile = bake(scene, part, &window, params.size, params.samples, buffers);
+    tile.dilate();
+    tile
 }

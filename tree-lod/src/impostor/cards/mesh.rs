@@ -53,14 +53,7 @@ impl Cards {
             height: self.color.height,
             pixels: self.color.pixels.clone(),
         };
-        let material = Material {
-            name: "cards".into(),
-            texture: Some(Arc::new(texture)),
-            alpha: Alpha::Mask(0.5),
-            double_sided: true,
-            translucency: TRANSLUCENCY,
-            ..Material::default()
-        };
+        let material = material(Arc::new(texture));
         Ok(Mesh { surfaces: vec![surface], materials: vec![material], ..Mesh::default() })
     }
 
@@ -69,6 +62,18 @@ impl Cards {
         let [left, top] = self.origin(number, plane);
         let inside = Vec2::new(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y) * self.inner();
         Vec2::new(left as f32, top as f32) + self.gutter as f32 + inside
+    }
+}
+
+/// Alpha is tested against one half, both sides are drawn.
+pub(super) fn material(texture: Arc<Texture>) -> Material {
+    Material {
+        name: "cards".into(),
+        texture: Some(texture),
+        alpha: Alpha::Mask(0.5),
+        double_sided: true,
+        translucency: TRANSLUCENCY,
+        ..Material::default()
     }
 }
 

@@ -7,17 +7,21 @@
 //!    smooth transition").
 //! 4. [`Cards::mesh`]: the planes of any boxes as a mesh; [`Cards::to_glb`] with what a shader
 //!    ([`WGSL`], [`GLSL`], [`HLSL`]) needs besides.
-//! 5. [`Cards::view`]: the picture of a camera, as the shaders draw it.
+//! 5. [`Cards::plain`]: what to draw where there is no shader: light in the picture, normals of a crown, three
+//!    planes of each box.
+//! 6. [`Cards::view`]: the picture of a camera, as the shaders draw it.
 //!
 //! Departure: the paper adjusts the alpha of the planes. Several half-transparent planes cover more than one
 //! opaque one, and need sorting. Here each pixel picks one plane of a box by a pattern, in
 //! proportion to the weights ([`interval`]): coverage is the mean of the planes', whatever their number, and
 //! nothing is sorted.
 
+mod crown;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod make;
 mod mesh;
+mod plain;
 mod plane;
 mod shader;
 #[cfg(test)]
@@ -26,6 +30,7 @@ mod view;
 mod weight;
 
 pub use make::{CardParams, CardReport};
+pub use plain::PLAIN;
 pub use plane::{Plane, planes};
 pub use shader::{GLSL, HLSL, WGSL};
 pub use weight::{interval, noise, weights};
@@ -49,6 +54,10 @@ pub struct Cards {
     gutter: u32,
     columns: u32,
     report: CardReport,
+    crown: crown::Crown,
+    /// For each box.
+    leaf_sizes: Vec<f32>,
+    lit: plain::Lit,
 }
 
 impl Cards {
@@ -78,6 +87,11 @@ impl Cards {
         let longest = |plane: &Plane| 2.0 * plane.half.max_element();
         let size = planes(self.boxes.get(number)?).iter().map(longest).fold(0.0, f32::max);
         Ok(size / self.inner())
+    }
+
+    /// Side in metres of a square as large as a box's mean leaf.
+    pub(crate) fn leaf_size(&self, number: u32) -> f32 {
+        self.leaf_sizes.get(number as usize).copied().unwrap_or(f32::INFINITY)
     }
 
     /// Texels of a tile without gutters.

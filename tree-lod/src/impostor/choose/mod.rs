@@ -3,7 +3,7 @@
 //!
 //! From the box of the whole tree down: where a texel of a box's pictures is larger than a pixel, its
 //! children are drawn instead, and its own leaves as geometry. A box without children gives all its
-//! leaves as geometry then.
+//! leaves as geometry then, unless they are hardly larger than pixels: those look no better than their picture.
 //!
 //! Departures: a box changes back only when its texels have become somewhat smaller than a pixel again
 //! ([`ChooseParams::hysteresis`]), so that a camera that trembles does not make leaves flicker. The distance is
@@ -16,6 +16,9 @@ use super::cards::Cards;
 use crate::error::{LodError, Result, check_range};
 use glam::Vec3;
 use std::ops::Range;
+
+/// Side in pixels from which on leaves are drawn as they are, where a texel may cover one.
+const LEAF_PIXELS: f32 = 2.0;
 
 /// When boxes are opened.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,7 +77,12 @@ impl Choice {
     /// None that a baked `cards` gives.
     pub fn new(cards: &Cards) -> Result<Self> {
         let n = cards.boxes().boxes().len();
-        let texels = (0..n as u32).map(|number| cards.texel(number)).collect::<Result<_>>()?;
+        let finest = |number: u32| {
+            let texel = cards.texel(number)?;
+            let last = cards.boxes().get(number)?.children.is_empty();
+            Ok(if last { texel.min(cards.leaf_size(number) / LEAF_PIXELS) } else { texel })
+        };
+        let texels = (0..n as u32).map(finest).collect::<Result<_>>()?;
         Ok(Self {
             boxes: Vec::with_capacity(n),
             leaves: Vec::with_capacity(n),

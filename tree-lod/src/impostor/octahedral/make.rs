@@ -4,8 +4,8 @@ use super::map::axes;
 use super::meta::Meta;
 use super::{Octahedral, Report};
 use crate::error::{LodError, Result, check_range};
-use crate::impostor::texel::{Atlas, Grid, Samples, Tile, Window, bake};
-use crate::preview::{Picture, Scene};
+use crate::impostor::texel::{Atlas, Bytes, Grid, Samples, Window, bake};
+use crate::preview::{Part, Picture, Scene};
 use glam::Vec3;
 use rayon::prelude::*;
 use tree_core::{Control, Resource};
@@ -97,7 +97,7 @@ impl Octahedral {
             height: params.side,
         };
         let mut atlas = Atlas::new(grid, control)?;
-        let triangles: Vec<u32> = (0..scene.n_triangles()).collect();
+        let part = Part::new(&scene, 0..scene.n_triangles());
         let window = |view: usize| {
             let frame = [view as u32 % params.grid, view as u32 / params.grid];
             let [right, up, toward] = axes(frame, params.grid, params.hemi);
@@ -108,20 +108,20 @@ impl Octahedral {
         for row in 0..params.grid as usize {
             control.report("views", row as f32 / params.grid as f32)?;
             let views = row * params.grid as usize..(row + 1) * params.grid as usize;
-            let tiles: Vec<Tile> = views
+            let tiles: Vec<Bytes> = views
                 .clone()
                 .into_par_iter()
                 .map_init(Samples::default, |buffers, view| {
                     control.check()?;
                     let mut tile =
-                        bake(&scene, &triangles, &window(view), tile, params.samples, buffers);
+                        bake(&scene, &part, &window(view), tile, params.samples, buffers);
                     tile.dilate();
-                    Ok(tile)
+                    Ok(tile.bytes(meta.radius, scene.srgb))
                 })
                 .collect::<Result<_>>()?;
             for (view, tile) in views.zip(&tiles) {
-                covered += tile.alpha.iter().filter(|&&a| a >= 0.5).count() as u64;
-                atlas.put(view, tile, meta.radius, &scene.srgb);
+                covered += tile.covered() as u64;
+                atlas.put(view, tile);
             }
         }
         if covered == 0 {
@@ -129,7 +129,7 @@ impl Octahedral {
         }
         let detail = if params.half_detail { nearest_half(&atlas) } else { atlas.detail };
         let bytes = atlas.color.pixels.len() + detail.pixels.len();
-        let report = Report { n_views, n_triangles: triangles.len(), covered, bytes };
+        let report = Report { n_views, n_triangles: part.len(), covered, bytes };
         control.report("views", 1.0)?;
         Ok(Self { meta, color: atlas.color, detail, report })
     }

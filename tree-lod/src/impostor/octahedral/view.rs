@@ -71,13 +71,13 @@ impl Octahedral {
         control.limits.check(Resource::Pixels, u64::from(width) * u64::from(height))?;
         let pose = camera.pose(&Mesh::default(), 1.0)?;
         let projector = Projector::new(&pose, width, height, 2.0 * self.meta.radius);
-        let srgb = Srgb::new();
+        let srgb = Srgb::shared();
         let mut pixels = vec![T::default(); width as usize * height as usize];
         pixels.par_chunks_mut(width as usize).enumerate().try_for_each(|(y, row)| {
             control.check()?;
             for (x, out) in row.iter_mut().enumerate() {
                 let (origin, direction) = projector.ray(x as f32 + 0.5, y as f32 + 0.5);
-                *out = pixel(self.ray(origin, direction.normalize(), &srgb), &srgb);
+                *out = pixel(self.ray(origin, direction.normalize(), srgb), srgb);
             }
             Ok::<_, LodError>(())
         })?;

@@ -64,20 +64,48 @@ impl Atlas {
         Ok(Self { grid, color: empty(), detail: empty() })
     }
 
-    /// Writes a tile; depths from −`reach` to `reach` become 0 to 255.
-    pub(crate) fn put(&mut self, number: usize, tile: &Tile, reach: f32, srgb: &Srgb) {
-        let [left, top] = self.grid.origin(number);
-        let side = tile.side as usize;
-        for i in 0..side * side {
-            let (x, y) = (left as usize + i % side, top as usize + i / side);
-            let at = 4 * (y * self.grid.width as usize + x);
-            let [r, g, b] = tile.color[i].to_array().map(|v| srgb.encode(v.clamp(0.0, 1.0)));
-            let (color, detail) = (&mut self.color.pixels, &mut self.detail.pixels);
-            color[at..at + 4].copy_from_slice(&[r, g, b, byte(tile.alpha[i])]);
-            let n = (0.5 * tile.normal[i].normalize_or(Vec3::Y) + 0.5).to_array().map(byte);
-            let depth = byte(0.5 + 0.5 * tile.depth[i] / reach);
-            detail[at..at + 4].copy_from_slice(&[n[0], n[1], n[2], depth]);
+    /// Writes a tile.
+    pub(crate) fn put(&mut self, number: usize, tile: &Bytes) {
+        let [left, top] = self.grid.origin(number).map(|t| t as usize);
+        let (line, width) = (4 * self.grid.tile as usize, self.grid.width as usize);
+        for (picture, bytes) in
+            [(&mut self.color.pixels, &tile.color), (&mut self.detail.pixels, &tile.detail)]
+        {
+            for (row, from) in bytes.chunks_exact(line).enumerate() {
+                let at = 4 * ((top + row) * width + left);
+                picture[at..at + line].copy_from_slice(from);
+            }
         }
+    }
+}
+
+/// A tile as it is in an atlas.
+pub(crate) struct Bytes {
+    /// sRGB colour and alpha.
+    pub(crate) color: Vec<u8>,
+    /// Normal and depth.
+    pub(crate) detail: Vec<u8>,
+}
+
+impl Tile {
+    /// As bytes; depths from −`reach` to `reach` become 0 to 255.
+    pub(crate) fn bytes(&self, reach: f32, srgb: &Srgb) -> Bytes {
+        let n = 4 * self.alpha.len();
+        let mut bytes = Bytes { color: Vec::with_capacity(n), detail: Vec::with_capacity(n) };
+        for i in 0..self.alpha.len() {
+            let [r, g, b] = self.color[i].to_array().map(|v| srgb.encode(v.clamp(0.0, 1.0)));
+            bytes.color.extend([r, g, b, byte(self.alpha[i])]);
+            let n = (0.5 * self.normal[i].normalize_or(Vec3::Y) + 0.5).to_array().map(byte);
+            bytes.detail.extend([n[0], n[1], n[2], byte(0.5 + 0.5 * self.depth[i] / reach)]);
+        }
+        bytes
+    }
+}
+
+impl Bytes {
+    /// Texels that are covered at least by half.
+    pub(crate) fn covered(&self) -> usize {
+        self.color.as_chunks::<4>().0.iter().filter(|texel| texel[3] >= 128).count()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Triangles to a tile.
 
-use crate::preview::{Band, Draw, Projector, Scene};
+use crate::preview::{Band, Draw, Part, Projector, Scene, Spot};
 use glam::{Vec2, Vec3};
 
 /// Marks a sample that sees nothing.
@@ -38,6 +38,7 @@ pub(crate) struct Tile {
 pub(crate) struct Samples {
     depth: Vec<f32>,
     ids: Vec<u32>,
+    spots: Vec<Spot>,
 }
 
 impl Window {
@@ -65,13 +66,13 @@ impl Window {
     }
 }
 
-/// Draws `triangles` (numbers of the scene) into a tile of `side`² texels, `samples`² samples each.
+/// Draws a part of the scene into a tile of `side`² texels, `samples`² samples each.
 ///
 /// # Complexity
 /// O(triangles + samples of all texels).
 pub(crate) fn bake(
     scene: &Scene<'_>,
-    triangles: &[u32],
+    part: &Part,
     window: &Window,
     side: u32,
     samples: u32,
@@ -86,7 +87,7 @@ pub(crate) fn bake(
     let projector = window.projector(across);
     let mut band =
         Band { top: 0, width: across as i32, depth: &mut buffers.depth, ids: &mut buffers.ids };
-    Draw { scene, projector: &projector, spots: &[] }.draw_list(triangles, &mut band);
+    Draw { scene, projector: &projector, spots: &[] }.draw_part(part, &mut buffers.spots, &mut band);
     let n_texels = side as usize * side as usize;
     let mut tile = Tile {
         side,
@@ -189,7 +190,7 @@ mod tests {
     fn baked(cards: &[(Vec3, f32)]) -> Tile {
         let mesh = mesh_of(cards.iter().map(|&(at, size)| card(at, size)));
         let scene = Scene::new(&mesh, true, &Control::default()).unwrap();
-        let all: Vec<u32> = (0..scene.n_triangles()).collect();
+        let all = Part::new(&scene, 0..scene.n_triangles());
         bake(&scene, &all, &FRONT, 16, 4, &mut Samples::default())
     }
 

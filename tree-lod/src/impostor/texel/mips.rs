@@ -29,13 +29,13 @@ const GROWTH_MAX: f32 = 8.0;
 /// ```
 pub fn mips(picture: &Picture, levels: usize) -> Result<Vec<Picture>> {
     picture.check()?;
-    let srgb = Srgb::new();
+    let srgb = Srgb::shared();
     let wanted = share(&picture.pixels, 1.0);
     let mut done = vec![picture.clone()];
     // Alpha is kept unscaled from level to level.
     let mut plain = picture.clone();
     while done.len() < levels && (plain.width > 1 || plain.height > 1) {
-        plain = halved(&plain, &srgb);
+        plain = halved(&plain, srgb);
         let factor = factor_for(&plain.pixels, wanted);
         let mut scaled = plain.clone();
         for texel in scaled.pixels.as_chunks_mut::<4>().0 {

@@ -13,6 +13,6 @@ mod bake;
 mod dilate;
 mod mips;
 
-pub(crate) use atlas::{Atlas, Grid};
+pub(crate) use atlas::{Atlas, Bytes, Grid};
 pub(crate) use bake::{Samples, Tile, Window, bake};
 pub use mips::mips;
