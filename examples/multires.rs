@@ -90,8 +90,6 @@ fn run() -> Result<(), Box<dyn Error>> {
     let request = Request::parse(std::env::args().skip(1))
         .map_err(|error| format!("{error}\nusage: {USAGE}"))?;
     let control = Control::default();
-    let params = StreamParams { precision: request.precision };
-    params.validate()?;
     let (tree, name) = request.tree(&control)?;
     let look = Look::built_in(tree.species())?;
     let hybrid = Hybrid::make(&tree, &look, &HybridParams::default(), &control)?;
