@@ -9,11 +9,13 @@
 //! * [`sketch`]: a freehand drawing becomes a tree by a Markov random field (Neubert 2012).
 //! * [`silhouette`]: drawn outlines become a tree, level by level (Wither et al. 2009).
 //! * [`lsystem`]: a grammar becomes a tree (Prusinkiewicz & Lindenmayer 1990; Lluch et al. 2010).
+//! * [`growth`]: buds that compete for light or space become a tree (Palubicki et al. 2009).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
 //! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
 
 mod error;
 pub mod foliage;
+pub mod growth;
 pub mod lsystem;
 pub mod particle;
 pub mod path;
