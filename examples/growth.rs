@@ -188,7 +188,11 @@ fn finished(simulation: &Simulation, control: &Control) -> Result<Vec<Grown>, Bo
 }
 
 /// All trees and the wall as one mesh.
-fn merged(stand: &[Grown], wall_at: Option<f32>, control: &Control) -> Result<Mesh, Box<dyn Error>> {
+fn merged(
+    stand: &[Grown],
+    wall_at: Option<f32>,
+    control: &Control,
+) -> Result<Mesh, Box<dyn Error>> {
     let mut all = Mesh::default();
     for grown in stand {
         let look = Look::built_in(grown.tree.species())?;
@@ -250,7 +254,8 @@ fn number<T: FromStr>(name: &str, text: &str) -> Result<T, String> {
 }
 
 fn vector(name: &str, text: &str) -> Result<Vec3, String> {
-    let numbers = text.split(',').map(|part| number(name, part)).collect::<Result<Vec<f32>, _>>()?;
+    let numbers =
+        text.split(',').map(|part| number(name, part)).collect::<Result<Vec<f32>, _>>()?;
     match numbers.as_slice() {
         &[x, y, z] => Ok(Vec3::new(x, y, z)),
         _ => Err(format!("{name} needs three numbers with commas, not '{text}'")),

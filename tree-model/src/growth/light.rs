@@ -235,7 +235,7 @@ mod tests {
     fn light_from_the_side_leans_the_pyramid_away() {
         let mut grid = grid(Vec3::new(1.0, 1.0, 0.0));
         grid.cast(&[Vec3::splat(0.5)], &Limits::default()).unwrap();
-        assert_eq!(grid.at(Vec3::new(-2.5, -2.5, 0.5)), 0.125);
+        assert_eq!(grid.at(Vec3::new(-2.5, -2.5, 0.5)), 0.0625);
         assert_eq!(grid.at(Vec3::new(2.5, -2.5, 0.5)), 0.0);
         let low = ShadowGrid::new(grid.shadow(), Vec3::new(1.0, -1.0, 0.0)).unwrap();
         assert_eq!(low.layers[3].1, IVec3::new(-12, -3, 0));

@@ -18,6 +18,8 @@ const TOUCH_SHARE: f32 = 0.02;
 const MAX_STEPS: u32 = 64;
 /// Obstacles further away than so many spacings do not shade.
 const RANGE: f32 = 256.0;
+/// Below this weight of the lattice points outside the obstacle rays are traced from the point itself.
+const LEAST_WEIGHT: f32 = 0.05;
 /// Coordinates of lattice points stay this far from the end of an i32.
 const MAX_CELL: f32 = 1e9;
 
@@ -38,7 +40,8 @@ pub struct Sky {
     /// Unit vectors, and the share of the light that comes from each.
     rays: Vec<(Vec3, f32)>,
     open: Exposure,
-    seen: HashMap<IVec3, Exposure>,
+    /// `None` for points in the obstacle.
+    seen: HashMap<IVec3, Option<Exposure>>,
 }
 
 impl Sky {
@@ -70,9 +73,13 @@ impl Sky {
     /// O(1) questions for the distance to the obstacle.
     #[must_use]
     pub fn trace(&self, point: Vec3) -> Exposure {
-        let Some(obstacle) = &self.obstacle else { return self.open };
+        self.trace_outside(point).unwrap_or_default()
+    }
+
+    fn trace_outside(&self, point: Vec3) -> Option<Exposure> {
+        let Some(obstacle) = &self.obstacle else { return Some(self.open) };
         if obstacle.holds(point) {
-            return Exposure::default();
+            return None;
         }
         let mut seen = Exposure::default();
         for &(ray, share) in &self.rays {
@@ -81,7 +88,7 @@ impl Sky {
                 seen.mean += share * ray;
             }
         }
-        Exposure { share: seen.share.min(1.0), ..seen }
+        Some(Exposure { share: seen.share.min(1.0), ..seen })
     }
 
     fn is_clear(&self, obstacle: &Obstacle, point: Vec3, ray: Vec3) -> bool {
@@ -119,8 +126,8 @@ impl Sky {
             .collect();
         missing.sort_unstable_by_key(|cell| cell.to_array());
         missing.dedup();
-        let traced: Vec<Exposure> =
-            missing.par_iter().map(|cell| self.trace(cell.as_vec3() * self.spacing)).collect();
+        let trace = |cell: &IVec3| self.trace_outside(cell.as_vec3() * self.spacing);
+        let traced: Vec<Option<Exposure>> = missing.par_iter().map(trace).collect();
         self.seen.extend(missing.into_iter().zip(traced));
     }
 
@@ -132,15 +139,21 @@ impl Sky {
             return self.open;
         }
         let (cell, within) = self.corner(point);
-        let mut sum = Exposure::default();
+        let (mut sum, mut weights) = (Exposure::default(), 0.0);
         for corner in CORNERS {
             let near = corner.as_vec3() * within + (1.0 - corner.as_vec3()) * (1.0 - within);
             let weight = near.x * near.y * near.z;
-            let seen = self.seen.get(&(cell + corner)).copied().unwrap_or(self.open);
+            // What lies in the obstacle says nothing about the sky beside it.
+            let seen = self.seen.get(&(cell + corner)).copied().unwrap_or(Some(self.open));
+            let Some(seen) = seen else { continue };
             sum.share += weight * seen.share;
             sum.mean += weight * seen.mean;
+            weights += weight;
         }
-        sum
+        if weights < LEAST_WEIGHT {
+            return self.trace(point);
+        }
+        Exposure { share: sum.share / weights, mean: sum.mean / weights }
     }
 }
 
@@ -180,6 +193,16 @@ mod tests {
         assert!(beside.mean.x < -0.1, "{beside:?}");
         let inside = sky.trace(Vec3::new(3.0, 0.0, 0.0));
         assert_eq!(inside, Exposure::default());
+    }
+
+    #[test]
+    fn lattice_points_in_the_wall_do_not_darken_what_is_beside_it() {
+        let mut sky = Sky::new(Vec3::Y, Some(&wall()), 0.8);
+        for x in [0.5, 0.7, 0.9, 0.99] {
+            let point = Vec3::new(x, 0.3, 0.2);
+            sky.cover(&[point]);
+            assert!((0.4..0.62).contains(&sky.at(point).share), "{x}: {:?}", sky.at(point));
+        }
     }
 
     #[test]
