@@ -6,6 +6,7 @@
 //! * [`Foliage`] and [`Tree`]: leaves in columns, and both with a [`Species`].
 //! * [`Volume`]: solids and their combinations; crowns, search graphs and obstacles use them.
 //! * [`allometry`]: how thick branches are and at which angles they part.
+//! * [`distance`]: how different two trees are, by the edits that turn one into the other.
 //! * [`swc`]: skeletons from and to the plain-text exchange format.
 //! * [`Seed`], [`Control`], [`Limits`]: the same bits for the same seed, progress and cancellation,
 //!   and caps on memory.
@@ -13,8 +14,10 @@
 //! Conventions: right-handed, +Y up, metres, radians, the base of the tree at the origin.
 
 pub mod allometry;
+pub mod assignment;
 mod bounds;
 mod control;
+pub mod distance;
 pub mod error;
 pub mod file;
 mod foliage;

@@ -22,6 +22,8 @@ pub enum Resource {
     InputBytes,
     /// Modules of a derived L-system word.
     Modules,
+    /// Pairs of nodes kept while two trees are compared.
+    Pairs,
 }
 
 impl Resource {
@@ -38,6 +40,7 @@ impl Resource {
             Self::Triangles => "triangles",
             Self::InputBytes => "input_bytes",
             Self::Modules => "modules",
+            Self::Pairs => "pairs",
         }
     }
 }
@@ -72,6 +75,8 @@ const TRIANGLE_BYTES: u64 = 160;
 const INPUT_BYTES: u64 = 16;
 /// Bytes of a module with two parameters in the word before a step and in the one after it.
 const MODULE_BYTES: u64 = 48;
+/// Bytes of a pair of nodes: the distance of the trees and of the forests.
+const PAIR_BYTES: u64 = 16;
 
 /// Caps for one operation. The defaults fit a workstation: a few gigabytes at worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,6 +100,8 @@ pub struct Limits {
     pub input_bytes: u64,
     /// Modules of a derived L-system word. Default 100 million.
     pub modules: u64,
+    /// Pairs of nodes kept while two trees are compared. Default 150 million (about 2.4 GB).
+    pub pairs: u64,
 }
 
 impl Default for Limits {
@@ -109,6 +116,7 @@ impl Default for Limits {
             triangles: 100_000_000,
             input_bytes: 1 << 30,
             modules: 100_000_000,
+            pairs: 150_000_000,
         }
     }
 }
@@ -128,6 +136,7 @@ impl Limits {
             triangles: bytes / TRIANGLE_BYTES,
             input_bytes: bytes / INPUT_BYTES,
             modules: bytes / MODULE_BYTES,
+            pairs: bytes / PAIR_BYTES,
         }
         .min(&Self::default())
     }
@@ -145,6 +154,7 @@ impl Limits {
             triangles: self.triangles.min(other.triangles),
             input_bytes: self.input_bytes.min(other.input_bytes),
             modules: self.modules.min(other.modules),
+            pairs: self.pairs.min(other.pairs),
         }
     }
 
@@ -161,6 +171,7 @@ impl Limits {
             Resource::Triangles => self.triangles,
             Resource::InputBytes => self.input_bytes,
             Resource::Modules => self.modules,
+            Resource::Pairs => self.pairs,
         }
     }
 

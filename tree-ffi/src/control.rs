@@ -82,6 +82,8 @@ pub struct tree_limits {
     pub input_bytes: u64,
     /// Modules of a derived L-system word. Default 100 million.
     pub modules: u64,
+    /// Pairs of nodes kept while two trees are compared. Default 150 million.
+    pub pairs: u64,
 }
 
 impl tree_limits {
@@ -97,6 +99,7 @@ impl tree_limits {
             triangles: limits.triangles,
             input_bytes: limits.input_bytes,
             modules: limits.modules,
+            pairs: limits.pairs,
         }
     }
 
@@ -111,6 +114,7 @@ impl tree_limits {
             triangles: self.triangles,
             input_bytes: self.input_bytes,
             modules: self.modules,
+            pairs: self.pairs,
         }
     }
 }

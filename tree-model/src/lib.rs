@@ -10,11 +10,13 @@
 //! * [`silhouette`]: drawn outlines become a tree, level by level (Wither et al. 2009).
 //! * [`lsystem`]: a grammar becomes a tree (Prusinkiewicz & Lindenmayer 1990; Lluch et al. 2010).
 //! * [`plastic`]: trees that react to light, obstacles and neighbours (Pirk et al. 2012).
+//! * [`growth`]: buds that compete for light or space become a tree (Palubicki et al. 2009).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
 //! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
 
 mod error;
 pub mod foliage;
+pub mod growth;
 pub mod lsystem;
 pub mod particle;
 pub mod path;

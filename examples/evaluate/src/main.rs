@@ -9,6 +9,7 @@ mod mesh;
 mod multires;
 mod particle;
 mod path;
+mod plastic;
 mod prune;
 mod silhouette;
 mod sketch;
@@ -20,7 +21,7 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 8] = [
+const SYSTEMS: [(&str, Evaluation); 9] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
@@ -28,6 +29,7 @@ const SYSTEMS: [(&str, Evaluation); 8] = [
     ("mesh", mesh::evaluate),
     ("prune", prune::evaluate),
     ("multires", multires::evaluate),
+    ("plastic", plastic::evaluate),
     ("ffi", ffi::evaluate),
 ];
 

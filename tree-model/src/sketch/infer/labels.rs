@@ -3,57 +3,12 @@
 //! Section 4.6.1 tries all K! of them. The best assignment is found in O(K³) by successive shortest paths (Jonker &
 //! Volgenant 1987), exactly.
 
+use tree_core::assignment::Assignment;
+
 /// The assignment of rows to columns with the largest sum of `score(row, column)`, both `0..n`; for each row its column. Scores
 /// must be finite.
 pub(super) fn best_assignment(n: usize, score: impl Fn(usize, usize) -> f64) -> Vec<usize> {
-    // Rows and columns from 1; 0 is the row that seeks its place, in a column of its own.
-    let (mut of_row, mut of_column) = (vec![0.0; n + 1], vec![0.0; n + 1]);
-    let mut taken = vec![0_usize; n + 1];
-    for row in 1..=n {
-        taken[0] = row;
-        let mut slack = vec![f64::INFINITY; n + 1];
-        let mut from = vec![0_usize; n + 1];
-        let mut done = vec![false; n + 1];
-        let mut column = 0;
-        loop {
-            done[column] = true;
-            let current = taken[column];
-            let (mut step, mut nearest) = (f64::INFINITY, 0);
-            for other in 1..=n {
-                if done[other] {
-                    continue;
-                }
-                let cost = -score(current - 1, other - 1) - of_row[current] - of_column[other];
-                if cost < slack[other] {
-                    (slack[other], from[other]) = (cost, column);
-                }
-                if slack[other] < step {
-                    (step, nearest) = (slack[other], other);
-                }
-            }
-            for other in 0..=n {
-                if done[other] {
-                    of_row[taken[other]] += step;
-                    of_column[other] -= step;
-                } else {
-                    slack[other] -= step;
-                }
-            }
-            column = nearest;
-            if taken[column] == 0 {
-                break;
-            }
-        }
-        while column != 0 {
-            taken[column] = taken[from[column]];
-            column = from[column];
-        }
-    }
-    let mut columns = vec![0; n];
-    for (column, &row) in taken.iter().enumerate().skip(1) {
-        columns[row - 1] = column - 1;
-    }
-    columns
+    Assignment::default().cheapest(n, n, |row, column| -score(row, column)).to_vec()
 }
 
 #[cfg(test)]
