@@ -77,8 +77,10 @@ pub(super) fn axes(clusters: &Clusters, taking: Taking) -> Axes {
         way.reverse();
         let host = (at != NONE).then(|| axes.taken[at as usize]);
         if let Some((axis, place)) = host {
-            let start = clusters.centres[axes.axes[axis as usize].clusters[place as usize] as usize];
-            let reach = taking.widths * axes.axes[axis as usize].widths[place as usize] + taking.beyond;
+            let start =
+                clusters.centres[axes.axes[axis as usize].clusters[place as usize] as usize];
+            let reach =
+                taking.widths * axes.axes[axis as usize].widths[place as usize] + taking.beyond;
             if out_of(clusters, &way, start) < reach + taking.length {
                 axes.n_short += 1;
                 way.iter().for_each(|&c| axes.taken[c as usize] = (axis, place));

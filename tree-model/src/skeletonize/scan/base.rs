@@ -23,6 +23,13 @@ const NARROW: f32 = 2.0;
 /// A trunk begins within this share of that height above its ground.
 const DEEP: f32 = 0.45;
 
+/// A base wider than this share of the height is not one of a trunk: branches hang down to the ground.
+const WIDE: f32 = 0.03;
+/// Then it is sought in the middle of the points in this share of the height...
+const MIDDLE: f32 = 0.3;
+/// ...and this share of the height round it.
+const ROUND: f32 = 0.015;
+
 /// Where a tree stands.
 pub(super) struct Base {
     pub(super) points: Vec<u32>,
@@ -40,9 +47,9 @@ pub(super) struct Cloud<'a> {
 impl Cloud<'_> {
     /// Lowest and highest of all.
     fn range(&self) -> (f32, f32) {
-        self.heights.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &h| {
-            (low.min(h), high.max(h))
-        })
+        self.heights
+            .iter()
+            .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &h| (low.min(h), high.max(h)))
     }
 
     /// Connected pieces of the points lower than `top`.
@@ -100,7 +107,42 @@ impl Cloud<'_> {
             bases = vec![bases.swap_remove(most)];
             ways = self.reach(&bases);
         }
+        if let Some(narrow) = bases.first().and_then(|base| self.narrow(base, range)) {
+            bases = vec![narrow];
+            ways = self.reach(&bases);
+        }
         Ok((bases, ways, n))
+    }
+
+    /// The middle of a base that is too wide for a trunk.
+    fn narrow(&self, base: &Base, (low, high): (f32, f32)) -> Option<Base> {
+        let flat = |i: u32| self.points[i as usize] * Vec3::new(1.0, 0.0, 1.0);
+        let middle = |of: &[u32]| {
+            let mut sides = [0, 2].map(|axis| -> Vec<f32> {
+                of.iter().map(|&i| self.points[i as usize][axis]).collect()
+            });
+            let half = of.len() / 2;
+            let [x, z] = sides.each_mut().map(|side| match side.get(half) {
+                Some(_) => *side.select_nth_unstable_by(half, f32::total_cmp).1,
+                None => 0.0,
+            });
+            Vec3::new(x, 0.0, z)
+        };
+        let centre = middle(&base.points);
+        let spread = base.points.iter().map(|&i| flat(i).distance_squared(centre)).sum::<f32>();
+        let width = (spread / base.points.len().max(1) as f32).sqrt();
+        if width <= WIDE * (high - low) {
+            return None;
+        }
+        let all: Vec<u32> = (0..self.points.len() as u32)
+            .filter(|&i| self.heights[i as usize] <= low + MIDDLE * (high - low))
+            .collect();
+        let stem = middle(&all);
+        let away = |i: &u32| flat(*i).distance(stem);
+        let least = base.points.iter().map(away).fold(f32::INFINITY, f32::min);
+        let reach = least + (ROUND * (high - low)).max(SLAB_SPACINGS * self.spacing);
+        let points = base.points.iter().copied().filter(|i| away(i) <= reach).collect();
+        Some(Base { points, low: base.low })
     }
 
     /// All bases that look like trunks, and the ways to the next one.
@@ -118,9 +160,8 @@ impl Cloud<'_> {
             }
             let (size, middle) = (high - low, 0.5 * (low + high));
             let wide = size.x.max(size.z);
-            let is_trunk = size.y >= RISE * rise
-                && size.y >= NARROW * wide
-                && bottom <= range.0 + DEEP * rise;
+            let is_trunk =
+                size.y >= RISE * rise && size.y >= NARROW * wide && bottom <= range.0 + DEEP * rise;
             if is_trunk {
                 let slab = self.slab((0.0, range.1 - range.0));
                 found.push((self.base(&piece, slab), middle, wide));

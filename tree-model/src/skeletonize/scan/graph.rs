@@ -12,11 +12,16 @@ use rayon::prelude::*;
 use tree_core::{Control, Resource};
 
 /// Arcs are at most this many spacings long; farther neighbours are a matter of bridges.
-const REACH: f32 = 6.0;
+const REACH: f32 = 3.0;
 /// Pieces of fewer points than this...
 const SPECK: usize = 4;
 /// ...farther than this many spacings from all others are specks of noise.
 const SPECK_REACH: f32 = 8.0;
+
+/// Bridges of a piece that the ways to the base may choose of...
+const WAYS: usize = 8;
+/// ...each farther from the others than this many times its length.
+const APART: f32 = 1.5;
 
 /// Arcs of every point, both ways.
 #[derive(Debug)]
@@ -29,12 +34,7 @@ pub(super) struct Graph {
 }
 
 /// Arcs between neighbours, and pieces.
-pub(super) fn near(
-    kd: &Kd,
-    spacing: f32,
-    params: &ScanParams,
-    control: &Control,
-) -> Result<Graph> {
+pub(super) fn near(kd: &Kd, spacing: f32, params: &ScanParams, control: &Control) -> Result<Graph> {
     let (points, k) = (kd.points(), params.neighbours as usize);
     control.limits.check(Resource::GraphArcs, 2 * (points.len() * k) as u64)?;
     let reach = REACH * spacing;
@@ -77,12 +77,12 @@ pub(super) fn near(
     Ok(Graph { arcs, piece: sets.labels().0, bridges: Vec::new() })
 }
 
-/// Joins pieces by bridges of at most `params.bridge`.
+/// Joins pieces by bridges of at most `widest`.
 pub(super) fn bridge(
     graph: &mut Graph,
     kd: &Kd,
     spacing: f32,
-    params: &ScanParams,
+    widest: f32,
     report: &mut ScanReport,
     control: &Control,
 ) -> Result<()> {
@@ -104,8 +104,7 @@ pub(super) fn bridge(
             .filter(|&own| Some(own as usize) != largest)
             .filter_map(|own| {
                 let speck = sizes[own as usize] < SPECK;
-                let reach =
-                    if speck { params.bridge.min(SPECK_REACH * spacing) } else { params.bridge };
+                let reach = if speck { widest.min(SPECK_REACH * spacing) } else { widest };
                 let mut best = (reach * reach, u32::MAX, u32::MAX);
                 for &i in groups.of(own) {
                     let at = kd.points()[i as usize];
@@ -127,12 +126,56 @@ pub(super) fn bridge(
             if sets.find(a) != sets.find(b) {
                 sets.join(a, b);
                 graph.bridges.push([i, j]);
-                let n_points = first[piece[i as usize] as usize].min(first[piece[j as usize] as usize]);
+                let n_points =
+                    first[piece[i as usize] as usize].min(first[piece[j as usize] as usize]);
                 report.bridges.push(Bridge { length: d2.sqrt(), n_points });
             }
         }
         let (joined, _) = sets.labels();
         label.iter_mut().for_each(|l| *l = joined[*l as usize]);
     }
+    more_ways(graph, kd, &first, widest, control)
+}
+
+/// The shortest bridge of a piece may touch its tip, and its branch would grow backwards. So pieces get
+/// further bridges, apart from each other, and the ways to the base choose.
+fn more_ways(
+    graph: &mut Graph,
+    kd: &Kd,
+    sizes: &[usize],
+    widest: f32,
+    control: &Control,
+) -> Result<()> {
+    control.check()?;
+    let (points, piece) = (kd.points(), &graph.piece);
+    let largest = (0..sizes.len()).max_by_key(|&i| (sizes[i], std::cmp::Reverse(i)));
+    let (shared, groups) = (kd.shared_labels(piece), Rows::new(piece, sizes.len()));
+    let more: Vec<Vec<[u32; 2]>> = (0..sizes.len() as u32)
+        .into_par_iter()
+        .filter(|&own| Some(own as usize) != largest && sizes[own as usize] >= SPECK)
+        .map(|own| {
+            let mut ways: Vec<(f32, u32, u32)> = Vec::new();
+            for &i in groups.of(own) {
+                let at = points[i as usize];
+                let other = kd.nearest_other(at, own, widest * widest, piece, &shared);
+                ways.extend(other.map(|(d2, j)| (d2, i, j)));
+            }
+            ways.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+            let mut taken: Vec<[u32; 2]> = Vec::new();
+            for (d2, i, j) in ways {
+                let apart = |&[a, _]: &[u32; 2]| {
+                    points[a as usize].distance_squared(points[i as usize]) > APART * APART * d2
+                };
+                if taken.iter().all(apart) {
+                    taken.push([i, j]);
+                }
+                if taken.len() == WAYS {
+                    break;
+                }
+            }
+            taken
+        })
+        .collect();
+    graph.bridges.extend(more.into_iter().flatten());
     Ok(())
 }

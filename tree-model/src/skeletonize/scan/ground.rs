@@ -43,15 +43,21 @@ impl Ground {
         let size = high - low;
         let cell = (size.x.max(size.z) / CELLS as f32).max(2.0 * spacing);
         let n = [size.x, size.z].map(|side| (side / cell) as usize + 1);
-        let mut ground =
-            Self { low, cell, n, heights: vec![f32::INFINITY; n[0] * n[1]], thick: THICK * spacing };
+        let mut ground = Self {
+            low,
+            cell,
+            n,
+            heights: vec![f32::INFINITY; n[0] * n[1]],
+            thick: THICK * spacing,
+        };
         for point in points {
             let cell = ground.cell_of(*point);
             ground.heights[cell] = ground.heights[cell].min(point.y);
         }
         let rough = (ROUGH * size.y).max(ROUGH_SPACINGS * spacing);
         let plane = ground.slope(low.y + 0.25 * size.y, f64::from(rough))?;
-        let level: Vec<f32> = (0..ground.heights.len()).map(|cell| ground.at(plane, cell)).collect();
+        let level: Vec<f32> =
+            (0..ground.heights.len()).map(|cell| ground.at(plane, cell)).collect();
         let (mut open, mut covered, mut n_cells) = (vec![true; level.len()], 0, 0);
         for point in points {
             let cell = ground.cell_of(*point);

@@ -211,9 +211,7 @@ fn build(items: &mut [Item], start: u32) -> Vec<Node> {
     }
     let axis = (high - low).max_position();
     let half = items.len() / 2;
-    items.select_nth_unstable_by(half, |a, b| {
-        a.0[axis].total_cmp(&b.0[axis]).then(a.1.cmp(&b.1))
-    });
+    items.select_nth_unstable_by(half, |a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.1.cmp(&b.1)));
     let (below, above) = items.split_at_mut(half);
     let middle = start + half as u32;
     let (left, right) = if below.len() > APART {
@@ -293,7 +291,8 @@ mod tests {
 
     #[test]
     fn every_point_keeps_its_number() {
-        let points: Vec<Vec3> = (0..1000).map(|i| Vec3::new((i * 37 % 101) as f32, i as f32, 0.0)).collect();
+        let points: Vec<Vec3> =
+            (0..1000).map(|i| Vec3::new((i * 37 % 101) as f32, i as f32, 0.0)).collect();
         let kd = Kd::new(&points);
         for (point, &number) in kd.points().iter().zip(kd.order()) {
             assert_eq!(*point, points[number as usize]);

@@ -25,8 +25,14 @@ pub(super) struct Clusters {
     pub(super) base: Vec<u32>,
 }
 
-/// Cuts the cloud into levels `step` apart.
-pub(super) fn clusters(graph: &Graph, points: &[Vec3], ways: &Ways, step: f32) -> Clusters {
+/// Cuts the cloud into levels `step` apart, and clusters wider than `widest` into cubes of twice that.
+pub(super) fn clusters(
+    graph: &Graph,
+    points: &[Vec3],
+    ways: &Ways,
+    step: f32,
+    widest: f32,
+) -> Clusters {
     let level = |i: u32| (ways.length[i as usize] / step) as u32;
     let mut sets = Sets::new(points.len());
     for &i in &ways.order {
@@ -38,6 +44,7 @@ pub(super) fn clusters(graph: &Graph, points: &[Vec3], ways: &Ways, step: f32) -
         }
     }
     let (labels, n) = sets.labels();
+    let (labels, n) = split(labels, n, points, ways, widest);
     // Numbered by distance, so that parents come first.
     let mut sums = vec![(Vec3::ZERO, 0.0_f64, 0_u32); n];
     for &i in &ways.order {
@@ -76,15 +83,50 @@ pub(super) fn clusters(graph: &Graph, points: &[Vec3], ways: &Ways, step: f32) -
         centres,
         lengths,
     };
+    let below = below(ways, level);
     for c in 0..clusters.centres.len() as u32 {
         clusters.base[c as usize] = ways.base[clusters.points.of(c)[0] as usize];
-        clusters.parents[c as usize] = parent(&clusters, ways, c);
+        clusters.parents[c as usize] = parent(&clusters, &below, c);
     }
     join_roots(&mut clusters);
     for c in 0..clusters.centres.len() {
         clusters.widths[c] = width(&clusters, points, c);
     }
     clusters
+}
+
+/// The levels of a dense crown are shells from side to side, with their mean in the middle of
+/// nowhere. So clusters that are too wide for wood fall into cubes.
+fn split(
+    mut labels: Vec<u32>,
+    n: usize,
+    points: &[Vec3],
+    ways: &Ways,
+    widest: f32,
+) -> (Vec<u32>, usize) {
+    let mut boxes = vec![(Vec3::INFINITY, Vec3::NEG_INFINITY); n];
+    for &i in &ways.order {
+        let (low, high) = &mut boxes[labels[i as usize] as usize];
+        (*low, *high) = (low.min(points[i as usize]), high.max(points[i as usize]));
+    }
+    let wide: Vec<bool> =
+        boxes.iter().map(|(low, high)| (*high - *low).max_element() > 3.0 * widest).collect();
+    let mut keys: Vec<(u32, [i32; 3], u32)> = ways
+        .order
+        .iter()
+        .filter(|&&i| wide[labels[i as usize] as usize])
+        .map(|&i| {
+            let cube = (points[i as usize] / (2.0 * widest)).floor().as_ivec3().to_array();
+            (labels[i as usize], cube, i)
+        })
+        .collect();
+    keys.sort_unstable();
+    let mut next = n as u32;
+    for cube in keys.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+        cube.iter().for_each(|&(.., i)| labels[i as usize] = next);
+        next += 1;
+    }
+    (labels, next as usize)
 }
 
 /// All points of a base start at their height, and several clusters with them: each but the first of
@@ -103,14 +145,27 @@ fn join_roots(clusters: &mut Clusters) {
     }
 }
 
+/// For each point the first one on its way that is of a lower level; `NONE` at the base.
+fn below(ways: &Ways, level: impl Fn(u32) -> u32) -> Vec<u32> {
+    let mut below = vec![NONE; ways.next.len()];
+    for &i in &ways.order {
+        let next = ways.next[i as usize];
+        below[i as usize] = match next {
+            _ if next == i => NONE,
+            _ if level(next) < level(i) => next,
+            _ => below[next as usize],
+        };
+    }
+    below
+}
+
 /// The cluster that most ways out of this one lead to.
-fn parent(clusters: &Clusters, ways: &Ways, c: u32) -> u32 {
+fn parent(clusters: &Clusters, below: &[u32], c: u32) -> u32 {
     let mut votes: Vec<u32> = clusters
         .points
         .of(c)
         .iter()
-        .map(|&i| clusters.of_point[ways.next[i as usize] as usize])
-        .filter(|&other| other < c)
+        .filter_map(|&i| clusters.of_point.get(below[i as usize] as usize).copied())
         .collect();
     votes.sort_unstable();
     let most = votes.chunk_by(|a, b| a == b).max_by_key(|v| (v.len(), std::cmp::Reverse(v[0])));
@@ -121,6 +176,7 @@ fn width(clusters: &Clusters, points: &[Vec3], c: usize) -> f32 {
     let (centre, own) = (clusters.centres[c], clusters.points.of(c as u32));
     let below = clusters.centres.get(clusters.parents[c] as usize).copied();
     let along = below.and_then(|below| (centre - below).try_normalize()).unwrap_or(Vec3::Y);
-    let off = |&i: &u32| (points[i as usize] - centre).reject_from_normalized(along).length_squared();
+    let off =
+        |&i: &u32| (points[i as usize] - centre).reject_from_normalized(along).length_squared();
     (own.iter().map(off).sum::<f32>() / own.len() as f32).sqrt()
 }

@@ -37,8 +37,12 @@ pub(super) fn reach(
         bridges[a as usize].push(b);
         bridges[b as usize].push(a);
     }
-    let mut ways =
-        Ways { next: vec![NONE; n], length: vec![f32::INFINITY; n], base: vec![NONE; n], order: Vec::new() };
+    let mut ways = Ways {
+        next: vec![NONE; n],
+        length: vec![f32::INFINITY; n],
+        base: vec![NONE; n],
+        order: Vec::new(),
+    };
     let mut cost = vec![f32::INFINITY; n];
     let mut done = vec![false; n];
     // Bits of floats that are not negative are ordered like the floats.

@@ -25,11 +25,9 @@ pub struct ScanReport {
     pub n_ground: usize,
     /// Points of pieces that no bridge reached.
     pub n_left_out: usize,
-    /// Those pieces.
-    pub n_pieces_left_out: usize,
     /// Median distance to the fourth neighbour in metres.
     pub spacing: f32,
-    /// Gaps bridged.
+    /// Gaps bridged, so that all is one piece; the ways to the base may take others near them.
     pub bridges: Vec<Bridge>,
     /// Places where a tree may stand.
     pub n_bases: usize,
@@ -39,6 +37,9 @@ pub struct ScanReport {
     pub n_short: usize,
     /// Nodes.
     pub n_nodes: usize,
-    /// Nodes whose radius and centre come from a circle fitted to the points.
+    /// Nodes whose radius and centre come from a circle fitted to the points; the radii of all others
+    /// are guessed from the wood beyond.
     pub n_fitted: usize,
+    /// Nodes in foliage, kept or not.
+    pub n_in_foliage: usize,
 }

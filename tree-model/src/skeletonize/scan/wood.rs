@@ -3,7 +3,7 @@
 //! A node's points, seen along its axis, lie on a circle; scanned from one side only, on a part
 //! of one, and their mean lies off its centre. So a circle is fitted where it is seen well enough
 //! ([`circle`]). Elsewhere the pipe model speaks, calibrated on the circles: the radius grows with
-//! a power of the length of all wood beyond. Along an axis radii never grow (isotonic regression), and
+//! the square root of the length of all wood beyond. Along an axis radii never grow (isotonic regression), and
 //! a branch is never thicker than what it stands on.
 
 use super::super::rows::Rows;
@@ -18,24 +18,28 @@ use rayon::prelude::*;
 const WINDOW: usize = 1;
 /// Circles are sought between these shares of the axis' width...
 const NARROW: f32 = 0.5;
-const WIDE: f32 = 3.0;
+const WIDE: f32 = 1.7;
 /// ...and no thinner than this many spacings.
 const THIN: f32 = 0.5;
 /// What points scatter by, in spacings.
 const NOISE: f32 = 0.15;
-/// A circle this many times larger or smaller than those round it is none.
-const ODD: f32 = 1.4;
-/// That many circles on either side are asked.
+/// Circles of radii within this factor agree.
+const ODD: f32 = 1.3;
+/// That many nodes on either side are asked...
 const ODD_WINDOW: usize = 4;
-/// Exponent of the pipe model where circles are too few to tell, and its range.
-const POWER: f32 = 0.5;
-const POWERS: [f32; 2] = [0.35, 0.8];
-/// Circles needed to tell.
-const CIRCLES_MIN: usize = 12;
+/// ...and this share of all of them must agree.
+const AGREE: f32 = 0.45;
+/// Factor of the pipe model where no circle was seen: ten metres of wood on three centimetres.
+const FACTOR: f32 = 0.01;
 /// What a radius by the pipe model weighs beside one by a circle.
 const MODEL_WEIGHT: f32 = 0.05;
+/// Wood without circles is thinner than this many spacings.
+const LEAFLESS: f32 = 1.0;
+/// Foliage begins where fewer than this share of so many nodes, and of all farther ones, are wood.
+const FOLIAGE_SHARE: f32 = 0.5;
+const FOLIAGE_WINDOW: usize = 8;
 /// Rounds of smoothing of centres.
-const SMOOTH: usize = 2;
+const SMOOTH: usize = 4;
 /// Thinnest wood in metres.
 const RADIUS_MIN: f32 = 5e-4;
 
@@ -44,13 +48,15 @@ const RADIUS_MIN: f32 = 5e-4;
 pub(super) struct Wood {
     pub(super) centres: Vec<Vec<Vec3>>,
     pub(super) radii: Vec<Vec<f32>>,
+    /// For each axis the place from which on it runs through foliage.
+    pub(super) foliage: Vec<usize>,
     pub(super) n_fitted: usize,
 }
 
 /// Finds centres and radii.
 pub(super) fn wood(axes: &Axes, clusters: &Clusters, points: &[Vec3], spacing: f32) -> Wood {
     let places = Places::new(axes, clusters);
-    let mut fitted: Vec<Vec<Option<Circle3>>> = axes
+    let (mut fitted, hollow): (Vec<Vec<Option<Circle3>>>, Vec<Vec<bool>>) = axes
         .axes
         .par_iter()
         .zip(0..axes.axes.len() as u32)
@@ -58,10 +64,11 @@ pub(super) fn wood(axes: &Axes, clusters: &Clusters, points: &[Vec3], spacing: f
             let mut found: Vec<_> = (0..axis.clusters.len())
                 .map(|place| fit(axis, number, place, &places, clusters, points, spacing))
                 .collect();
+            let hollow: Vec<bool> = found.iter().map(Option::is_some).collect();
             drop_odd(&mut found);
-            found
+            (found, hollow)
         })
-        .collect();
+        .unzip();
     let centres: Vec<Vec<Vec3>> = axes
         .axes
         .iter()
@@ -75,7 +82,8 @@ pub(super) fn wood(axes: &Axes, clusters: &Clusters, points: &[Vec3], spacing: f
     let beyond = beyond(axes, &centres);
     let radii = radii(axes, &mut fitted, &beyond);
     let n_fitted = fitted.iter().flatten().flatten().count();
-    Wood { centres, radii, n_fitted }
+    let foliage = foliage(axes, &hollow, spacing);
+    Wood { centres, radii, foliage, n_fitted }
 }
 
 /// A circle in space.
@@ -142,26 +150,22 @@ fn fit(
     let seed = (u64::from(number) << 32) | place as u64;
     let circle = circle::fit(&flat, range, NOISE * spacing, seed)?;
     let centre = origin + circle.centre.x * x + circle.centre.y * y;
-    let weight = circle.seen * circle.near;
+    let rough = circle.error / circle.radius;
+    let weight = circle.seen * circle.near * (1.0 - 4.0 * rough).max(0.1);
     Some(Circle3 { centre, circle, weight })
 }
 
-/// Drops circles that are much larger or smaller than the others round them.
+/// Drops circles that too few of those round them agree with.
 fn drop_odd(found: &mut [Option<Circle3>]) {
-    let radii: Vec<(usize, f32)> = found
-        .iter()
-        .enumerate()
-        .filter_map(|(place, circle)| circle.map(|c| (place, c.circle.radius)))
-        .collect();
-    let mut near = Vec::new();
-    for (i, &(place, radius)) in radii.iter().enumerate() {
-        near.clear();
+    let radii: Vec<Option<f32>> = found.iter().map(|c| c.map(|c| c.circle.radius)).collect();
+    for (i, radius) in radii.iter().enumerate() {
+        let Some(radius) = radius else { continue };
         let round = i.saturating_sub(ODD_WINDOW)..(i + ODD_WINDOW + 1).min(radii.len());
-        near.extend(radii[round].iter().map(|&(_, radius)| radius));
-        let middle = near.len() / 2;
-        let median = *near.select_nth_unstable_by(middle, f32::total_cmp).1;
-        if radius > ODD * median || radius * ODD < median {
-            found[place] = None;
+        let n = round.len();
+        let alike = |other: &f32| *other <= ODD * radius && *radius <= ODD * other;
+        let n_alike = radii[round].iter().flatten().filter(|r| alike(r)).count();
+        if (n_alike as f32) < AGREE * n as f32 {
+            found[i] = None;
         }
     }
 }
@@ -200,8 +204,8 @@ fn beyond(axes: &Axes, centres: &[Vec<Vec3>]) -> Vec<Vec<f32>> {
 
 /// Circles, and between them the pipe model.
 fn radii(axes: &Axes, fitted: &mut [Vec<Option<Circle3>>], beyond: &[Vec<f32>]) -> Vec<Vec<f32>> {
-    let (factor, power) = pipe(fitted, beyond);
-    let model = |length: f32| factor * libm::powf(length.max(1e-3), power);
+    let factor = pipe(fitted, beyond);
+    let model = |length: f32| factor * length.max(1e-3).sqrt();
     let mut radii: Vec<Vec<f32>> = Vec::with_capacity(beyond.len());
     for (number, axis) in axes.axes.iter().enumerate() {
         let (circles, lengths) = (&mut fitted[number], &beyond[number]);
@@ -242,49 +246,76 @@ fn radii(axes: &Axes, fitted: &mut [Vec<Option<Circle3>>], beyond: &[Vec<f32>]) 
     radii
 }
 
-/// Factor and exponent of r = f · lᵖ by least squares through the circles, on logarithms.
-fn pipe(fitted: &[Vec<Option<Circle3>>], beyond: &[Vec<f32>]) -> (f32, f32) {
-    let (mut n, mut sum, mut sums) = (0_usize, [0.0_f64; 3], [0.0_f64; 2]);
-    for (circle, &length) in fitted.iter().flatten().zip(beyond.iter().flatten()) {
-        if let Some(circle) = circle
-            && length > 0.0
-        {
-            let (x, y) = (libm::log(f64::from(length)), libm::log(f64::from(circle.circle.radius)));
-            let w = f64::from(circle.weight);
-            n += 1;
-            sum = [sum[0] + w, sum[1] + w * x, sum[2] + w * y];
-            sums = [sums[0] + w * x * x, sums[1] + w * x * y];
-        }
+/// Factor of r = f · √l: the median over all circles.
+fn pipe(fitted: &[Vec<Option<Circle3>>], beyond: &[Vec<f32>]) -> f32 {
+    let pairs = fitted.iter().flatten().zip(beyond.iter().flatten());
+    let mut factors: Vec<f32> = pairs
+        .filter(|(_, length)| **length > 0.0)
+        .filter_map(|(circle, length)| circle.map(|c| c.circle.radius / length.sqrt()))
+        .collect();
+    if factors.is_empty() {
+        return FACTOR;
     }
-    if n == 0 {
-        // A tree of ten metres of wood on a trunk of three centimetres.
-        return (0.01, POWER);
-    }
-    let (x, y) = (sum[1] / sum[0], sum[2] / sum[0]);
-    let (xx, xy) = (sums[0] / sum[0] - x * x, sums[1] / sum[0] - x * y);
-    let slope = xy / xx;
-    let power = if n >= CIRCLES_MIN && slope.is_finite() {
-        (slope as f32).clamp(POWERS[0], POWERS[1])
-    } else {
-        POWER
-    };
-    (libm::exp(y - f64::from(power) * x) as f32, power)
+    let middle = factors.len() / 2;
+    *factors.select_nth_unstable_by(middle, f32::total_cmp).1
 }
 
-/// The falling sequence nearest to weighted values (pool adjacent violators, Barlow et al. 1972).
+/// The falling sequence nearest to weighted values in the sum of absolute differences: pools of
+/// adjacent violators take their weighted median (Robertson and Wright 1980), so that a few circles
+/// round forks do not lift a trunk.
 fn falling(rows: &[(f32, f32)]) -> Vec<f32> {
-    let mut pools: Vec<(f32, f32, usize)> = Vec::with_capacity(rows.len());
-    for &(value, weight) in rows {
-        let mut pool = (value, weight.max(1e-6), 1);
-        while let Some(&(before, w, n)) = pools.last() {
-            if before >= pool.0 {
-                break;
-            }
-            pools.pop();
-            let all = w + pool.1;
-            pool = ((before * w + pool.0 * pool.1) / all, all, n + pool.2);
+    let mut pools: Vec<(f32, Vec<(f32, f32)>)> = Vec::with_capacity(rows.len());
+    for &row in rows {
+        let mut pool = (row.0, vec![row]);
+        while let Some(before) = pools.pop_if(|before| before.0 < pool.0) {
+            let mut all = before.1;
+            all.extend(pool.1);
+            all.sort_by(|a, b| a.0.total_cmp(&b.0));
+            pool = (median(&all), all);
         }
         pools.push(pool);
     }
-    pools.iter().flat_map(|&(value, _, n)| std::iter::repeat_n(value, n)).collect()
+    pools.iter().flat_map(|(value, own)| std::iter::repeat_n(*value, own.len())).collect()
+}
+
+/// Weighted median of sorted values.
+fn median(rows: &[(f32, f32)]) -> f32 {
+    let half = 0.5 * rows.iter().map(|row| row.1).sum::<f32>();
+    let mut sum = 0.0;
+    for &(value, weight) in rows {
+        sum += weight;
+        if sum >= half {
+            return value;
+        }
+    }
+    rows.last().map_or(0.0, |row| row.0)
+}
+
+/// Where foliage begins on each axis. Wood is thin as scans see it, or hollow; leaves are neither.
+fn foliage(axes: &Axes, hollow: &[Vec<bool>], spacing: f32) -> Vec<usize> {
+    let mut begins: Vec<usize> = Vec::with_capacity(axes.axes.len());
+    for (axis, hollow) in axes.axes.iter().zip(hollow) {
+        let n = hollow.len();
+        let begin = match axis.host {
+            Some((axis, place)) if place as usize >= begins[axis as usize] => 0,
+            _ => {
+                let wood: Vec<u32> = hollow
+                    .iter()
+                    .zip(&axis.widths)
+                    .map(|(&hollow, &width)| u32::from(hollow || width <= LEAFLESS * spacing))
+                    .collect();
+                let share = |range: std::ops::Range<usize>| {
+                    wood[range.clone()].iter().sum::<u32>() as f32 / range.len().max(1) as f32
+                };
+                (0..n)
+                    .find(|&i| {
+                        let near = i..(i + FOLIAGE_WINDOW).min(n);
+                        wood[i] == 0 && share(near) < FOLIAGE_SHARE && share(i..n) < FOLIAGE_SHARE
+                    })
+                    .unwrap_or(n)
+            }
+        };
+        begins.push(begin);
+    }
+    begins
 }
