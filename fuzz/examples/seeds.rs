@@ -52,6 +52,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let bytes = ply::to_bytes(&mesh, &ply::PlyOptions { ascii })?;
         save("ply", if ascii { "text" } else { "binary" }, &bytes)?;
     }
+    let cloud: String = (0..60).map(|i| format!("{} {} {}\n", i % 3, i % 5, i)).collect();
+    save("points", "text", format!("\u{1}# x y z\n{cloud}").as_bytes())?;
+    let header = "ply\nformat ascii 1.0\nelement vertex 60\nproperty float x\nproperty double y\n\
+                  property int z\nend_header\n";
+    save("points", "ply", format!("\0{header}{cloud}").as_bytes())?;
     let svg = r#"<svg viewBox="0 0 10 10"><path d="M2 8 L8 8 C9 2 1 2 2 8 Z" transform="scale(2)"/></svg>"#;
     save("svg", "closed", svg.as_bytes())?;
     let svg = r#"<svg viewBox="0 0 64 48"><path d="M32 46 L32 20 L20 8"/><polyline points="32,24 44,9"/></svg>"#;

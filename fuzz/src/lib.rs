@@ -30,6 +30,17 @@ pub fn check(result: Result<Imported, MeshError>) {
     tree_mesh::io::gltf::to_glb(&mesh, &Default::default()).expect("a mesh that was read");
 }
 
+/// What is promised of skeletons of scans, whatever the points.
+pub fn scan(points: &[tree_core::glam::DVec3], control: &Control) {
+    let params = tree_model::skeletonize::ScanParams::default();
+    if let Ok(made) = tree_model::skeletonize::skeletonize_scan(points, &params, control) {
+        assert!(!made.trees.is_empty());
+        for tree in &made.trees {
+            tree.skeleton.check().expect("a skeleton");
+        }
+    }
+}
+
 fn promise(mesh: &Mesh) {
     mesh.check().expect("columns, indices and looks");
     mesh.check_normals().expect("unit normals");

@@ -110,6 +110,18 @@ pub enum ModelError {
         /// Why.
         problem: &'static str,
     },
+    /// A cloud of points cannot become a tree.
+    #[error("cloud: {problem}")]
+    Cloud {
+        /// What is wrong with it, and what would be right.
+        problem: String,
+    },
+    /// A cloud of points shows no place where a tree stands.
+    #[error("no base found: {problem}")]
+    NoBase {
+        /// Why, and what would help.
+        problem: &'static str,
+    },
     /// A picture cannot be used.
     #[error("picture: {problem}")]
     Picture {

@@ -69,6 +69,7 @@ impl From<ModelError> for Failure {
             | ModelError::NotFinite { .. }
             | ModelError::Cost { .. } => TREE_ERROR_PARAMETER,
             ModelError::BadPart { .. }
+            | ModelError::Cloud { .. }
             | ModelError::Grammar { .. }
             | ModelError::Word { .. }
             | ModelError::Sketch { .. }

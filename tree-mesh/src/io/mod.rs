@@ -3,6 +3,7 @@
 //!
 //! * [`obj`]: OBJ with MTL, and PNG textures with the feature `image`.
 //! * [`ply`]: PLY, binary and text.
+//! * [`points`]: clouds of points from PLY and text.
 //! * `gltf` (feature `gltf`): glTF 2.0, in one file (GLB) or several.
 //! * With the feature `image`, [`Texture`](crate::Texture) reads PNG and JPEG and writes PNG.
 //!
@@ -17,6 +18,7 @@ pub mod obj;
 #[cfg(feature = "image")]
 mod picture;
 pub mod ply;
+pub mod points;
 mod polygon;
 #[cfg(test)]
 mod samples;

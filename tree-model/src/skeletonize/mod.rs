@@ -30,6 +30,7 @@ mod near;
 mod params;
 mod part;
 mod rows;
+mod scan;
 mod separate;
 mod shape;
 mod slices;
@@ -40,6 +41,7 @@ mod weld;
 
 pub use params::SkeletonizeParams;
 pub use part::{Hint, Part};
+pub use scan::{Bridge, ScanParams, ScanReport, Scanned, ScannedTree, Up, skeletonize_scan};
 pub use separate::Class;
 
 use crate::error::Result;

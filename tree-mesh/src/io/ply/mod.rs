@@ -12,10 +12,12 @@
 
 mod body;
 mod header;
+mod points;
 mod read;
 mod srgb;
 mod write;
 
+pub(super) use points::points;
 pub use read::{from_slice, read};
 pub use write::{PlyOptions, to_bytes, write_ply};
 
