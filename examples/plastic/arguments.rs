@@ -39,7 +39,9 @@ pub(crate) struct Request {
 }
 
 impl Request {
-    pub(crate) fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self, Box<dyn Error>> {
+    pub(crate) fn parse(
+        mut arguments: impl Iterator<Item = String>,
+    ) -> Result<Self, Box<dyn Error>> {
         let mut request = Self {
             input: "oak".into(),
             act: Act::Wall,
@@ -57,7 +59,11 @@ impl Request {
                         "wall" => Act::Wall,
                         "pair" => Act::Pair,
                         "sun" => Act::Sun,
-                        other => return Err(format!("no scene '{other}'; there are wall, pair, sun").into()),
+                        other => {
+                            return Err(
+                                format!("no scene '{other}'; there are wall, pair, sun").into()
+                            );
+                        }
                     }
                 }
                 "--frames" => request.frames = number::<u32>(&name, &value()?)?.clamp(1, 1000),
@@ -65,7 +71,9 @@ impl Request {
                 "--species" => request.species = Some(value()?),
                 "--colours" => request.colours = true,
                 "--out" => request.out = value()?.into(),
-                flag if flag.starts_with("--") => return Err(format!("unknown option {flag}").into()),
+                flag if flag.starts_with("--") => {
+                    return Err(format!("unknown option {flag}").into());
+                }
                 input => request.input = input.into(),
             }
         }
@@ -75,7 +83,8 @@ impl Request {
     /// The tree, and a name for its files.
     pub(crate) fn tree(&self, control: &Control) -> Result<(Tree, String), Box<dyn Error>> {
         let path = Path::new(&self.input);
-        let stem = path.file_stem().map_or("tree".into(), |stem| stem.to_string_lossy().into_owned());
+        let stem =
+            path.file_stem().map_or("tree".into(), |stem| stem.to_string_lossy().into_owned());
         let named = self.species.clone().unwrap_or_else(|| "oak".into());
         let species = Species { name: named.clone(), bark: named.clone(), leaf_kinds: vec![named] };
         match path.extension().and_then(|extension| extension.to_str()) {

@@ -98,10 +98,12 @@ fn coloured(input: &Tree, adapted: &Adapted) -> Mesh {
     let mut mesh = Mesh::default();
     for shade in 0..SHADES {
         let red = shade as f32 / (SHADES - 1) as f32;
-        mesh.materials.push(plain("bent", [0.35 + 0.6 * red, 0.33 * (1.0 - red), 0.3 * (1.0 - red), 1.0]));
+        mesh.materials
+            .push(plain("bent", [0.35 + 0.6 * red, 0.33 * (1.0 - red), 0.3 * (1.0 - red), 1.0]));
     }
     mesh.materials.push(plain("pruned", [0.05, 0.12, 0.9, 1.0]));
-    mesh.surfaces = (0..=SHADES).map(|material| Surface { material, ..Surface::default() }).collect();
+    mesh.surfaces =
+        (0..=SHADES).map(|material| Surface { material, ..Surface::default() }).collect();
     let skeleton = adapted.tree.skeleton();
     for (parent, node) in skeleton.segments() {
         let way = adapted.moved[adapted.source[node as usize] as usize] / farthest;
@@ -151,7 +153,9 @@ fn block(low: Vec3, high: Vec3) -> Mesh {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         for (side, at) in [(-1.0, low[axis]), (1.0, high[axis])] {
             let first = surface.positions.len() as u32;
-            for (a, b) in [(low[u], low[v]), (high[u], low[v]), (high[u], high[v]), (low[u], high[v])] {
+            for (a, b) in
+                [(low[u], low[v]), (high[u], low[v]), (high[u], high[v]), (low[u], high[v])]
+            {
                 let mut point = Vec3::ZERO;
                 point[axis] = at;
                 point[u] = a;

@@ -18,7 +18,9 @@ use tree_core::glam::Vec3;
 use tree_core::{Control, Volume};
 use tree_lod::preview::{self, Style};
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
-use tree_model::plastic::{ObstacleId, PlasticParams, PlasticTree, Pose, Response, Scene, Sky, TreeId};
+use tree_model::plastic::{
+    ObstacleId, PlasticParams, PlasticTree, Pose, Response, Scene, Sky, TreeId,
+};
 
 fn main() -> ExitCode {
     match run() {
@@ -58,12 +60,14 @@ fn run() -> Result<(), Box<dyn Error>> {
         .map_err(|error| format!("cannot make folder {}: {error}", request.out.display()))?;
     let act = request.act.name();
     for frame in 0..request.frames {
-        let progress = if request.frames > 1 { frame as f32 / (request.frames - 1) as f32 } else { 1.0 };
+        let progress =
+            if request.frames > 1 { frame as f32 / (request.frames - 1) as f32 } else { 1.0 };
         stage.set(progress)?;
         let started = Instant::now();
         stage.scene.update(&control)?;
         let took = 1e3 * started.elapsed().as_secs_f64();
-        let mesh = draw::frame(&stage.scene, &stage.trees, stage.wall(), request.colours, &control)?;
+        let mesh =
+            draw::frame(&stage.scene, &stage.trees, stage.wall(), request.colours, &control)?;
         let path = request.out.join(format!("{name}_{act}_{frame:03}.png"));
         preview::render(&mesh, &stage.view, &Style::default(), &control)?.save_png(&path)?;
         let adapted = stage.scene.adapted(stage.trees[0], &control)?.report;
@@ -74,7 +78,11 @@ fn run() -> Result<(), Box<dyn Error>> {
             adapted.farthest
         );
         if frame + 1 == request.frames {
-            write_glb(&mesh, request.out.join(format!("{name}_{act}.glb")), &GlbOptions::default())?;
+            write_glb(
+                &mesh,
+                request.out.join(format!("{name}_{act}.glb")),
+                &GlbOptions::default(),
+            )?;
         }
     }
     Ok(())

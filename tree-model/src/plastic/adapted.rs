@@ -12,7 +12,9 @@ use super::scene::{Planted, Scene, TreeId};
 use crate::error::Result;
 use glam::{Quat, Vec3};
 use std::f32::consts::TAU;
-use tree_core::{Control, Foliage, Leaf, NO_PARENT, Resource, Seed, Skeleton, SkeletonColumns, Tree};
+use tree_core::{
+    Control, Foliage, Leaf, NO_PARENT, Resource, Seed, Skeleton, SkeletonColumns, Tree,
+};
 
 /// Branchlets follow this share of the turn from the light of the input to that of today.
 const SEEKING: f32 = 0.3;
@@ -61,8 +63,10 @@ impl Scene {
     pub fn adapted(&self, id: TreeId, control: &Control) -> Result<Adapted> {
         let tree = self.planted(id)?;
         let center = tree.pose.to_world(tree.model.around.center);
-        let walls: Vec<&Placed> =
-            self.placed().filter(|wall| wall.near(center, 1.5 * tree.model.around.radius)).collect();
+        let walls: Vec<&Placed> = self
+            .placed()
+            .filter(|wall| wall.near(center, 1.5 * tree.model.around.radius))
+            .collect();
         Filling::new(tree, walls, self.response().density).run(control)
     }
 }
@@ -211,7 +215,8 @@ impl<'a> Filling<'a> {
 
     /// The turn of a second setting: about the main branch, by the golden angle, the same for the whole branchlet.
     fn around_branch(&self, row: usize, _node: usize) -> Quat {
-        let axis = (self.planted.state.turned[row] * self.plan.direction[row]).normalize_or(Vec3::Y);
+        let axis =
+            (self.planted.state.turned[row] * self.plan.direction[row]).normalize_or(Vec3::Y);
         let half = 0.5 * GOLDEN;
         Quat::from_xyzw(
             axis.x * libm::sinf(half),
@@ -248,12 +253,22 @@ impl<'a> Filling<'a> {
                 && (!on_main || chance < self.density[piece]);
             let at = self.place(row, self.seek[piece], leaf.position);
             if stays && !self.inside(at) {
-                let rotation = if turned == Quat::IDENTITY { leaf.rotation } else { turned * leaf.rotation };
-                out.push(Leaf { node: self.node[leaf.node as usize], position: at, rotation, ..leaf })?;
+                let rotation =
+                    if turned == Quat::IDENTITY { leaf.rotation } else { turned * leaf.rotation };
+                out.push(Leaf {
+                    node: self.node[leaf.node as usize],
+                    position: at,
+                    rotation,
+                    ..leaf
+                })?;
             } else {
                 self.report.leaves_dropped += 1;
             }
-            let again = if on_main { self.node[leaf.node as usize] } else { self.second[leaf.node as usize] };
+            let again = if on_main {
+                self.node[leaf.node as usize]
+            } else {
+                self.second[leaf.node as usize]
+            };
             let wanted = !on_main || chance < self.density[piece] - 1.0;
             if again != NO_PARENT && wanted {
                 let turn = self.around_branch(row, leaf.node as usize);

@@ -28,7 +28,8 @@ pub struct Ages {
 /// O(n log n). `None` when no length is above 0.
 #[must_use]
 pub fn commonest(lengths: &[f32]) -> Option<f32> {
-    let mut sorted: Vec<f32> = lengths.iter().copied().filter(|&l| l > 0.0 && l.is_finite()).collect();
+    let mut sorted: Vec<f32> =
+        lengths.iter().copied().filter(|&l| l > 0.0 && l.is_finite()).collect();
     sorted.sort_by(f32::total_cmp);
     let median = *sorted.get(sorted.len() / 2)?;
     let mut sums = vec![0.0_f64];

@@ -94,7 +94,16 @@ impl PlasticTree {
         let report = report(&tree, &plan, &ages);
         control.report("done", 1.0)?;
         let around = around(skeleton);
-        Ok(Self { plan, row_of, around, is_main: main.is_main, params: *params, ages, report, tree })
+        Ok(Self {
+            plan,
+            row_of,
+            around,
+            is_main: main.is_main,
+            params: *params,
+            ages,
+            report,
+            tree,
+        })
     }
 
     /// The tree as it came in.
@@ -124,7 +133,10 @@ impl PlasticTree {
     /// The season in which each node of the tree grew; that of the main branch for what follows it. O(nodes).
     #[must_use]
     pub fn seasons(&self) -> Vec<u16> {
-        self.row_of.iter().map(|&row| self.ages.season[self.plan.main[row as usize] as usize]).collect()
+        self.row_of
+            .iter()
+            .map(|&row| self.ages.season[self.plan.main[row as usize] as usize])
+            .collect()
     }
 
     /// The leaf clusters of a season, 0 to `report().seasons - 1`; none for others.
@@ -155,7 +167,10 @@ impl PlasticTree {
         self.row_of
             .iter()
             .zip(&self.is_main)
-            .map(|(&row, &main)| (main && self.plan.starved[row as usize] >= 0.0).then(|| self.plan.starved[row as usize]))
+            .map(|(&row, &main)| {
+                (main && self.plan.starved[row as usize] >= 0.0)
+                    .then(|| self.plan.starved[row as usize])
+            })
             .collect()
     }
 }

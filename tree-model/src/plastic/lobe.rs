@@ -43,7 +43,13 @@ fn pieces(skeleton: &Skeleton, extent: f32) -> (Vec<u32>, u32) {
 
 impl Lobes {
     /// `main` of `tree`, and the same as a skeleton of its own. Clusters are at least `least` in radius.
-    pub(super) fn new(tree: &Tree, main: &Main, branches: &Skeleton, extent: f32, least: f32) -> Self {
+    pub(super) fn new(
+        tree: &Tree,
+        main: &Main,
+        branches: &Skeleton,
+        extent: f32,
+        least: f32,
+    ) -> Self {
         let (piece, n_pieces) = pieces(branches, extent);
         let children = branches.children();
         let n = n_pieces as usize;

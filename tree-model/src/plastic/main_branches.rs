@@ -17,7 +17,8 @@ impl Main {
     pub(super) fn new(skeleton: &Skeleton, share: f32) -> Self {
         let parents = skeleton.parents();
         let least = share * skeleton.radii()[0];
-        let mut is_main: Vec<bool> = skeleton.radii().iter().map(|&radius| radius >= least).collect();
+        let mut is_main: Vec<bool> =
+            skeleton.radii().iter().map(|&radius| radius >= least).collect();
         is_main[0] = true;
         for node in (1..parents.len()).rev() {
             if is_main[node] {

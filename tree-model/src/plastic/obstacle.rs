@@ -81,7 +81,11 @@ impl Placed {
         if self.exact {
             return touched;
         }
-        if touched { STEPS.iter().any(|&at| self.contains(a.lerp(b, at))) } else { self.contains(b) }
+        if touched {
+            STEPS.iter().any(|&at| self.contains(a.lerp(b, at)))
+        } else {
+            self.contains(b)
+        }
     }
 }
 
@@ -193,7 +197,9 @@ fn boxes(volume: &Volume, pieces: &mut Vec<Convex>) -> Result<()> {
                         }
                     }
                 }
-                let corner = |x: u32, y: u32, z: u32| bounds.min + cell * Vec3::new(x as f32, y as f32, z as f32);
+                let corner = |x: u32, y: u32, z: u32| {
+                    bounds.min + cell * Vec3::new(x as f32, y as f32, z as f32)
+                };
                 let (low, high) = (corner(x, y, z), corner(end_x, end_y, end_z));
                 pieces.push(Convex::Block(Block {
                     center: (low + high) * 0.5,

@@ -69,7 +69,12 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    pub(super) fn new(branches: &Skeleton, ages: &Ages, lobes: &Lobes, params: &PlasticParams) -> Self {
+    pub(super) fn new(
+        branches: &Skeleton,
+        ages: &Ages,
+        lobes: &Lobes,
+        params: &PlasticParams,
+    ) -> Self {
         let mut plan = Self::sorted(branches, ages, lobes);
         plan.form_clusters(branches, ages, lobes, params);
         let bins = Bins::new(params.sky.brightest.normalize(), Vec3::Y, params.sky.brightness);
@@ -123,7 +128,13 @@ impl Plan {
         plan
     }
 
-    fn form_clusters(&mut self, branches: &Skeleton, ages: &Ages, lobes: &Lobes, params: &PlasticParams) {
+    fn form_clusters(
+        &mut self,
+        branches: &Skeleton,
+        ages: &Ages,
+        lobes: &Lobes,
+        params: &PlasticParams,
+    ) {
         let n = self.len();
         let owned = self.owned_volumes(branches, lobes);
         let mut n_children = vec![0_u32; n];
@@ -227,7 +238,8 @@ impl Plan {
 
     fn light_up(&mut self, bins: &Bins) {
         for season in &self.seasons {
-            let own: Vec<Ball> = self.clusters[season.clusters.clone()].iter().map(|c| c.ball).collect();
+            let own: Vec<Ball> =
+                self.clusters[season.clusters.clone()].iter().map(|c| c.ball).collect();
             let casters = Casters { own: &own, foreign: &[], solids: &[] };
             for (index, cluster) in self.clusters[season.clusters.clone()].iter_mut().enumerate() {
                 cluster.light = light_at(index, &casters, bins);

@@ -54,14 +54,21 @@ pub(super) fn estimate(plan: &mut Plan, on_trunk: impl Fn(u32) -> bool) {
         n_children[plan.parent[row] as usize] += 1;
     }
     let starts: Vec<bool> = (0..n)
-        .map(|row| row > 0 && n_children[plan.parent[row] as usize] > 1 && !on_trunk(plan.main[row]))
+        .map(|row| {
+            row > 0 && n_children[plan.parent[row] as usize] > 1 && !on_trunk(plan.main[row])
+        })
         .collect();
     let mut least = vec![f32::INFINITY; n];
     let mut all = Vec::new();
     let mut balance = Balance::default();
     for t in 0..plan.seasons.len() {
         let clusters = &plan.clusters[plan.seasons[t].clusters.clone()];
-        balance.start(plan, t, |place| (clusters[place].ball, clusters[place].light.amount), |_| true);
+        balance.start(
+            plan,
+            t,
+            |place| (clusters[place].ball, clusters[place].light.amount),
+            |_| true,
+        );
         for row in (1..plan.seasons[t].nodes.end).rev() {
             let (gathered, length) = (balance.gathered[row], balance.length[row]);
             let below = plan.parent[row] as usize;
@@ -76,5 +83,6 @@ pub(super) fn estimate(plan: &mut Plan, on_trunk: impl Fn(u32) -> bool) {
     }
     all.sort_by(f32::total_cmp);
     let reference = all.get(all.len() / 20).copied().unwrap_or(0.0);
-    plan.starved = (0..n).map(|row| if starts[row] { least[row].min(reference) } else { -1.0 }).collect();
+    plan.starved =
+        (0..n).map(|row| if starts[row] { least[row].min(reference) } else { -1.0 }).collect();
 }

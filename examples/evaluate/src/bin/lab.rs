@@ -37,7 +37,11 @@ fn main() -> R {
 }
 fn time() -> R {
     let mut system = LSystem::parse(PAPER, &Limits::default())?;
-    system.species = Species { name: "binary".into(), bark: "birch".into(), leaf_kinds: vec!["birch-cluster".into()] };
+    system.species = Species {
+        name: "binary".into(),
+        bark: "birch".into(),
+        leaf_kinds: vec!["birch-cluster".into()],
+    };
     let c = Control::default();
     let mut cases: Vec<(String, Tree)> = vec![("paper".into(), system.grow(Seed(1), &c)?.tree)];
     for name in ["oak", "birch", "spruce", "willow", "palm"] {
@@ -49,7 +53,8 @@ fn time() -> R {
     for (name, tree) in cases {
         let mut look = Look::built_in(tree.species())?;
         look.bark.texture = None;
-        let p = MeshParams { sides_max: 8, error: ErrorBound::Metres(0.01), ..MeshParams::default() };
+        let p =
+            MeshParams { sides_max: 8, error: ErrorBound::Metres(0.01), ..MeshParams::default() };
         let t = Instant::now();
         let m = Multires::new(&tree, &Metric::default(), &c)?;
         let t1 = t.elapsed();
@@ -57,11 +62,20 @@ fn time() -> R {
         let t2 = t.elapsed();
         let mesh = mm.mesh();
         let f = Foliage::Surfaces((1..mesh.surfaces.len() as u32).collect());
-        if tree.foliage().is_empty() { continue; }
+        if tree.foliage().is_empty() {
+            continue;
+        }
         let e = Elements::of_mesh(mesh, &f, Grain::Leaf, &c)?;
         let t3 = t.elapsed();
         let b = Bearers::of_tree(m.tree(), mesh, &e)?;
-        let bx = Boxes::along(m.tree().skeleton(), mesh, &e, &b, &BoxParams { most_boxes: 4, ..BoxParams::default() }, &c)?;
+        let bx = Boxes::along(
+            m.tree().skeleton(),
+            mesh,
+            &e,
+            &b,
+            &BoxParams { most_boxes: 4, ..BoxParams::default() },
+            &c,
+        )?;
         let t4 = t.elapsed();
         let cp = CardParams { samples: 2, ..CardParams::default() };
         let mut best = f64::MAX;
@@ -70,14 +84,26 @@ fn time() -> R {
             Cards::bake(mesh, &e, &bx, &cp, &c)?;
             best = best.min(t.elapsed().as_secs_f64());
         }
-        println!("{name}: {} leaves {} tris; sort {t1:?} mesh {:?} elements {:?} boxes {:?} bake {:.1} ms ({} boxes)", tree.foliage().len(), mesh.n_triangles(), t2 - t1, t3 - t2, t4 - t3, 1e3 * best, bx.boxes().len());
+        println!(
+            "{name}: {} leaves {} tris; sort {t1:?} mesh {:?} elements {:?} boxes {:?} bake {:.1} ms ({} boxes)",
+            tree.foliage().len(),
+            mesh.n_triangles(),
+            t2 - t1,
+            t3 - t2,
+            t4 - t3,
+            1e3 * best,
+            bx.boxes().len()
+        );
     }
     Ok(())
 }
 fn imported(name: &str) -> R<Mesh> {
     let path = format!("/work/shared/data/meshes/{name}.glb");
-    let mut mesh = io::read(std::path::Path::new(&path), &ImportOptions::default(), &Control::default())?.mesh;
-    for s in &mut mesh.surfaces { s.positions.iter_mut().for_each(|p| *p *= 0.2); }
+    let mut mesh =
+        io::read(std::path::Path::new(&path), &ImportOptions::default(), &Control::default())?.mesh;
+    for s in &mut mesh.surfaces {
+        s.positions.iter_mut().for_each(|p| *p *= 0.2);
+    }
     Ok(mesh)
 }
 fn cameras(center: Vec3, radius: f32) -> impl Iterator<Item = Camera> {
@@ -88,15 +114,23 @@ fn cameras(center: Vec3, radius: f32) -> impl Iterator<Item = Camera> {
         let level = (1.0 - y * y).sqrt();
         let direction = Vec3::new(level * cos, y, level * sin);
         let lens = Lens::Perspective { fov: 2.0 * (1.0f32 / 6.0).asin() };
-        Camera::Placed(Pose { eye: center + 6.0 * radius * direction, target: center, up: Vec3::Y, lens })
+        Camera::Placed(Pose {
+            eye: center + 6.0 * radius * direction,
+            target: center,
+            up: Vec3::Y,
+            lens,
+        })
     })
 }
 fn octa(names: &[String]) -> R {
     let c = Control::default();
     for name in names {
-        let mesh = if name.starts_with("ez") { imported(name)? } else {
+        let mesh = if name.starts_with("ez") {
+            imported(name)?
+        } else {
             let tree = LSystem::preset(name)?.grow(Seed(2010), &c)?.tree;
-            tree_mesh::build(&tree, &Look::built_in(tree.species())?, &MeshParams::default(), &c)?.mesh
+            tree_mesh::build(&tree, &Look::built_in(tree.species())?, &MeshParams::default(), &c)?
+                .mesh
         };
         let t = Instant::now();
         let baked = Octahedral::bake(&mesh, &OctahedralParams::default(), &c)?;
@@ -109,13 +143,20 @@ fn octa(names: &[String]) -> R {
             let full = mask(&mesh, &view, &c)?;
             let mut s = Score::default();
             for (a, b) in seen.bits().zip(full.bits()) {
-                s.both += u64::from(a && b); s.wrong += u64::from(a && !b); s.missed += u64::from(!a && b);
+                s.both += u64::from(a && b);
+                s.wrong += u64::from(a && !b);
+                s.missed += u64::from(!a && b);
             }
-            q += s.quality() / 32.0; p += s.precision() / 32.0; r += s.recall() / 32.0;
+            q += s.quality() / 32.0;
+            p += s.precision() / 32.0;
+            r += s.recall() / 32.0;
             worst = worst.min(s.quality());
         }
         let png = baked.color.to_png()?.len() + baked.detail.to_png()?.len();
-        println!("{name}: Q {q:.4} P {p:.4} R {r:.4} worst {worst:.3} png {:.1} MB bake {t:?}", png as f64 / 1e6);
+        println!(
+            "{name}: Q {q:.4} P {p:.4} R {r:.4} worst {worst:.3} png {:.1} MB bake {t:?}",
+            png as f64 / 1e6
+        );
     }
     Ok(())
 }
@@ -123,18 +164,32 @@ fn tri(names: &[String]) -> R {
     let c = Control::default();
     for name in names {
         let tree = LSystem::preset(name)?.grow(Seed(1), &c)?.tree;
-        if tree.foliage().is_empty() { continue; }
+        if tree.foliage().is_empty() {
+            continue;
+        }
         let look = Look::built_in(tree.species())?;
         let t = Instant::now();
         let h = Hybrid::make(&tree, &look, &HybridParams::default(), &c)?;
         let t = t.elapsed();
         let full = tree_mesh::build(&tree, &look, &MeshParams::default(), &c)?.mesh;
         let rep = h.cards().map(|k| k.boxes().report());
-        println!("{name}: full {} (wood {}), hybrid wood {} make {t:?} boxes {rep:?}", full.n_triangles(), full.surfaces[0].n_triangles(), h.mesh().surfaces[0].n_triangles());
+        println!(
+            "{name}: full {} (wood {}), hybrid wood {} make {t:?} boxes {rep:?}",
+            full.n_triangles(),
+            full.surfaces[0].n_triangles(),
+            h.mesh().surfaces[0].n_triangles()
+        );
         for px in [1000.0, 500.0, 250.0, 100.0, 40.0, 20.0] {
             let ch = h.choice_for_height(px)?;
             let (b, l) = ch.leaves.as_ref().map_or((0, 0), |l| (l.boxes.len(), l.n_leaves()));
-            println!("  {px:>6}: level {:.0}/{} wood {} leaves {l} boxes {b} total {} plain {}", ch.level, h.wood().n_levels(), h.wood().wood_indices(ch.level) / 3, h.n_triangles(&ch), h.mesh_of(&ch)?.n_triangles());
+            println!(
+                "  {px:>6}: level {:.0}/{} wood {} leaves {l} boxes {b} total {} plain {}",
+                ch.level,
+                h.wood().n_levels(),
+                h.wood().wood_indices(ch.level) / 3,
+                h.n_triangles(&ch),
+                h.mesh_of(&ch)?.n_triangles()
+            );
         }
     }
     Ok(())
@@ -152,60 +207,143 @@ fn look(names: &[String]) -> R {
             trunk.add(0, Vec3::Y * mesh.bounds().max.y.max(0.1), 0.1)?;
             let trunk = trunk.finish();
             let bearers = Bearers(vec![1; elements.len()]);
-            let boxes = Boxes::along(&trunk, &mesh, &elements, &bearers, &BoxParams { levels: 0, ..BoxParams::default() }, &c)?;
+            let boxes = Boxes::along(
+                &trunk,
+                &mesh,
+                &elements,
+                &bearers,
+                &BoxParams { levels: 0, ..BoxParams::default() },
+                &c,
+            )?;
             let cards = Cards::bake(&mesh, &elements, &boxes, &CardParams::default(), &c)?;
             let whole = mesh.clone();
-            (mesh, Box::new(move |px| {
-                let mut m = whole.clone();
-                if px > 200.0 { return Ok(m); }
-                for (i, s) in m.surfaces.iter_mut().enumerate() {
-                    if elements.surfaces.contains(&(i as u32)) { *s = tree_mesh::Surface { material: s.material, ..Default::default() }; }
-                }
-                m.surfaces.retain(|s| !s.positions.is_empty());
-                let plain = cards.plain(&[0])?;
-                let first = m.materials.len() as u32;
-                m.materials.extend(plain.materials);
-                for mut s in plain.surfaces { s.material += first; m.surfaces.push(s); }
-                Ok(m)
-            }))
+            (
+                mesh,
+                Box::new(move |px| {
+                    let mut m = whole.clone();
+                    if px > 200.0 {
+                        return Ok(m);
+                    }
+                    for (i, s) in m.surfaces.iter_mut().enumerate() {
+                        if elements.surfaces.contains(&(i as u32)) {
+                            *s = tree_mesh::Surface { material: s.material, ..Default::default() };
+                        }
+                    }
+                    m.surfaces.retain(|s| !s.positions.is_empty());
+                    let plain = cards.plain(&[0])?;
+                    let first = m.materials.len() as u32;
+                    m.materials.extend(plain.materials);
+                    for mut s in plain.surfaces {
+                        s.material += first;
+                        m.surfaces.push(s);
+                    }
+                    Ok(m)
+                }),
+            )
         } else {
-            let tree = if let Some(n) = name.strip_prefix("path-") { tree_model::path::Preset::find(n)?.params()?.grow(Seed(1), &c)?.tree } else { LSystem::preset(name)?.grow(Seed(1), &c)?.tree };
+            let tree = if let Some(n) = name.strip_prefix("path-") {
+                tree_model::path::Preset::find(n)?.params()?.grow(Seed(1), &c)?.tree
+            } else {
+                LSystem::preset(name)?.grow(Seed(1), &c)?.tree
+            };
             let look = Look::built_in(tree.species())?;
             let h = Hybrid::make(&tree, &look, &HybridParams::default(), &c)?;
             let full = tree_mesh::build(&tree, &look, &MeshParams::default(), &c)?.mesh;
             (full, Box::new(move |px| Ok(h.mesh_of(&h.choice_for_height(px)?)?)))
         };
         let mut sheet: Vec<[Picture; 2]> = Vec::new();
-        for px in std::env::var("LAB_PX").unwrap_or("250,100,40".into()).split(',').map(|v| v.parse::<f32>().unwrap()) {
+        for px in std::env::var("LAB_PX")
+            .unwrap_or("250,100,40".into())
+            .split(',')
+            .map(|v| v.parse::<f32>().unwrap())
+        {
             let ours = at(px)?;
             let (mut q, mut cov, mut lum, mut diff, mut n) = (0.0, 0.0, [0.0_f64; 6], 0.0, 0.0);
             for yaw in 0..2 {
                 for pitch in [0.05] {
-                    let camera = Camera::Framed(Framing { yaw: 0.3 + 1.9 * yaw as f32, pitch, ..Framing::default() });
+                    let camera = Camera::Framed(Framing {
+                        yaw: 0.3 + 1.9 * yaw as f32,
+                        pitch,
+                        ..Framing::default()
+                    });
                     let camera = Camera::Placed(camera.pose(&full, 1.0)?);
                     let side = px.min(250.0) as u32;
                     let view = View { width: side, height: side, samples: 3, camera };
-                    let style = Style { ground: None, backdrop: Backdrop::Studio, ..Style::default() };
-                    let (pa, pb) = (preview::render(&full, &view, &style, &c)?, preview::render(&ours, &view, &style, &c)?);
+                    let style =
+                        Style { ground: None, backdrop: Backdrop::Studio, ..Style::default() };
+                    let (pa, pb) = (
+                        preview::render(&full, &view, &style, &c)?,
+                        preview::render(&ours, &view, &style, &c)?,
+                    );
                     let (ma, mb) = (mask(&full, &view, &c)?, mask(&ours, &view, &c)?);
                     let mut s = Score::default();
-                    for (a, b) in mb.bits().zip(ma.bits()) { s.both += u64::from(a && b); s.wrong += u64::from(a && !b); s.missed += u64::from(!a && b); }
-                    q += s.quality(); cov += mb.area() / ma.area(); n += 1.0;
-                    let mean = |p: &Picture, m: &preview::Mask| { let mut sum = [0.0_f64; 4]; for (t, &k) in p.pixels.chunks_exact(4).zip(&m.coverage) { if k > 200 { sum[3] += 1.0; for i in 0..3 { sum[i] += f64::from(t[i]); } } } [0,1,2].map(|i| sum[i] / sum[3].max(1.0)) };
+                    for (a, b) in mb.bits().zip(ma.bits()) {
+                        s.both += u64::from(a && b);
+                        s.wrong += u64::from(a && !b);
+                        s.missed += u64::from(!a && b);
+                    }
+                    q += s.quality();
+                    cov += mb.area() / ma.area();
+                    n += 1.0;
+                    let mean = |p: &Picture, m: &preview::Mask| {
+                        let mut sum = [0.0_f64; 4];
+                        for (t, &k) in p.pixels.chunks_exact(4).zip(&m.coverage) {
+                            if k > 200 {
+                                sum[3] += 1.0;
+                                for i in 0..3 {
+                                    sum[i] += f64::from(t[i]);
+                                }
+                            }
+                        }
+                        [0, 1, 2].map(|i| sum[i] / sum[3].max(1.0))
+                    };
                     let (x, y) = (mean(&pa, &ma), mean(&pb, &mb));
-                    for i in 0..3 { lum[i] += x[i]; lum[3 + i] += y[i]; }
-                    diff += pa.pixels.iter().zip(&pb.pixels).map(|(a, b)| f64::from(a.abs_diff(*b))).sum::<f64>() / pa.pixels.len() as f64;
+                    for i in 0..3 {
+                        lum[i] += x[i];
+                        lum[3 + i] += y[i];
+                    }
+                    diff += pa
+                        .pixels
+                        .iter()
+                        .zip(&pb.pixels)
+                        .map(|(a, b)| f64::from(a.abs_diff(*b)))
+                        .sum::<f64>()
+                        / pa.pixels.len() as f64;
                     if yaw == 0 {
-                        let big = |p: &Picture| { let mut s = Picture { width: 400, height: 400, pixels: Vec::new() }; for j in 0..400 { for i in 0..400 { s.pixels.extend(p.pixel(i * side / 400, j * side / 400).unwrap()); } } s };
+                        let big = |p: &Picture| {
+                            let mut s = Picture { width: 400, height: 400, pixels: Vec::new() };
+                            for j in 0..400 {
+                                for i in 0..400 {
+                                    s.pixels
+                                        .extend(p.pixel(i * side / 400, j * side / 400).unwrap());
+                                }
+                            }
+                            s
+                        };
                         sheet.push([big(&pa), big(&pb)]);
                     }
                 }
             }
-            println!("{name} {px:>5}: Q {:.3} coverage {:.3} colour full {:.0?} ours {:.0?} diff {:.2} tris {} of {}", q / n, cov / n, [0,1,2].map(|i| lum[i] / n), [3,4,5].map(|i| lum[i] / n), diff / n, ours.n_triangles(), full.n_triangles());
+            println!(
+                "{name} {px:>5}: Q {:.3} coverage {:.3} colour full {:.0?} ours {:.0?} diff {:.2} tris {} of {}",
+                q / n,
+                cov / n,
+                [0, 1, 2].map(|i| lum[i] / n),
+                [3, 4, 5].map(|i| lum[i] / n),
+                diff / n,
+                ours.n_triangles(),
+                full.n_triangles()
+            );
         }
         let (w, h) = (400 * sheet.len() as u32, 800);
         let mut pixels = Vec::new();
-        for row in 0..h { for pair in &sheet { let p = &pair[(row / 400) as usize]; let s = (row % 400 * 400 * 4) as usize; pixels.extend_from_slice(&p.pixels[s..s + 1600]); } }
+        for row in 0..h {
+            for pair in &sheet {
+                let p = &pair[(row / 400) as usize];
+                let s = (row % 400 * 400 * 4) as usize;
+                pixels.extend_from_slice(&p.pixels[s..s + 1600]);
+            }
+        }
         Picture { width: w, height: h, pixels }.save_png(format!("{out}/{name}.png"))?;
     }
     Ok(())

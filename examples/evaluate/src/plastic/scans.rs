@@ -143,8 +143,7 @@ fn archi(path: &Path) -> Outcome<Vec<Piece>> {
 }
 
 fn itsme(path: &Path) -> Outcome<Vec<Piece>> {
-    let names =
-        ["start_x", "start_y", "start_z", "axis_x", "axis_y", "axis_z", "length", "radius"];
+    let names = ["start_x", "start_y", "start_z", "axis_x", "axis_y", "axis_z", "length", "radius"];
     let rows = table_of(path, &names)?;
     let at = |r: &[f64], i: usize| DVec3::new(r[i], r[i + 1], r[i + 2]);
     Ok(rows.iter().map(|r| (at(r, 0), at(r, 0) + r[6] * at(r, 3), r[7])).collect())

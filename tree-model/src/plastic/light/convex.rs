@@ -90,7 +90,8 @@ impl Convex {
         match self {
             Self::Ball(ball) => {
                 let way = b - a;
-                let along = (ball.center - a).dot(way) / way.length_squared().max(f32::MIN_POSITIVE);
+                let along =
+                    (ball.center - a).dot(way) / way.length_squared().max(f32::MIN_POSITIVE);
                 let nearest = a + way * along.clamp(0.0, 1.0);
                 nearest.distance_squared(ball.center) <= ball.radius * ball.radius
             }

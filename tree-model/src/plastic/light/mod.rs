@@ -40,7 +40,8 @@ pub(super) const STEP: f32 = 1.0 / 1024.0;
 impl Light {
     /// Sums up what the directions let through.
     pub(super) fn gather(bins: &Bins, through: &Weights) -> Self {
-        let (mut x, mut y, mut z, mut amount) = ([0.0_f32; 8], [0.0_f32; 8], [0.0_f32; 8], [0.0_f32; 8]);
+        let (mut x, mut y, mut z, mut amount) =
+            ([0.0_f32; 8], [0.0_f32; 8], [0.0_f32; 8], [0.0_f32; 8]);
         // Eight sums side by side: one vector register each, and always the same order.
         for first in (0..DIRECTIONS).step_by(8) {
             for lane in 0..8 {

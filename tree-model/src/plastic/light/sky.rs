@@ -91,7 +91,8 @@ impl Bins {
             let cos = libm::cbrtf(1.0 - (k as f32 + 0.5) / DIRECTIONS as f32);
             let sin = (1.0 - cos * cos).max(0.0).sqrt();
             let turn = golden * k as f32;
-            let way = brightest * cos + side * (sin * libm::cosf(turn)) + fore * (sin * libm::sinf(turn));
+            let way =
+                brightest * cos + side * (sin * libm::cosf(turn)) + fore * (sin * libm::sinf(turn));
             (bins.x[k], bins.y[k], bins.z[k]) = (way.x, way.y, way.z);
             // The horizon cuts a direction's share as casters do, gradually.
             bins.weight[k] = (0.5 + way.dot(up) / (2.0 * Self::reach())).clamp(0.0, 1.0);

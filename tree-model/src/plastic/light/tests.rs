@@ -57,7 +57,11 @@ fn crown(seed: u64, n: usize) -> Vec<Ball> {
 fn check(balls: &[Ball], solids: &[Convex], brightest: Vec3, case: &str) {
     let light = ours(Vec3::ZERO, balls, solids, brightest);
     let (amount, towards) = by_rays(Vec3::ZERO, balls, solids, brightest);
-    assert!((light.amount - amount).abs() < 0.02, "{case}: {} of the sky, by rays {amount}", light.amount);
+    assert!(
+        (light.amount - amount).abs() < 0.02,
+        "{case}: {} of the sky, by rays {amount}",
+        light.amount
+    );
     if amount > 0.05 {
         let angle = light.direction.dot(towards);
         assert!(angle > 0.99, "{case}: from {}, by rays {towards}", light.direction);

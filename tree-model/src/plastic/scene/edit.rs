@@ -1,11 +1,11 @@
 //! What a scene holds, and how it is changed.
 
-use super::state::State;
 use super::super::analysis::PlasticTree;
 use super::super::light::{Ball, Bins, Light, Sky};
 use super::super::obstacle::{Obstacle, Placed};
 use super::super::params::{Response, scene_error};
 use super::super::pose::Pose;
+use super::state::State;
 use crate::error::Result;
 use glam::Vec3;
 use std::sync::Arc;
@@ -236,7 +236,12 @@ impl Scene {
         let tree = &self.trees[self.tree_index(id)?];
         let last = tree.model.plan.seasons.last().map_or(0..0, |season| season.clusters.clone());
         let lights = tree.state.lights[last.clone()].iter().copied();
-        Ok(tree.balls[last].iter().copied().zip(lights).filter(|(ball, _)| ball.radius > 0.0).collect())
+        Ok(tree.balls[last]
+            .iter()
+            .copied()
+            .zip(lights)
+            .filter(|(ball, _)| ball.radius > 0.0)
+            .collect())
     }
 
     pub(in crate::plastic) fn planted(&self, id: TreeId) -> Result<&Planted> {
@@ -283,10 +288,12 @@ impl Scene {
     /// Notes what a tree shaded that moves or goes.
     fn leave(&mut self, index: usize) {
         let tree = &self.trees[index];
-        self.left.extend(tree.balls.iter().filter(|ball| ball.radius > 0.0).map(|ball| Ball {
-            center: tree.pose.to_world(ball.center),
-            ..*ball
-        }));
+        self.left.extend(
+            tree.balls
+                .iter()
+                .filter(|ball| ball.radius > 0.0)
+                .map(|ball| Ball { center: tree.pose.to_world(ball.center), ..*ball }),
+        );
     }
 }
 

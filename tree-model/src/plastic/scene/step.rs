@@ -39,11 +39,7 @@ pub(super) fn shine(
     around: &Surroundings<'_>,
 ) -> bool {
     let clusters = plan.seasons[t].clusters.clone();
-    let casters = Casters {
-        own: &own[clusters.clone()],
-        foreign,
-        solids: around.solids,
-    };
+    let casters = Casters { own: &own[clusters.clone()], foreign, solids: around.solids };
     let mut changed = false;
     for (place, index) in clusters.enumerate() {
         let light = if casters.own[place].radius > 0.0 {
@@ -93,7 +89,14 @@ fn bend_season(plan: &Plan, t: usize, state: &mut State, around: &Surroundings<'
         let turned = if dead {
             state.turned[below]
         } else {
-            turn(plan, row, state.turned[below], state.lights[plan.lit_by[row] as usize], up, around.response.bending)
+            turn(
+                plan,
+                row,
+                state.turned[below],
+                state.lights[plan.lit_by[row] as usize],
+                up,
+                around.response.bending,
+            )
         };
         let segment = plan.segment[row];
         let moved = state.moved[below] + (turned * segment - segment);
@@ -105,20 +108,20 @@ fn bend_season(plan: &Plan, t: usize, state: &mut State, around: &Surroundings<'
             let to = around.pose.to_world(plan.position[row] + moved);
             around.walls.iter().any(|wall| wall.meets(from, to))
         };
-        state.died[row] =
-            if dead || (!around.walls.is_empty() && blocked()) {
-                season
-            } else {
-                // A death in a later season stands until that season is looked at again.
-                if state.outlived(row, t) { state.died[row] } else { ALIVE }
-            };
+        state.died[row] = if dead || (!around.walls.is_empty() && blocked()) {
+            season
+        } else {
+            // A death in a later season stands until that season is looked at again.
+            if state.outlived(row, t) { state.died[row] } else { ALIVE }
+        };
     }
     changed
 }
 
 /// How far the segment below `row` turns, all in all, where what is below it turned by `below` (section 5.1).
 fn turn(plan: &Plan, row: usize, below: Quat, light: Light, up: Vec3, bending: f32) -> Quat {
-    let as_it_was = light.direction == plan.clusters[plan.lit_by[row] as usize].light.direction && up == Vec3::Y;
+    let as_it_was = light.direction == plan.clusters[plan.lit_by[row] as usize].light.direction
+        && up == Vec3::Y;
     if (as_it_was && below == Quat::IDENTITY) || bending == 0.0 {
         return below;
     }
@@ -132,7 +135,14 @@ fn turn(plan: &Plan, row: usize, below: Quat, light: Light, up: Vec3, bending: f
 }
 
 /// Prunes the branches that starve in season `t`, tips first, and all they carry.
-fn starve(plan: &Plan, t: usize, state: &mut State, balls: &[Ball], pruning: f32, balance: &mut Balance) {
+fn starve(
+    plan: &Plan,
+    t: usize,
+    state: &mut State,
+    balls: &[Ball],
+    pruning: f32,
+    balance: &mut Balance,
+) {
     let season = t as u16;
     let end = plan.seasons[t].nodes.end;
     if pruning > 0.0 {

@@ -31,7 +31,9 @@ fn trees(scene: &Scene) -> Vec<Adapted> {
 fn assert_same(a: &[Adapted], b: &[Adapted]) {
     assert_eq!(a.len(), b.len());
     for (index, (a, b)) in a.iter().zip(b).enumerate() {
-        let differ = |what: &str, at: Option<usize>| assert!(at.is_none(), "tree {index}: {what} differ at {at:?}");
+        let differ = |what: &str, at: Option<usize>| {
+            assert!(at.is_none(), "tree {index}: {what} differ at {at:?}")
+        };
         assert_eq!(a.report, b.report, "tree {index}");
         differ("nodes", a.source.iter().zip(&b.source).position(|(a, b)| a != b));
         differ("deaths", a.died.iter().zip(&b.died).position(|(a, b)| a != b));
@@ -67,7 +69,11 @@ fn a_wall_bends_the_tree_away_and_prunes_its_side() {
     let changed = update(&mut scene);
     assert_eq!(changed.changed, [id]);
     let adapted = scene.adapted(id, &Control::default()).unwrap();
-    assert!(adapted.report.pruned_nodes > 0 && adapted.report.farthest > 0.0, "{:?}", adapted.report);
+    assert!(
+        adapted.report.pruned_nodes > 0 && adapted.report.farthest > 0.0,
+        "{:?}",
+        adapted.report
+    );
     let middle = |tree: &Tree| {
         let sum: Vec3 = tree.foliage().positions().iter().sum();
         sum / tree.foliage().len() as f32
@@ -112,7 +118,8 @@ fn the_order_of_edits_does_not_matter() {
     update(&mut one);
 
     let mut other = scene();
-    let ball = other.add_obstacle(Volume::sphere(Vec3::Y * 3.0, 0.7).unwrap(), at(9.0, 0.5)).unwrap();
+    let ball =
+        other.add_obstacle(Volume::sphere(Vec3::Y * 3.0, 0.7).unwrap(), at(9.0, 0.5)).unwrap();
     let second = other.add_tree(birch, at(-8.0, 1.0)).unwrap();
     update(&mut other);
     let barrier = other.add_obstacle(wall(5.0), at(4.0, 0.0)).unwrap();
@@ -195,18 +202,36 @@ fn what_cannot_be_is_refused_and_the_scene_stays() {
     let model = model("birch");
     let mut scene = scene();
     let id = scene.add_tree(model.clone(), Pose::default()).unwrap();
-    let ball = scene.add_obstacle(Volume::sphere(Vec3::ZERO, 1.0).unwrap(), Pose::at(Vec3::X * 9.0)).unwrap();
+    let ball = scene
+        .add_obstacle(Volume::sphere(Vec3::ZERO, 1.0).unwrap(), Pose::at(Vec3::X * 9.0))
+        .unwrap();
     update(&mut scene);
     let before = trees(&scene);
-    assert!(scene.move_obstacle(ball, Pose::default()).unwrap_err().to_string().contains("base of tree"));
-    assert!(scene.move_tree(id, Pose::at(Vec3::X * 9.0)).unwrap_err().to_string().contains("obstacle"));
+    assert!(
+        scene
+            .move_obstacle(ball, Pose::default())
+            .unwrap_err()
+            .to_string()
+            .contains("base of tree")
+    );
+    assert!(
+        scene.move_tree(id, Pose::at(Vec3::X * 9.0)).unwrap_err().to_string().contains("obstacle")
+    );
     assert!(scene.move_tree(id, Pose::at(Vec3::NAN)).is_err());
     let flat = Pose { rotation: Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), ..Pose::default() };
     assert!(scene.move_tree(id, flat).unwrap_err().to_string().contains("rotation"));
-    assert!(scene.move_tree(TreeId(77), Pose::default()).unwrap_err().to_string().contains("tree 77"));
+    assert!(
+        scene.move_tree(TreeId(77), Pose::default()).unwrap_err().to_string().contains("tree 77")
+    );
     let endless = Volume::half_space(Vec3::ZERO, Vec3::Y).unwrap();
     let quarter = endless.intersection(&Volume::half_space(Vec3::ZERO, Vec3::X).unwrap()).unwrap();
-    assert!(scene.add_obstacle(quarter, Pose::at(Vec3::Y * -50.0)).unwrap_err().to_string().contains("end"));
+    assert!(
+        scene
+            .add_obstacle(quarter, Pose::at(Vec3::Y * -50.0))
+            .unwrap_err()
+            .to_string()
+            .contains("end")
+    );
     assert!(scene.set_sky(Sky { brightest: Vec3::ZERO, ..Sky::default() }).is_err());
     assert_eq!(update(&mut scene), Update::default());
     assert_same(&trees(&scene), &before);
@@ -233,8 +258,12 @@ fn the_sun_from_the_side_turns_the_crown() {
     scene.set_sky(Sky::towards(std::f32::consts::FRAC_PI_2, 0.6)).unwrap();
     update(&mut scene);
     let adapted = &trees(&scene)[0];
-    let top = |skeleton: &Skeleton| skeleton.positions().iter().copied().reduce(|a, b| if a.y > b.y { a } else { b });
-    assert!(top(adapted.tree.skeleton()).unwrap().x > top(model.tree().skeleton()).unwrap().x + 0.1);
+    let top = |skeleton: &Skeleton| {
+        skeleton.positions().iter().copied().reduce(|a, b| if a.y > b.y { a } else { b })
+    };
+    assert!(
+        top(adapted.tree.skeleton()).unwrap().x > top(model.tree().skeleton()).unwrap().x + 0.1
+    );
 }
 
 #[test]
@@ -246,7 +275,8 @@ fn one_node_and_coinciding_nodes_are_trees_too() {
     still.add(1, Vec3::ZERO, 0.1).unwrap();
     for skeleton in [one, still.finish()] {
         let tree = Tree::bare(skeleton, Species::default());
-        let model = Arc::new(PlasticTree::new(tree.clone(), &PlasticParams::default(), &control).unwrap());
+        let model =
+            Arc::new(PlasticTree::new(tree.clone(), &PlasticParams::default(), &control).unwrap());
         let mut scene = scene();
         scene.add_tree(model, Pose::default()).unwrap();
         scene.add_obstacle(wall(3.0), Pose::at(Vec3::X * 0.4)).unwrap();
@@ -260,7 +290,8 @@ fn a_closed_mesh_stands_in_the_way_as_the_box_it_is() {
     let corners: Vec<Vec3> = (0..8)
         .map(|k| Vec3::new([-0.1, 0.1][k & 1], [0.0, 6.0][k >> 1 & 1], [-8.0, 8.0][k >> 2 & 1]))
         .collect();
-    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let quads =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).collect();
     let mesh = Volume::mesh(corners, triangles).unwrap();
     let model = model("birch");

@@ -57,7 +57,8 @@ impl Scene {
     pub fn update(&mut self, control: &Control) -> Result<Update> {
         control.check()?;
         let all = std::mem::replace(&mut self.all, true);
-        let mut walls: Vec<&Placed> = self.obstacles.iter().map(|standing| &standing.placed).collect();
+        let mut walls: Vec<&Placed> =
+            self.obstacles.iter().map(|standing| &standing.placed).collect();
         walls.sort_by_key(|placed| placed.key());
         let (moved, left) = (&self.moved, &self.left);
         let mut works: Vec<Work> = self
@@ -114,7 +115,8 @@ fn run(
         for ((tree, own), work) in trees.iter().zip(balls.iter_mut()).zip(works.iter_mut()) {
             let clock = Clock::new(&tree.model, step, n_steps);
             if clock.first {
-                work.stirred = work.dirty && tree.state.move_clusters(&tree.model.plan, clock.t, own);
+                work.stirred =
+                    work.dirty && tree.state.move_clusters(&tree.model.plan, clock.t, own);
             }
         }
         let stirred: Vec<bool> = works.iter().map(|work| work.stirred).collect();
@@ -122,7 +124,9 @@ fn run(
         let stands = &stands;
         let live = |tree: &Planted, work: &Work| {
             Clock::new(&tree.model, step, n_steps).last
-                && (work.anew || work.dirty || work.near.iter().any(|&other| stirred[other as usize]))
+                && (work.anew
+                    || work.dirty
+                    || work.near.iter().any(|&other| stirred[other as usize]))
         };
         let mut busy: Vec<(usize, &mut Planted, &mut Work)> = trees
             .iter_mut()
@@ -195,7 +199,8 @@ fn look(
     let lit = shine(&model.plan, t, &mut tree.state, &balls[index], &work.foreign, &around);
     work.changed |= lit;
     if lit || work.anew || work.dirty {
-        let grown = grow(&model.plan, t, &mut tree.state, &balls[index], &around, &mut work.scratch);
+        let grown =
+            grow(&model.plan, t, &mut tree.state, &balls[index], &around, &mut work.scratch);
         work.dirty |= grown;
         work.dirty |= grown;
         work.changed |= grown;
