@@ -1,11 +1,11 @@
 //! Laser scans: skeletons of the clouds in shared data against the reference skeletons there, and the time
 //! of 200,000 points.
 //!
-//! The references are what others' programs made of the same scans (aRchi, TreeQSM, PlantScan3D). Thick
-//! axes are those of more than 2 cm of diameter. The reference of itsme_tree2 has the wood only, of a tree
+//! The references are what others' programs made of the same scans (`aRchi`, `TreeQSM`, `PlantScan3D`). Thick
+//! axes are those of more than 2 cm of diameter. The reference of `itsme_tree2` has the wood only, of a tree
 //! in leaf; so for all three the branches that run through foliage are left out. The trunk's radius is
 //! compared 1.3 m above the reference's base, at the lowest place of the scan where that is higher
-//! (puu1_crown has no lower trunk).
+//! (`puu1_crown` has no lower trunk).
 
 use super::Outcome;
 use crate::measure::fastest;

@@ -68,7 +68,7 @@ pub(super) fn clean(
         return Err(few(finite.len(), "finite points"));
     }
     let size = (high - low).max_element();
-    if !(size > 0.0) {
+    if size <= 0.0 {
         return Err(ModelError::Cloud { problem: "all points lie at one place".into() });
     }
     if size > SIZE_MAX {

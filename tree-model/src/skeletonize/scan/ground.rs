@@ -77,7 +77,7 @@ impl Ground {
             && n_cells >= CELLS;
         // Where the lowest point is none of the ground, the slope goes on.
         for (height, level) in ground.heights.iter_mut().zip(level) {
-            if !((*height - level).abs() <= rough) {
+            if !height.is_finite() || (*height - level).abs() > rough {
                 *height = level;
             }
         }

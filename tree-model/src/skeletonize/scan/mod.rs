@@ -10,8 +10,8 @@
 //! 7. `wood`, `circle`: centres and radii by robust circles, elsewhere by the pipe model; where foliage begins.
 //! 8. `assemble`: skeletons.
 //!
-//! Others build one minimum spanning tree of all points (Livny et al. 2010; Du et al. 2019, AdTree) or
-//! cylinders in cover sets (Raumonen et al. 2013, TreeQSM). Levels put nodes at the middle of thick
+//! Others build one minimum spanning tree of all points (Livny et al. 2010; Du et al. 2019, `AdTree`) or
+//! cylinders in cover sets (Raumonen et al. 2013, `TreeQSM`). Levels put nodes at the middle of thick
 //! wood at once, where spanning trees run along its surface.
 //!
 //! Leaves are not made: what hangs in foliage is told from wood by its clusters, which are wide, but
