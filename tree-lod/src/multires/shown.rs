@@ -108,3 +108,45 @@ impl Grid {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Adt;
+    use glam::{Quat, Vec3};
+    use tree_core::{Foliage, Leaf, Skeleton, Species, Tree};
+
+    /// A trunk with a twig to either side, as wide as long; so many leaves at the end of each.
+    fn tree(leaves: [u32; 2]) -> Tree {
+        let mut skeleton = Skeleton::builder(Vec3::ZERO, 0.05).unwrap();
+        let fork = skeleton.add(0, 4.0 * Vec3::Y, 0.05).unwrap();
+        let mut foliage = Foliage::default();
+        for (side, n) in [-1.0, 1.0].into_iter().zip(leaves) {
+            let position = Vec3::new(side, 5.0, 0.0);
+            let node = skeleton.add(fork, position, 0.01).unwrap();
+            let (rotation, size) = (Quat::IDENTITY, 0.1);
+            (0..n).for_each(|_| {
+                foliage.push(Leaf { node, position, rotation, size, kind: 0 }).unwrap();
+            });
+        }
+        Tree::new(skeleton.finish(), foliage, Species::default()).unwrap()
+    }
+
+    #[test]
+    fn what_lies_alone_shows_its_area() {
+        let areas = Adt::of_skeleton(tree([0, 0]).skeleton()).areas().to_vec();
+        // The trunk is 4 m long and 0.1 m wide; little is lost in cells that are nearly as wide.
+        assert!(areas[0] > 0.2 && areas[0] < 0.4, "{areas:?}");
+        // A twig is as wide as itself, not as the trunk; seen from four sides it is shorter than it is.
+        let most = 0.02 * 2.0_f64.sqrt();
+        assert!(areas[1] > 0.5 * most && areas[1] < most, "{areas:?}");
+        assert!((areas[1] - areas[2]).abs() < 1e-6, "{areas:?}");
+    }
+
+    #[test]
+    fn leaves_behind_leaves_show_less() {
+        let bare = Adt::of_tree(&tree([0, 0])).areas().to_vec();
+        let leafy = Adt::of_tree(&tree([1, 100])).areas().to_vec();
+        let (one, many) = (leafy[1] - bare[1], leafy[2] - bare[2]);
+        assert!(one > 0.0 && many > one && many < 50.0 * one, "{one} {many}");
+    }
+}
