@@ -63,7 +63,9 @@ fn wood_of_every_level_is_open_only_inside_what_bears_it_and_looks_outwards() {
         // Edges that only one triangle has lie about the forks, within the wood that is there.
         let mut edges = std::collections::BTreeMap::<[u32; 2], u32>::new();
         for [a, b, c] in surface.indices.as_chunks::<3>().0 {
-            for [a, b] in [[a, b], [b, c], [c, a]].map(|ends| ends.map(|&i| surface.welds[i as usize])) {
+            for [a, b] in
+                [[a, b], [b, c], [c, a]].map(|ends| ends.map(|&i| surface.welds[i as usize]))
+            {
                 *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
             }
         }

@@ -79,8 +79,7 @@ impl Line {
     /// Leaves out what lies within `error` of the tube between its neighbours.
     fn simplify(&mut self, error: f32) {
         let n = self.points.len();
-        let mut kept: Vec<bool> =
-            (0..n).map(|i| i.is_multiple_of(STRETCH) || i + 1 == n).collect();
+        let mut kept: Vec<bool> = (0..n).map(|i| i.is_multiple_of(STRETCH) || i + 1 == n).collect();
         let mut stack: Vec<(usize, usize)> =
             (0..n).step_by(STRETCH).map(|a| (a, (a + STRETCH).min(n - 1))).collect();
         while let Some((a, b)) = stack.pop() {

@@ -38,6 +38,7 @@ mod tests;
 pub(crate) use camera::Projector;
 pub use camera::{Camera, Framing, Lens, Pose};
 pub use picture::{Mask, Picture};
+pub(crate) use project::Spot;
 pub(crate) use project::clip_loose;
 pub(crate) use raster::{Band, Filter};
 pub use render::{mask, render, silhouette};
@@ -45,7 +46,6 @@ pub(crate) use scene::{Pattern, Scene};
 pub(crate) use shadow::hemisphere;
 pub use style::{Backdrop, Style};
 pub(crate) use texture::Srgb;
-pub(crate) use project::Spot;
 pub(crate) use visibility::{Part, Stage as Draw};
 
 use crate::error::{Result, check_range};

@@ -99,10 +99,10 @@ fn of_mesh(table: &mut Table, name: &str, mesh: &Mesh) -> Outcome {
     let plain = cards.plain(&[0])?;
     let first = far.materials.len() as u32;
     far.materials.extend(plain.materials);
-    far.surfaces.extend(
-        plain.surfaces.into_iter().map(|s| Surface { material: s.material + first, ..s }),
-    );
-    let levels = HEIGHTS.map(|height| if height < PLANES_BELOW { far.clone() } else { mesh.clone() });
+    far.surfaces
+        .extend(plain.surfaces.into_iter().map(|s| Surface { material: s.material + first, ..s }));
+    let levels =
+        HEIGHTS.map(|height| if height < PLANES_BELOW { far.clone() } else { mesh.clone() });
     compare(table, name, mesh, &levels)
 }
 

@@ -152,8 +152,14 @@ impl Boxes {
         let Some(whole) = fit(mesh, elements, walk.of(0), base(0)) else {
             return Err(LodError::Impostor("the leaves are all at one point, or beyond 1000 km"));
         };
-        let root =
-            Grown { parent: NO_BOX, level: 0, node: 0, fit: whole, children: Vec::new(), group: None };
+        let root = Grown {
+            parent: NO_BOX,
+            level: 0,
+            node: 0,
+            fit: whole,
+            children: Vec::new(),
+            group: None,
+        };
         let mut grown = vec![root];
         let mut dropped = 0;
         let mut at = 0;
@@ -166,7 +172,8 @@ impl Boxes {
                 let fit_node = |node: u32| fit(mesh, elements, walk.of(node), base(node));
                 let (mut found, mut small) = (Vec::new(), 0);
                 if here.group.is_none() {
-                    (found, small) = branches(&walk, here.node, volume, params, &fit_node, control)?;
+                    (found, small) =
+                        branches(&walk, here.node, volume, params, &fit_node, control)?;
                 }
                 dropped += small + found.len().saturating_sub(room);
                 small += usize::from(here.group.is_some());

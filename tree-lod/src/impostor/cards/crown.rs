@@ -135,8 +135,7 @@ mod tests {
     fn less_light_comes_deeper_into_a_crown_and_into_a_denser_one() {
         let (thin, dense) = (ball(500), ball(5000));
         let (thin, dense) = (thin.light(), dense.light());
-        let down: Vec<f32> =
-            [1.9, 1.0, 0.0, -1.0].iter().map(|&y| dense.at(Vec3::Y * y)).collect();
+        let down: Vec<f32> = [1.9, 1.0, 0.0, -1.0].iter().map(|&y| dense.at(Vec3::Y * y)).collect();
         assert!(down.windows(2).all(|pair| pair[0] > pair[1]), "{down:?}");
         assert!(thin.at(Vec3::ZERO) > dense.at(Vec3::ZERO));
         assert!(down.iter().all(|light| (SCATTERED..=1.0).contains(light)));
@@ -145,7 +144,8 @@ mod tests {
 
     #[test]
     fn light_falls_off_as_through_an_even_medium() {
-        let (crown, k) = (ball(4000), HIDES * 4000.0 * 0.01 / (4.0 / 3.0 * std::f32::consts::PI * 8.0));
+        let (crown, k) =
+            (ball(4000), HIDES * 4000.0 * 0.01 / (4.0 / 3.0 * std::f32::consts::PI * 8.0));
         let middle = Vec3::from(crown.n.map(|n| n as f32)) * 0.5;
         let found = crown.through(middle, Vec3::Y);
         let wanted = libm::expf(-2.0 * k);

@@ -95,9 +95,8 @@ impl Cards {
         // Some boxes at a time, so that tiles do not pile up.
         for (first, chunk) in (0..).step_by(CHUNK).zip(boxes.boxes().chunks(CHUNK)) {
             control.report("cards", first as f32 / n as f32)?;
-            let part = |leaf_box: &LeafBox| {
-                part(&scene, elements, boxes.leaves(leaf_box.leaves.clone()))
-            };
+            let part =
+                |leaf_box: &LeafBox| part(&scene, elements, boxes.leaves(leaf_box.leaves.clone()));
             let parts: Vec<Part> = chunk.par_iter().map(part).collect();
             let bake_plane = |buffers: &mut Samples, tile: usize| {
                 control.check()?;

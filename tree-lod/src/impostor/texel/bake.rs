@@ -87,7 +87,11 @@ pub(crate) fn bake(
     let projector = window.projector(across);
     let mut band =
         Band { top: 0, width: across as i32, depth: &mut buffers.depth, ids: &mut buffers.ids };
-    Draw { scene, projector: &projector, spots: &[] }.draw_part(part, &mut buffers.spots, &mut band);
+    Draw { scene, projector: &projector, spots: &[] }.draw_part(
+        part,
+        &mut buffers.spots,
+        &mut band,
+    );
     let n_texels = side as usize * side as usize;
     let mut tile = Tile {
         side,
