@@ -131,7 +131,7 @@ fn two_kinds() -> tree_core::Tree {
         let p = Vec3::Y * (i + 1) as f32;
         let node = builder.add(i, p, 0.05).unwrap();
         let size = if i % 5 == 4 { 0.0 } else { 0.1 };
-        let (rotation, kind) = (glam::Quat::IDENTITY, (i % 2) as u16);
+        let (rotation, kind) = (Quat::IDENTITY, (i % 2) as u16);
         foliage.push(tree_core::Leaf { node, position: p, rotation, size, kind }).unwrap();
     }
     let kinds = ["birch", "oak"].map(String::from).to_vec();

@@ -17,7 +17,7 @@ const DIRECTIONS: u32 = 24;
 /// Half of the area of leaves hides, on average over directions.
 const HIDES: f32 = 0.5;
 /// Light that comes from leaves around rather than from the sky, where no sky is seen.
-const SCATTERED: f32 = 0.12;
+const SCATTERED: f32 = 0.35;
 
 /// The density of the leaves of a tree.
 #[derive(Clone, Debug, PartialEq)]

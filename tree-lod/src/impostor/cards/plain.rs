@@ -11,12 +11,17 @@ use tree_mesh::{Mesh, Surface, Texture};
 
 /// Planes that are drawn of each box: all six at once would cover too much.
 pub const PLAIN: usize = 3;
-/// Light on a place that sees half the sky: pictures are as bright, on average, as the leaves they show.
-const EXPOSURE: f32 = 1.0;
+/// Mean light of all that is covered. Pictures are somewhat darker than bare leaves: those shade each other,
+/// planes hardly do.
+const EXPOSURE: f64 = 0.85;
 /// Light from straight below, where that from straight above is 1.
 const BELOW: f32 = 0.55;
 /// Part of a normal that looks to the viewer, against the part that looks out of the crown.
 const TOWARD: f32 = 0.9;
+
+/// Part of the height in the crown in a normal, and what is added for the sky.
+const HIGH: f32 = 0.4;
+const UPWARD: f32 = 0.3;
 
 /// The picture with light in it, made when it is first asked for.
 #[derive(Clone, Debug, Default)]
@@ -93,36 +98,41 @@ impl Cards {
 
     fn shine(&self) -> Texture {
         let srgb = Srgb::shared();
-        let light = self.crown.light();
+        let shades = self.shades();
         let mut pixels = self.color.pixels.clone();
-        let width = self.color.width as usize;
-        let stride = 4 * width * self.size as usize;
-        let (detail, _) = self.detail.pixels.as_chunks::<4>();
-        // A row of tiles at a time.
-        pixels.par_chunks_mut(stride).enumerate().for_each(|(row, rows)| {
-            for column in 0..self.columns as usize {
-                let tile = row * self.columns as usize + column;
-                let Ok(leaf_box) = self.boxes.get((tile / PLANES) as u32) else { return };
-                let face = planes(leaf_box)[tile % PLANES];
-                for i in 0..(self.size * self.size) as usize {
-                    let (x, y) = (i % self.size as usize, i / self.size as usize);
-                    let at = y * width + column * self.size as usize + x;
-                    let Some(texel) = rows.get_mut(4 * at..4 * at + 3) else { continue };
-                    let found = detail.get(row * self.size as usize * width + at);
-                    let [_, ny, _, depth] =
-                        found.copied().unwrap_or_default().map(|v| f32::from(v) / 127.5 - 1.0);
-                    let p = self.position(&face, [x, y], depth);
-                    let soft = BELOW + (1.0 - BELOW) * (0.5 + 0.5 * ny);
-                    let shine = EXPOSURE * light.at(p) * soft;
-                    for byte in texel {
-                        let linear = srgb.decode([*byte; 4]).x;
-                        *byte = srgb.encode((linear * shine).min(1.0));
-                    }
-                }
-            }
+        let (texels, _) = pixels.as_chunks_mut::<4>();
+        let covered = texels.iter().zip(&shades).filter(|(texel, _)| texel[3] >= 128);
+        let (sum, n) = covered.fold((0.0, 0_u64), |(s, n), (_, &v)| (s + f64::from(v), n + 1));
+        let exposure = if sum > 0.0 { (EXPOSURE * n as f64 / sum) as f32 } else { 1.0 };
+        texels.par_iter_mut().zip(&shades).for_each(|(texel, &shade)| {
+            let lit = srgb.decode(*texel) * (exposure * shade);
+            let [r, g, b] = lit.to_array().map(|v| srgb.encode(v.min(1.0)));
+            *texel = [r, g, b, texel[3]];
         });
         let (width, height) = (self.color.width, self.color.height);
         Texture { name: "cards".into(), width, height, pixels }
+    }
+
+    /// The light on each texel of the atlas; 0 where there is no tile.
+    fn shades(&self) -> Vec<f32> {
+        let light = self.crown.light();
+        let (width, size) = (self.color.width as usize, self.size as usize);
+        let mut shades = vec![0.0; width * self.color.height as usize];
+        let (detail, _) = self.detail.pixels.as_chunks::<4>();
+        // A row of tiles at a time.
+        let rows = shades.par_chunks_mut(width * size).zip(detail.par_chunks(width * size));
+        rows.enumerate().for_each(|(row, (shades, detail))| {
+            for (at, (shade, detail)) in shades.iter_mut().zip(detail).enumerate() {
+                let (x, y) = (at % width, at / width);
+                let tile = row * self.columns as usize + x / size;
+                let Ok(leaf_box) = self.boxes.get((tile / PLANES) as u32) else { continue };
+                let face = planes(leaf_box)[tile % PLANES];
+                let [_, ny, _, depth] = detail.map(|v| f32::from(v) / 127.5 - 1.0);
+                let p = self.position(&face, [x % size, y], depth);
+                *shade = light.at(p) * (BELOW + (1.0 - BELOW) * (0.5 + 0.5 * ny));
+            }
+        });
+        shades
     }
 
     /// The place of a texel of a tile in the space of the tree; depth as a share of the reach.
@@ -135,10 +145,11 @@ impl Cards {
     }
 }
 
-/// The normal of a rounded crown at a place, seen from a side.
+/// The normal of a rounded crown at a place, seen from a side. It hardly looks down: what hangs low in a crown
+/// sees as much sky from the side.
 fn rounded(p: Vec3, side: Vec3, crown: &LeafBox) -> Vec3 {
-    let half = crown.half.max_element();
-    let out = (p - crown.center) / half;
+    let out = (p - crown.center) / crown.half.max_element();
+    let out = Vec3::new(out.x, HIGH * out.y + UPWARD, out.z);
     (out + TOWARD * side).try_normalize().unwrap_or(side)
 }
 

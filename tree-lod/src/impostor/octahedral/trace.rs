@@ -11,7 +11,7 @@ pub const STEPS: u32 = 32;
 
 /// How deep the layer is that a texel stands for, as a share of the ball's radius: a ray that passes
 /// further behind it goes on. More thickens the tree, less makes holes.
-pub const THICKNESS: f32 = 0.1;
+pub const THICKNESS: f32 = 0.17;
 
 /// Smallest alpha that stops a ray.
 const ALPHA_MIN: f32 = 0.25;
@@ -62,13 +62,10 @@ impl Octahedral {
             let here = self.place(frame, start + along * s);
             let above = height - sink * s - self.detail(here).w * meta.radius;
             if above <= slab && above >= -slab - THICKNESS * meta.radius {
-                let met = self.met(here, s, srgb);
-                if met.alpha >= ALPHA_MIN {
-                    // To where the ray crosses the depth that was found, unless that is beside a thin twig.
+                if self.met(here, s, srgb).alpha >= ALPHA_MIN {
+                    // To where the ray crosses the depth that was found.
                     let crossing = (s + above / sink).clamp(near, far);
-                    let there =
-                        self.met(self.place(frame, start + along * crossing), crossing, srgb);
-                    return if met.alpha > there.alpha { met } else { there };
+                    return self.met(self.place(frame, start + along * crossing), crossing, srgb);
                 }
             }
             s += step;

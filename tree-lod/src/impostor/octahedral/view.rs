@@ -95,11 +95,14 @@ impl Octahedral {
             return Met::default();
         }
         let ends = [(middle - inside.sqrt()).max(0.0), middle + inside.sqrt()];
-        let mut sum = Met::default();
+        let (mut sum, mut most) = (Met::default(), 0.0);
         for (frame, weight) in frames(-direction, self.meta.grid, self.meta.hemi) {
             if weight <= 0.0 {
                 continue;
             }
+            // Nearer views count more than in proportion: outlines stay sharper.
+            let weight = weight * weight.sqrt();
+            most += weight;
             let met = self.trace(frame, from, direction, ends, srgb);
             let share = weight * met.alpha;
             sum.alpha += share;
@@ -112,6 +115,7 @@ impl Octahedral {
             sum.color *= by;
             sum.normal = sum.normal.normalize_or(Vec3::Y);
             sum.distance *= by;
+            sum.alpha /= most;
         }
         sum
     }

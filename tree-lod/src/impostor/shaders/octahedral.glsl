@@ -106,16 +106,13 @@ vec4 tree_octa_trace(vec2 frame, vec3 origin, vec3 direction, vec2 ends, vec4 sh
         vec2 here = tree_octa_place(frame, start + along * s, shape.z);
         float depth = (2.0 * tree_octa_detail(here).w - 1.0) * size.x;
         float above = height - sink * s - depth;
-        if (above <= slab && above >= -slab - 0.1 * size.x) {
+        if (above <= slab && above >= -slab - 0.17 * size.x) {
             float alpha = tree_octa_color(here).w;
             if (alpha >= 0.25) {
-                // To where the ray crosses the depth that was found, unless that is beside a thin twig.
+                // To where the ray crosses the depth that was found.
                 float crossing = clamp(s + above / sink, nigh, afar);
                 vec2 there = tree_octa_place(frame, start + along * crossing, shape.z);
                 met = vec4(there.x, there.y, crossing, 1.0);
-                if (alpha > tree_octa_color(there).w) {
-                    met = vec4(here.x, here.y, s, 1.0);
-                }
                 return met;
             }
         }
@@ -128,6 +125,7 @@ vec4 tree_octa_trace(vec2 frame, vec3 origin, vec3 direction, vec2 ends, vec4 sh
 vec4 tree_octa_view(vec3 origin, vec3 direction, vec4 shape, vec4 size, float detail) {
     vec4 sum = vec4(0.0, 0.0, 0.0, 0.0);
     float total = 0.0;
+    float most = 0.0;
     // The part of the ray within the ball, in front of the eye.
     float middle = -dot(origin, direction);
     vec3 nearest = origin + direction * middle;
@@ -143,10 +141,13 @@ vec4 tree_octa_view(vec3 origin, vec3 direction, vec4 shape, vec4 size, float de
     for (int i = 0; i < 3; i = i + 1) {
         vec3 frame = tree_octa_frame(-direction, shape, i);
         if (frame.z > 0.0) {
+            // Nearer views count more than in proportion: outlines stay sharper.
+            float weight = frame.z * sqrt(frame.z);
+            most = most + weight;
             vec4 met = tree_octa_trace(frame.xy, origin, direction, ends, shape, size);
             if (met.w > 0.5) {
                 vec4 texel = tree_octa_color(met.xy);
-                float share = frame.z * texel.w;
+                float share = weight * texel.w;
                 if (detail > 0.5) {
                     vec4 found = 2.0 * tree_octa_detail(met.xy) - vec4(1.0, 1.0, 1.0, 1.0);
                     texel = vec4(found.x, found.y, found.z, met.z);
@@ -165,5 +166,5 @@ vec4 tree_octa_view(vec3 origin, vec3 direction, vec4 shape, vec4 size, float de
         vec3 normal = normalize(vec3(sum.x, sum.y, sum.z));
         return vec4(normal.x, normal.y, normal.z, sum.w);
     }
-    return vec4(sum.x, sum.y, sum.z, total);
+    return vec4(sum.x, sum.y, sum.z, total / most);
 }

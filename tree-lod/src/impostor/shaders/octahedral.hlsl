@@ -107,16 +107,13 @@ float4 tree_octa_trace(float2 frame, float3 origin, float3 direction, float2 end
         float2 here = tree_octa_place(frame, start + along * s, shape.z);
         float depth = (2.0 * tree_octa_detail(here).w - 1.0) * size.x;
         float above = height - sink * s - depth;
-        if (above <= slab && above >= -slab - 0.1 * size.x) {
+        if (above <= slab && above >= -slab - 0.17 * size.x) {
             float alpha = tree_octa_color(here).w;
             if (alpha >= 0.25) {
-                // To where the ray crosses the depth that was found, unless that is beside a thin twig.
+                // To where the ray crosses the depth that was found.
                 float crossing = clamp(s + above / sink, nigh, afar);
                 float2 there = tree_octa_place(frame, start + along * crossing, shape.z);
                 met = float4(there.x, there.y, crossing, 1.0);
-                if (alpha > tree_octa_color(there).w) {
-                    met = float4(here.x, here.y, s, 1.0);
-                }
                 return met;
             }
         }
@@ -129,6 +126,7 @@ float4 tree_octa_trace(float2 frame, float3 origin, float3 direction, float2 end
 float4 tree_octa_view(float3 origin, float3 direction, float4 shape, float4 size, float detail) {
     float4 sum = float4(0.0, 0.0, 0.0, 0.0);
     float total = 0.0;
+    float most = 0.0;
     // The part of the ray within the ball, in front of the eye.
     float middle = -dot(origin, direction);
     float3 nearest = origin + direction * middle;
@@ -144,10 +142,13 @@ float4 tree_octa_view(float3 origin, float3 direction, float4 shape, float4 size
     for (int i = 0; i < 3; i = i + 1) {
         float3 frame = tree_octa_frame(-direction, shape, i);
         if (frame.z > 0.0) {
+            // Nearer views count more than in proportion: outlines stay sharper.
+            float weight = frame.z * sqrt(frame.z);
+            most = most + weight;
             float4 met = tree_octa_trace(frame.xy, origin, direction, ends, shape, size);
             if (met.w > 0.5) {
                 float4 texel = tree_octa_color(met.xy);
-                float share = frame.z * texel.w;
+                float share = weight * texel.w;
                 if (detail > 0.5) {
                     float4 found = 2.0 * tree_octa_detail(met.xy) - float4(1.0, 1.0, 1.0, 1.0);
                     texel = float4(found.x, found.y, found.z, met.z);
@@ -166,5 +167,5 @@ float4 tree_octa_view(float3 origin, float3 direction, float4 shape, float4 size
         float3 normal = normalize(float3(sum.x, sum.y, sum.z));
         return float4(normal.x, normal.y, normal.z, sum.w);
     }
-    return float4(sum.x, sum.y, sum.z, total);
+    return float4(sum.x, sum.y, sum.z, total / most);
 }

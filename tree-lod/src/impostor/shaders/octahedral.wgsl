@@ -106,16 +106,13 @@ fn tree_octa_trace(frame: vec2<f32>, origin: vec3<f32>, direction: vec3<f32>, en
         var here: vec2<f32> = tree_octa_place(frame, start + along * s, shape.z);
         var depth: f32 = (2.0 * tree_octa_detail(here).w - 1.0) * size.x;
         var above: f32 = height - sink * s - depth;
-        if (above <= slab && above >= -slab - 0.1 * size.x) {
+        if (above <= slab && above >= -slab - 0.17 * size.x) {
             var alpha: f32 = tree_octa_color(here).w;
             if (alpha >= 0.25) {
-                // To where the ray crosses the depth that was found, unless that is beside a thin twig.
+                // To where the ray crosses the depth that was found.
                 var crossing: f32 = clamp(s + above / sink, nigh, afar);
                 var there: vec2<f32> = tree_octa_place(frame, start + along * crossing, shape.z);
                 met = vec4(there.x, there.y, crossing, 1.0);
-                if (alpha > tree_octa_color(there).w) {
-                    met = vec4(here.x, here.y, s, 1.0);
-                }
                 return met;
             }
         }
@@ -128,6 +125,7 @@ fn tree_octa_trace(frame: vec2<f32>, origin: vec3<f32>, direction: vec3<f32>, en
 fn tree_octa_view(origin: vec3<f32>, direction: vec3<f32>, shape: vec4<f32>, size: vec4<f32>, detail: f32) -> vec4<f32> {
     var sum: vec4<f32> = vec4(0.0, 0.0, 0.0, 0.0);
     var total: f32 = 0.0;
+    var most: f32 = 0.0;
     // The part of the ray within the ball, in front of the eye.
     var middle: f32 = -dot(origin, direction);
     var nearest: vec3<f32> = origin + direction * middle;
@@ -143,10 +141,13 @@ fn tree_octa_view(origin: vec3<f32>, direction: vec3<f32>, shape: vec4<f32>, siz
     for (var i: i32 = 0; i < 3; i = i + 1) {
         var frame: vec3<f32> = tree_octa_frame(-direction, shape, i);
         if (frame.z > 0.0) {
+            // Nearer views count more than in proportion: outlines stay sharper.
+            var weight: f32 = frame.z * sqrt(frame.z);
+            most = most + weight;
             var met: vec4<f32> = tree_octa_trace(frame.xy, origin, direction, ends, shape, size);
             if (met.w > 0.5) {
                 var texel: vec4<f32> = tree_octa_color(met.xy);
-                var share: f32 = frame.z * texel.w;
+                var share: f32 = weight * texel.w;
                 if (detail > 0.5) {
                     var found: vec4<f32> = 2.0 * tree_octa_detail(met.xy) - vec4(1.0, 1.0, 1.0, 1.0);
                     texel = vec4(found.x, found.y, found.z, met.z);
@@ -165,5 +166,5 @@ fn tree_octa_view(origin: vec3<f32>, direction: vec3<f32>, shape: vec4<f32>, siz
         var normal: vec3<f32> = normalize(vec3(sum.x, sum.y, sum.z));
         return vec4(normal.x, normal.y, normal.z, sum.w);
     }
-    return vec4(sum.x, sum.y, sum.z, total);
+    return vec4(sum.x, sum.y, sum.z, total / most);
 }
