@@ -27,6 +27,7 @@
 //! * All buds sense and grow by what stood before the iteration, so neither their order nor that of the
 //!   trees matters but for the ties between markers.
 //! * Radii do not remember branches that were shed.
+//! * Leaves saturate: of a sky half hidden by an obstacle they still use five sixths.
 //! * Beyond the paper: obstacles, whorls of buds, plagiotropism, several species in one stand.
 
 pub mod allocation;

@@ -140,7 +140,7 @@ impl Surroundings {
 
     /// Light at a point, 0 to the brightness; `own` shadows at the point itself do not count.
     pub(super) fn light(&self, point: Vec3, own: bool) -> f32 {
-        let sky = self.brightness * self.sky.at(point).share;
+        let sky = self.brightness * response(self.sky.at(point).share);
         let shadow = match &self.field {
             Field::Shadows(grid) => {
                 let own = if own { grid.shadow().strength } else { 0.0 };
@@ -186,7 +186,7 @@ impl Surroundings {
                 found.pulls[row] = pull;
                 if pull != Vec3::ZERO {
                     let share = sky.at(plant.stem.positions[node]).share;
-                    found.quality[row] = *brightness * share;
+                    found.quality[row] = *brightness * response(share);
                 }
             });
             found
@@ -213,6 +213,15 @@ impl Surroundings {
         Found { quality, pulls: Vec::new() }
     }
 }
+
+/// What leaves make of a share of the sky: they saturate, and half of it is worth five sixths of the whole.
+fn response(share: f32) -> f32 {
+    share * (1.0 + SATURATION) / (share + SATURATION)
+}
+
+/// Share of the sky whose worth is half of what endless light would give. Without saturation a tree beside a wall,
+/// which sees half of the sky, would stop growing at the vigour of a healthy tree.
+const SATURATION: f32 = 0.25;
 
 /// Weight of the missing part of the sky against the shadows nearby.
 const SKY_PULL: f32 = 2.0;

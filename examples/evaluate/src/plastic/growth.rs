@@ -8,7 +8,7 @@ use crate::measure::fastest;
 use crate::table::{Aim, Row, Table};
 use tree_core::distance::{EditParams, Reduction, distance};
 use tree_core::{Control, Seed, Skeleton};
-use tree_model::growth::{GrowthParams, Preset};
+use tree_model::growth::{Environment, GrowthParams, Preset};
 
 /// How many times faster than printed the issue asks for.
 const SPEEDUP: f64 = 50.0;
@@ -28,16 +28,20 @@ const TABLE_2: [Aged; 3] = [
     Aged { years: 30, nodes: 9134.0, milliseconds: 61_843.9 },
 ];
 
-/// The tree that the times are of: as large at these ages as the paper's, without leaves.
-pub(crate) fn params(years: u32) -> Outcome<GrowthParams> {
-    let mut params = Preset::find("table")?.params();
+/// The tree that the times are of: an oak that is as large at these ages as the paper's trees, without leaves.
+fn params(years: u32) -> Outcome<GrowthParams> {
+    let mut params = Preset::find("oak")?.params();
     params.iterations = years;
     params.habit.leaves = None;
+    params.habit.vigour = 2.05;
+    if let Environment::Shadow(shadow) = &mut params.world.environment {
+        (shadow.strength, shadow.falloff) = (0.15, 1.7);
+    }
     Ok(params)
 }
 
 /// One tree for each seed.
-pub(crate) fn trees(years: u32, n_trees: u64) -> Outcome<Vec<Skeleton>> {
+fn trees(years: u32, n_trees: u64) -> Outcome<Vec<Skeleton>> {
     let (params, control) = (params(years)?, Control::default());
     let grow = |seed| Ok(params.grow(Seed(seed), &control)?.tree.skeleton().clone());
     (0..n_trees).map(grow).collect()
@@ -78,7 +82,7 @@ pub(crate) fn distances(table: &mut Table) -> Outcome {
         {
             let params = EditParams { reduction, ..EditParams::default() };
             let (seconds, _) = fastest(3, || distance(a, b, &params, &Control::default()))?;
-            // The issue's text asks for about a second at 2500 nodes.
+            // Trees of 2500 nodes are to compare in about a second.
             let aim = Aim::AtMost(1e3);
             let ours = 1e3 * seconds;
             let (paper, peer, unit) = (None, None, "ms");
