@@ -178,14 +178,14 @@ impl<'a, C: EditCosts> Table<'a, C> {
             return all_first + all_second;
         }
         self.matched(i, j, matcher)
-            .min(self.within_child_forest(i, j).0)
-            .min(self.beside_child_forest(i, j).0)
+            .min(self.forest_in_second(i, j).0)
+            .min(self.forest_in_first(i, j).0)
     }
 
     /// Lemma 3 of the paper: two trees.
     fn least_tree(&self, i: usize, j: usize) -> f64 {
         let changed = self.forest(i, j) + self.costs.change(i as u32, j as u32);
-        changed.min(self.within_child_tree(i, j).0).min(self.beside_child_tree(i, j).0)
+        changed.min(self.tree_in_second(i, j).0).min(self.tree_in_first(i, j).0)
     }
 
     /// The siblings below i matched with those below j.
@@ -204,7 +204,7 @@ impl<'a, C: EditCosts> Table<'a, C> {
 
     /// F₁[i] within the forest of one child of j; all else below j is inserted.
     #[inline]
-    pub(super) fn within_child_forest(&self, i: usize, j: usize) -> (f64, u32) {
+    pub(super) fn forest_in_second(&self, i: usize, j: usize) -> (f64, u32) {
         least(self.second.children(j), self.second.forest[j], |t| {
             self.forest(i, t) - self.second.forest[t]
         })
@@ -212,7 +212,7 @@ impl<'a, C: EditCosts> Table<'a, C> {
 
     /// F₂[j] within the forest of one child of i; all else below i is deleted.
     #[inline]
-    pub(super) fn beside_child_forest(&self, i: usize, j: usize) -> (f64, u32) {
+    pub(super) fn forest_in_first(&self, i: usize, j: usize) -> (f64, u32) {
         least(self.first.children(i), self.first.forest[i], |s| {
             self.forest(s, j) - self.first.forest[s]
         })
@@ -220,7 +220,7 @@ impl<'a, C: EditCosts> Table<'a, C> {
 
     /// T₁[i] within the tree of one child of j; j and all else below it is inserted.
     #[inline]
-    pub(super) fn within_child_tree(&self, i: usize, j: usize) -> (f64, u32) {
+    pub(super) fn tree_in_second(&self, i: usize, j: usize) -> (f64, u32) {
         least(self.second.children(j), self.second.tree[j], |t| {
             self.tree(i, t) - self.second.tree[t]
         })
@@ -228,7 +228,7 @@ impl<'a, C: EditCosts> Table<'a, C> {
 
     /// T₂[j] within the tree of one child of i; i and all else below it is deleted.
     #[inline]
-    pub(super) fn beside_child_tree(&self, i: usize, j: usize) -> (f64, u32) {
+    pub(super) fn tree_in_first(&self, i: usize, j: usize) -> (f64, u32) {
         least(self.first.children(i), self.first.tree[i], |s| self.tree(s, j) - self.first.tree[s])
     }
 }

@@ -28,8 +28,8 @@ impl<C: EditCosts> Table<'_, C> {
 
     fn trace_trees(&self, i: usize, j: usize, mapping: &mut Vec<[u32; 2]>, stack: &mut Vec<Pair>) {
         let changed = self.forest(i, j) + self.costs.change(i as u32, j as u32);
-        let (into, t) = self.within_child_tree(i, j);
-        let (from, s) = self.beside_child_tree(i, j);
+        let (into, t) = self.tree_in_second(i, j);
+        let (from, s) = self.tree_in_first(i, j);
         if changed <= into.min(from) {
             mapping.push([i as u32, j as u32]);
             stack.push(Pair::Forests(i, j));
@@ -46,8 +46,8 @@ impl<C: EditCosts> Table<'_, C> {
             return;
         }
         let matched = self.matched(i, j, matcher);
-        let (into, t) = self.within_child_forest(i, j);
-        let (from, s) = self.beside_child_forest(i, j);
+        let (into, t) = self.forest_in_second(i, j);
+        let (from, s) = self.forest_in_first(i, j);
         if matched <= into.min(from) {
             let saving = |a: usize, b: usize| self.saving(below_i[a], below_j[b]);
             matcher.pair(below_i.len(), below_j.len(), saving);

@@ -8,7 +8,7 @@
 
 use tree_core::Skeleton;
 
-/// Below this share of the way to the farthest tip, a segment takes its parent's rate (d_t of the paper).
+/// Below this share of the way to the farthest tip, a segment takes its parent's rate (`d_t` of the paper).
 const TRUSTED: f32 = 0.2;
 
 /// The ages of a skeleton's segments, all in the order of its nodes; the root's is that of the trunk's first season.

@@ -26,7 +26,7 @@ impl Tropisms {
         if sum <= 0.0 { Vec3::ZERO } else { (light * self.photo + up * self.gravi) / sum }
     }
 
-    /// Weight w_s of a segment's own direction (Eq. 7), in (0, 1].
+    /// Weight `w_s` of a segment's own direction (Eq. 7), in (0, 1].
     #[must_use]
     pub fn own_weight(&self, length: f32, internode: f32) -> f32 {
         libm::powf(1.0 - self.sum(), length / internode).max(LEAST_WEIGHT)

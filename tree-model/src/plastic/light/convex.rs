@@ -211,13 +211,13 @@ fn cut(planes: &[Vec3], bins: &Bins, through: &mut Weights) {
     let mut cover = [1.0_f32; DIRECTIONS];
     for plane in planes {
         let n = *plane * steep;
-        for k in 0..DIRECTIONS {
+        for (k, cover) in cover.iter_mut().enumerate() {
             // What each rim takes away is subtracted, so that a thin strip covers as little as it is thin.
             let inside = 0.5 + n.x * bins.x[k] + n.y * bins.y[k] + n.z * bins.z[k];
-            cover[k] -= 1.0 - inside.clamp(0.0, 1.0);
+            *cover -= 1.0 - inside.clamp(0.0, 1.0);
         }
     }
-    for k in 0..DIRECTIONS {
-        through[k] *= 1.0 - cover[k].max(0.0);
+    for (through, cover) in through.iter_mut().zip(cover) {
+        *through *= 1.0 - cover.max(0.0);
     }
 }

@@ -13,7 +13,8 @@ fn by_rays(at: Vec3, balls: &[Ball], solids: &[Convex], brightest: Vec3) -> (f32
         let flat = (1.0 - y * y).sqrt();
         let turn = 2.399_963 * k as f32;
         let way = Vec3::new(flat * libm::cosf(turn), y, flat * libm::sinf(turn));
-        let bright = f64::from(way.dot(brightest).max(0.0).powi(2));
+        let bright = f64::from(way.dot(brightest).max(0.0));
+        let bright = bright * bright;
         let mut through = 1.0_f64;
         for ball in balls {
             let offset = ball.center - at;

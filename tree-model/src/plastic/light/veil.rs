@@ -1,6 +1,6 @@
 //! Leaf clusters in the light's way.
 
-use super::sky::{Bins, DIRECTIONS, Weights};
+use super::sky::{Bins, Weights};
 use glam::Vec3;
 
 /// A ball that lets a share of the light through: a leaf cluster, or a solid ball.
@@ -61,8 +61,8 @@ pub(in crate::plastic) fn veil(ball: &Ball, offset: Vec3, bins: &Bins, through: 
     let steep = 1.0 / (2.0 * edge_sin * reach);
     let u = if distance > 0.0 { offset * (steep / distance) } else { Vec3::ZERO };
     let start = if distance > 0.0 { 0.5 - edge_cos * steep } else { 1.0 };
-    for k in 0..DIRECTIONS {
+    for (k, through) in through.iter_mut().enumerate() {
         let cover = start + u.x * bins.x[k] + u.y * bins.y[k] + u.z * bins.z[k];
-        through[k] *= 1.0 - dark * cover.clamp(0.0, 1.0);
+        *through *= 1.0 - dark * cover.clamp(0.0, 1.0);
     }
 }

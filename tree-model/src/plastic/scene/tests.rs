@@ -32,7 +32,7 @@ fn assert_same(a: &[Adapted], b: &[Adapted]) {
     assert_eq!(a.len(), b.len());
     for (index, (a, b)) in a.iter().zip(b).enumerate() {
         let differ = |what: &str, at: Option<usize>| {
-            assert!(at.is_none(), "tree {index}: {what} differ at {at:?}")
+            assert!(at.is_none(), "tree {index}: {what} differ at {at:?}");
         };
         assert_eq!(a.report, b.report, "tree {index}");
         differ("nodes", a.source.iter().zip(&b.source).position(|(a, b)| a != b));
