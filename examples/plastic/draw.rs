@@ -133,7 +133,7 @@ fn tube(surface: &mut Surface, [from, to]: [Vec3; 2], radius: f32) {
     let first = surface.positions.len() as u32;
     for k in 0..6 {
         let angle = std::f32::consts::TAU * k as f32 / 6.0;
-        let out = u * angle.cos() + v * angle.sin();
+        let out = u * libm::cosf(angle) + v * libm::sinf(angle);
         for end in [from, to] {
             surface.positions.push(end + out * radius.max(0.004));
             surface.normals.push(out);

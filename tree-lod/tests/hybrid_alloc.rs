@@ -7,7 +7,7 @@ use tree_lod::hybrid::{Hybrid, HybridParams};
 use tree_lod::impostor::boxes::BoxParams;
 use tree_lod::impostor::cards::CardParams;
 use tree_lod::impostor::choose::Watcher;
-use tree_lod::tree_core::{Control, Foliage, Leaf, Skeleton, Species, Tree};
+use tree_lod::tree_core::{Control, CoreError, Foliage, Leaf, Skeleton, Species, Tree};
 use tree_lod::tree_mesh::Look;
 
 /// Counts what is asked of the system's allocator.
@@ -39,30 +39,30 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 /// Sixteen boughs on a trunk, leaves all along each.
-fn tree() -> Tree {
-    let mut builder = Skeleton::builder(Vec3::ZERO, 0.2).unwrap();
+fn tree() -> Result<Tree, CoreError> {
+    let mut builder = Skeleton::builder(Vec3::ZERO, 0.2)?;
     let mut foliage = Foliage::default();
     let mut trunk = 0;
     for i in 1..=16_u32 {
         let foot = Vec3::Y * 0.5 * i as f32;
-        trunk = builder.add(trunk, foot, 0.1).unwrap();
+        trunk = builder.add(trunk, foot, 0.1)?;
         let mut node = trunk;
         for k in 1..=20 {
             let around = Quat::from_rotation_y(2.4 * i as f32 + 0.02 * k as f32);
             let position = foot + around * Vec3::new(0.1 * k as f32, 0.05 * k as f32, 0.0);
-            node = builder.add(node, position, 0.01).unwrap();
+            node = builder.add(node, position, 0.01)?;
             for l in 0..4 {
                 let rotation = around * Quat::from_rotation_x(l as f32);
-                foliage.push(Leaf { node, position, rotation, size: 0.1, kind: 0 }).unwrap();
+                foliage.push(Leaf { node, position, rotation, size: 0.1, kind: 0 })?;
             }
         }
     }
-    Tree::new(builder.finish(), foliage, Species::default()).unwrap()
+    Tree::new(builder.finish(), foliage, Species::default())
 }
 
 #[test]
 fn a_frame_allocates_nothing() {
-    let tree = tree();
+    let tree = tree().unwrap();
     let boxes = BoxParams { least_volume: 0.001, ..BoxParams::default() };
     let cards = CardParams { size: 32, samples: 1, ..CardParams::default() };
     let params = HybridParams { boxes, cards, ..HybridParams::default() };

@@ -144,7 +144,8 @@ impl Sky {
             let near = corner.as_vec3() * within + (1.0 - corner.as_vec3()) * (1.0 - within);
             let weight = near.x * near.y * near.z;
             // What lies in the obstacle says nothing about the sky beside it.
-            let seen = self.seen.get(&(cell + corner).to_array()).copied().unwrap_or(Some(self.open));
+            let seen =
+                self.seen.get(&(cell + corner).to_array()).copied().unwrap_or(Some(self.open));
             let Some(seen) = seen else { continue };
             sum.share += weight * seen.share;
             sum.mean += weight * seen.mean;

@@ -29,7 +29,7 @@ const TABLE_2: [Aged; 3] = [
 ];
 
 /// The tree that the times are of: an oak that is as large at these ages as the paper's trees, without leaves.
-fn params(years: u32) -> Outcome<GrowthParams> {
+pub(super) fn params(years: u32) -> Outcome<GrowthParams> {
     let mut params = Preset::find("oak")?.params();
     params.iterations = years;
     params.habit.leaves = None;
@@ -41,7 +41,7 @@ fn params(years: u32) -> Outcome<GrowthParams> {
 }
 
 /// One tree for each seed.
-fn trees(years: u32, n_trees: u64) -> Outcome<Vec<Skeleton>> {
+pub(super) fn trees(years: u32, n_trees: u64) -> Outcome<Vec<Skeleton>> {
     let (params, control) = (params(years)?, Control::default());
     let grow = |seed| Ok(params.grow(Seed(seed), &control)?.tree.skeleton().clone());
     (0..n_trees).map(grow).collect()

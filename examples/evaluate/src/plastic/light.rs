@@ -115,8 +115,9 @@ fn by_rays(own: usize, balls: &[Ball], wall: Option<Wall>, sky: &Sky) -> f64 {
         let y = (f64::from(k) + 0.5) / f64::from(RAYS);
         let flat = (1.0 - y * y).sqrt();
         let turn = 2.399_963_229_728_653 * f64::from(k);
-        let way = DVec3::new(flat * turn.cos(), y, flat * turn.sin());
-        let bright = way.dot(brightest).max(0.0).powi(2);
+        let way = DVec3::new(flat * libm::cos(turn), y, flat * libm::sin(turn));
+        let bright = way.dot(brightest).max(0.0);
+        let bright = bright * bright;
         if bright == 0.0 {
             continue;
         }

@@ -3,14 +3,14 @@
 //! Fifty pairs of each group, no tree twice in one; seeds 0, 1, 2, …, none left out. A group does not differ from another
 //! where a two-tailed t-test (Welch) says so.
 
-use super::Outcome;
+use super::{Outcome, growth};
 use crate::table::{Aim, Row, Table};
 use rayon::prelude::*;
 use std::sync::Arc;
 use tree_core::distance::{EditParams, EditTree, distance_of};
 use tree_core::glam::Vec3;
 use tree_core::{Control, Seed, Skeleton, Volume};
-use tree_model::growth::{GrowthParams, Preset, Tropisms, World};
+use tree_model::growth::{GrowthParams, Tropisms, World};
 use tree_model::path::Obstacle;
 use tree_model::plastic::{PlasticParams, PlasticTree, Pose, Response, Scene, Sky};
 
@@ -61,9 +61,7 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
 
 impl Kind {
     fn params(&self) -> Outcome<GrowthParams> {
-        let mut params = Preset::find("table")?.params();
-        params.iterations = self.years;
-        params.habit.leaves = None;
+        let mut params = growth::params(self.years)?;
         let tropisms = Tropisms { photo: self.photo, gravi: self.gravi, ..params.habit.branches };
         params.habit.branches = tropisms;
         params.habit.trunk = Tropisms { plagio: 0.0, ..tropisms };
@@ -197,11 +195,13 @@ fn welch(a: &[f64], b: &[f64]) -> f64 {
 /// Regularised incomplete beta function by its integral, in steps of equal angle: smooth, so a few thousand are exact to 1e-9.
 fn beta(x: f64, a: f64, b: f64) -> f64 {
     // With s = sin² u the integrand is 2 sin^(2a-1) cos^(2b-1), which has no poles for a, b of at least one half.
-    let power = |u: f64| 2.0 * u.sin().powf(2.0 * a - 1.0) * u.cos().powf(2.0 * b - 1.0);
+    let power = |u: f64| {
+        2.0 * libm::pow(libm::sin(u), 2.0 * a - 1.0) * libm::pow(libm::cos(u), 2.0 * b - 1.0)
+    };
     let integral = |to: f64| {
         let steps = 4000;
         let h = to / f64::from(steps);
         (0..steps).map(|k| power((f64::from(k) + 0.5) * h)).sum::<f64>() * h
     };
-    integral(x.clamp(0.0, 1.0).sqrt().asin()) / integral(std::f64::consts::FRAC_PI_2)
+    integral(libm::asin(x.clamp(0.0, 1.0).sqrt())) / integral(std::f64::consts::FRAC_PI_2)
 }
