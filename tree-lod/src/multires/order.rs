@@ -76,8 +76,8 @@ impl Paths {
 /// until one is met that is in no path; from there a path leads to a tip, always into the child of which most
 /// is left; then it is taken off what is left of all branches on the way. Of equals the first in the chain
 /// is taken. By density, at each fork a path goes on the way to a tip that has the most worth a branch, and the paths are sorted
-/// such that prefixes hold the most worth, on average over their numbers of branches (Horn 1972). With the other metrics the next path begins at the best branch of all that stem from what is
-/// there.
+/// such that prefixes hold the most worth, on average over their numbers of branches (Horn 1972). With the other metrics
+/// the next path begins at the best branch of all that stem from what is there.
 ///
 /// # Errors
 /// [`LodError::Length`](crate::LodError::Length) or [`LodError::Parameter`](crate::LodError::Parameter) for worths
