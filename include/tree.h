@@ -524,7 +524,7 @@
 #define TREE_ITEM_RESTORE 2
 
 // Length of the branch and of all that it bears; what has been put into a path does not count any more. What the paper
-// prefers, and the default.
+// prefers.
 #define TREE_METRIC_BRANCHING_LENGTH 0
 
 // As `TREE_METRIC_BRANCHING_LENGTH`, with worths of your own in the place of lengths: areas of wood, numbers of leaves.
@@ -544,6 +544,12 @@
 
 // Any branch whose parent is there, by chance. For comparison.
 #define TREE_METRIC_RANDOM 6
+
+// Area of a branch and of what it bears, for each branch that has to be drawn for it. The default.
+#define TREE_METRIC_DENSITY 7
+
+// As `TREE_METRIC_DENSITY`, with worths of your own in the place of areas.
+#define TREE_METRIC_DENSITY_OF 8
 
 // From 0 on a branch to `blend_most` at a distance of `blend_reach` and beyond.
 #define TREE_BLEND_LINEAR 0
@@ -1557,6 +1563,8 @@ typedef struct tree_limits {
     uint64_t input_bytes;
     // Modules of a derived L-system word. Default 100 million.
     uint64_t modules;
+    // Pairs of nodes kept while two trees are compared. Default 150 million.
+    uint64_t pairs;
 } tree_limits;
 
 // How a call is done. Begin with `tree_control_init`.
@@ -2219,12 +2227,12 @@ typedef uint32_t tree_metric;
 typedef struct tree_metric_params {
     // `sizeof(tree_metric_params)`.
     size_t struct_size;
-    // For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
-    // default, for all others.
+    // For `TREE_METRIC_BRANCHING` and `TREE_METRIC_DENSITY_OF`: one for each branch, as `tree_adt_view` lists them, 0 to
+    // 1e30. NULL, the default, for all others.
     const double *worths;
     // Number of worths: the number of branches, or 0 for the default.
     size_t n_worths;
-    // What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
+    // What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_DENSITY`.
     tree_metric metric;
     // 0.
     uint32_t reserved;
@@ -4153,6 +4161,9 @@ typedef struct tree_adt_columns {
     const uint32_t *parents;
     // One for each branch: the length of its own modules together.
     const double *lengths;
+    // One for each branch: the area that its own modules show from the side, in m² for skeletons and trees; that of its
+    // own leaves is in it for trees. Lengths for chains of modules.
+    const double *areas;
 } tree_adt_columns;
 
 // What an item of a multi-chain is: one of the `TREE_ITEM_` constants.
@@ -9923,6 +9934,12 @@ tree_status tree_adt_of_skeleton(const struct tree_skeleton *skeleton,
                                  const struct tree_control *control,
                                  struct tree_adt **adt);
 
+// As `tree_adt_of_skeleton` for the skeleton of a tree; its leaves count among the areas of the branches that bear
+// them, as they do for `tree_multires_new`.
+tree_status tree_adt_of_tree(const struct tree_tree *tree,
+                             const struct tree_control *control,
+                             struct tree_adt **adt);
+
 // Views the branches. Set `columns->struct_size` first.
 tree_status tree_adt_view(const struct tree_adt *adt, struct tree_adt_columns *columns);
 
@@ -10134,8 +10151,7 @@ tree_status tree_multires_free(struct tree_multires *multires);
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_metric_params_init(struct tree_metric_params *params, size_t size);
 
-// Cuts branches into paths and sorts them, the most relevant first: from the root to a tip along the branches of most
-// worth, again and again, on what is left. `params` may be NULL for the default metric. `seed` matters to
+// Cuts branches into paths and sorts them, the most relevant first. `params` may be NULL for the default metric. `seed` matters to
 // `TREE_METRIC_RANDOM` alone. `control` may be NULL. Free the paths with `tree_multi_paths_free`.
 //
 // `TREE_ERROR_INVALID` when there are not as many worths as branches, `TREE_ERROR_PARAMETER` when one is out of range.

@@ -1724,6 +1724,7 @@ public:
     using Object::Object;
     static Adt of_tokens(Ref<tree_token_columns> columns, Ref<tree_control> control = nullptr);
     static Adt of_skeleton(const Skeleton &skeleton, Ref<tree_control> control = nullptr);
+    static Adt of_tree(const Tree &tree, Ref<tree_control> control = nullptr);
     AdtColumns view() const &;
     AdtColumns view() const && = delete;
     Span<const uint32_t> modules(uint32_t branch) const &;
@@ -4905,6 +4906,11 @@ inline Adt Adt::of_tokens(Ref<tree_token_columns> columns, Ref<tree_control> con
 inline Adt Adt::of_skeleton(const Skeleton &skeleton, Ref<tree_control> control) {
     Adt adt;
     detail::done(tree_adt_of_skeleton(skeleton.get(), control, adt.place()), control);
+    return adt;
+}
+inline Adt Adt::of_tree(const Tree &tree, Ref<tree_control> control) {
+    Adt adt;
+    detail::done(tree_adt_of_tree(tree.get(), control, adt.place()), control);
     return adt;
 }
 inline AdtColumns Adt::view() const & {

@@ -715,6 +715,10 @@ namespace TreeFamily.Native
         /// Modules of a derived L-system word. Default 100 million.
         /// </summary>
         public ulong modules;
+        /// <summary>
+        /// Pairs of nodes kept while two trees are compared. Default 150 million.
+        /// </summary>
+        public ulong pairs;
     }
 
     /// <summary>
@@ -1895,8 +1899,8 @@ namespace TreeFamily.Native
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
-        /// For `TREE_METRIC_BRANCHING` alone: one for each branch, as `tree_adt_view` lists them, 0 to 1e30. NULL, the
-        /// default, for all others.
+        /// For `TREE_METRIC_BRANCHING` and `TREE_METRIC_DENSITY_OF`: one for each branch, as `tree_adt_view` lists them, 0 to
+        /// 1e30. NULL, the default, for all others.
         /// </summary>
         public double* worths;
         /// <summary>
@@ -1904,7 +1908,7 @@ namespace TreeFamily.Native
         /// </summary>
         public UIntPtr n_worths;
         /// <summary>
-        /// What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_BRANCHING_LENGTH`.
+        /// What a branch is worth: a `TREE_METRIC_` constant. Default `TREE_METRIC_DENSITY`.
         /// </summary>
         public uint metric; // tree_metric
         /// <summary>
@@ -5535,6 +5539,11 @@ namespace TreeFamily.Native
         /// One for each branch: the length of its own modules together.
         /// </summary>
         public double* lengths;
+        /// <summary>
+        /// One for each branch: the area that its own modules show from the side, in m² for skeletons and trees; that of its
+        /// own leaves is in it for trees. Lengths for chains of modules.
+        /// </summary>
+        public double* areas;
     }
 
     /// <summary>
@@ -12230,7 +12239,7 @@ namespace TreeFamily.Native
 
         /// <summary>
         /// Length of the branch and of all that it bears; what has been put into a path does not count any more. What the paper
-        /// prefers, and the default.
+        /// prefers.
         /// </summary>
         public const int TREE_METRIC_BRANCHING_LENGTH = 0;
 
@@ -12263,6 +12272,16 @@ namespace TreeFamily.Native
         /// Any branch whose parent is there, by chance. For comparison.
         /// </summary>
         public const int TREE_METRIC_RANDOM = 6;
+
+        /// <summary>
+        /// Area of a branch and of what it bears, for each branch that has to be drawn for it. The default.
+        /// </summary>
+        public const int TREE_METRIC_DENSITY = 7;
+
+        /// <summary>
+        /// As `TREE_METRIC_DENSITY`, with worths of your own in the place of areas.
+        /// </summary>
+        public const int TREE_METRIC_DENSITY_OF = 8;
 
         /// <summary>
         /// From 0 on a branch to `blend_most` at a distance of `blend_reach` and beyond.
@@ -16272,6 +16291,13 @@ namespace TreeFamily.Native
         public static extern int tree_adt_of_skeleton(tree_skeleton* skeleton, tree_control* control, tree_adt** adt);
 
         /// <summary>
+        /// As `tree_adt_of_skeleton` for the skeleton of a tree; its leaves count among the areas of the branches that bear
+        /// them, as they do for `tree_multires_new`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adt_of_tree(tree_tree* tree, tree_control* control, tree_adt** adt);
+
+        /// <summary>
         /// Views the branches. Set `columns-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -16502,8 +16528,7 @@ namespace TreeFamily.Native
         public static extern int tree_metric_params_init(tree_metric_params* @params, UIntPtr size);
 
         /// <summary>
-        /// Cuts branches into paths and sorts them, the most relevant first: from the root to a tip along the branches of most
-        /// worth, again and again, on what is left. `params` may be NULL for the default metric. `seed` matters to
+        /// Cuts branches into paths and sorts them, the most relevant first. `params` may be NULL for the default metric. `seed` matters to
         /// `TREE_METRIC_RANDOM` alone. `control` may be NULL. Free the paths with `tree_multi_paths_free`.
         ///
         /// `TREE_ERROR_INVALID` when there are not as many worths as branches, `TREE_ERROR_PARAMETER` when one is out of range.
