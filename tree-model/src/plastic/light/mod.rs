@@ -19,7 +19,7 @@ pub(super) use convex::{Block, Convex, Plane};
 pub use sky::Sky;
 pub(super) use sky::{Bins, DIRECTIONS, Weights};
 pub use veil::Ball;
-pub(super) use veil::{influence, veil};
+pub(super) use veil::{influence, may_shade, veil};
 
 use glam::Vec3;
 

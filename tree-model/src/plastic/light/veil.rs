@@ -45,6 +45,27 @@ pub(in crate::plastic) fn influence(ball: &Ball, offset: Vec3, bins: &Bins) -> f
     1.7 * sin * sin * bright * bright * dark
 }
 
+/// Whether the ball may keep more than `least` of the sky's light from any point in `around`; `brightest` in their frame.
+pub(in crate::plastic) fn may_shade(
+    ball: &Ball,
+    around: &Ball,
+    brightest: Vec3,
+    least: f32,
+) -> bool {
+    if ball.radius <= 0.0 {
+        return false;
+    }
+    let offset = ball.center - around.center;
+    let gap = offset.length() - around.radius;
+    if gap <= 2.0 * ball.radius {
+        return true;
+    }
+    let sin = ball.radius / gap;
+    let high = offset.dot(brightest) + around.radius + ball.radius;
+    let bright = (high / gap + Bins::reach()).clamp(0.0, 1.0);
+    1.7 * sin * sin * bright * bright * (1.0 - ball.translucency) > least
+}
+
 /// Draws the ball before the sky as seen from `offset` away from its middle.
 pub(in crate::plastic) fn veil(ball: &Ball, offset: Vec3, bins: &Bins, through: &mut Weights) {
     let distance = offset.length();

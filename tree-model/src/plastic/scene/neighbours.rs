@@ -1,6 +1,6 @@
 //! Which trees may shade each other.
 
-use super::super::light::Ball;
+use super::super::light::{Ball, may_shade};
 use super::super::shade::LEAST;
 use super::edit::Planted;
 use glam::Vec3;
@@ -16,7 +16,7 @@ struct Far {
 
 /// For each tree those whose clusters may shade it at all, in an order that depends on where they stand alone.
 /// O(trees²).
-pub(super) fn neighbours(trees: &[Planted]) -> Vec<Vec<u32>> {
+pub(super) fn neighbours(trees: &[Planted], brightest: Vec3) -> Vec<Vec<u32>> {
     let far: Vec<Far> = trees.iter().map(Far::of).collect();
     let key = |tree: &u32| {
         let pose = trees[*tree as usize].pose;
@@ -27,7 +27,9 @@ pub(super) fn neighbours(trees: &[Planted]) -> Vec<Vec<u32>> {
     (0..trees.len())
         .map(|one| {
             let mut near: Vec<u32> = (0..trees.len() as u32)
-                .filter(|&other| other as usize != one && far[other as usize].shades(&far[one]))
+                .filter(|&other| {
+                    other as usize != one && far[other as usize].shades(&far[one], brightest)
+                })
                 .collect();
             near.sort_by_key(key);
             near
@@ -45,14 +47,11 @@ impl Far {
         Self { ball: Ball { center, ..around }, largest, dark }
     }
 
-    /// Whether one of this tree's clusters may keep light from the other.
-    fn shades(&self, other: &Self) -> bool {
-        let offset: Vec3 = self.ball.center - other.ball.center;
-        let gap = offset.length() - self.ball.radius - other.ball.radius;
-        if gap <= 2.0 * self.largest {
-            return self.largest > 0.0;
-        }
-        let sin = self.largest / gap;
-        1.7 * sin * sin * self.dark > LEAST
+    /// Whether one of this tree's clusters may keep light from the other: the largest and darkest, where it comes nearest.
+    fn shades(&self, other: &Self, brightest: Vec3) -> bool {
+        let translucency = 1.0 - self.dark;
+        let largest = Ball { center: self.ball.center, radius: self.largest, translucency };
+        let around = Ball { radius: self.ball.radius + other.ball.radius, ..other.ball };
+        may_shade(&largest, &around, brightest, LEAST)
     }
 }

@@ -1,7 +1,7 @@
 //! What all edits since the last update mean.
 
 use super::super::analysis::PlasticTree;
-use super::super::light::{Ball, Convex};
+use super::super::light::{Ball, Convex, may_shade};
 use super::super::obstacle::Placed;
 use super::super::params::Response;
 use super::super::pose::Pose;
@@ -64,7 +64,7 @@ impl Scene {
         let mut works: Vec<Work> = self
             .trees
             .par_iter()
-            .zip(neighbours(&self.trees))
+            .zip(neighbours(&self.trees, self.sky.brightest.normalize_or(Vec3::Y)))
             .map(|(tree, near)| {
                 let anew = all || tree.anew || disturbed(tree, moved, left);
                 Work::new(tree, near, &walls, anew)
@@ -180,7 +180,7 @@ fn look(
         let season = Clock::new(theirs, step, n_steps).t;
         for ball in &balls[other as usize][theirs.plan.seasons[season].clusters.clone()] {
             let ball = Ball { center: tree.pose.to_local(pose.to_world(ball.center)), ..*ball };
-            if matters(&ball, model.around) {
+            if may_shade(&ball, &model.around, tree.bins.brightest, LEAST) {
                 work.foreign.push(ball);
             }
         }
@@ -207,24 +207,11 @@ fn look(
     }
 }
 
-/// Whether the ball may keep light from anything in `around`.
-fn matters(ball: &Ball, around: Ball) -> bool {
-    if ball.radius <= 0.0 {
-        return false;
-    }
-    let gap = ball.center.distance(around.center) - around.radius;
-    if gap <= 2.0 * ball.radius {
-        return true;
-    }
-    let sin = ball.radius / gap;
-    1.7 * sin * sin * (1.0 - ball.translucency) > LEAST
-}
-
 /// Whether a change of obstacles, or trees that left, may be felt by any cluster of the tree, or by its wood.
 fn disturbed(tree: &Planted, moved: &[Placed], left: &[Ball]) -> bool {
     let around = tree.model.around;
     let felt = |solid: Convex| {
-        solid.ball().is_none_or(|ball| matters(&ball, around))
+        solid.ball().is_none_or(|ball| may_shade(&ball, &around, tree.bins.brightest, LEAST))
             && tree
                 .balls
                 .iter()
@@ -253,7 +240,11 @@ impl Work {
             .iter()
             .flat_map(|wall| &wall.pieces)
             .map(|piece| piece.moved(turn, offset))
-            .filter(|piece| piece.ball().is_none_or(|ball| matters(&ball, around)))
+            .filter(|piece| {
+                piece
+                    .ball()
+                    .is_none_or(|ball| may_shade(&ball, &around, tree.bins.brightest, LEAST))
+            })
             .collect();
         Self {
             near,

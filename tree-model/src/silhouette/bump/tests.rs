@@ -150,107 +150,22 @@ fn families() -> Vec<(String, Vec<Vec2>, usize)> {
     all
 }
 
+/// `evaluate -- silhouette` prints the shares; fewer than these 99 of 100 would be a step back.
 #[test]
-fn measure() {
+fn outlines_of_lobes_have_as_many_bumps_however_they_are_drawn() {
     let (mut hits, mut all) = (0, 0);
-    for (name, points, expected) in families() {
-        let mut wrong = std::collections::BTreeMap::new();
-        let (mut good, mut tried) = (0, 0);
+    for (_, points, expected) in families() {
         for n in [60, 120, 250, 500, 1000, 2000] {
             for (noise, calm) in
                 [(0.0, 0), (0.005, 0), (0.01, 0), (0.005, 20), (0.01, 20), (0.01, 3)]
             {
                 for turn in 0..4 {
                     let line = drawn(&points, n, 0.7 * turn as f32, noise, calm, turn);
-                    let found = count(&line);
-                    tried += 1;
-                    good += usize::from(found == expected);
-                    if found != expected {
-                        *wrong.entry((n, (noise * 1000.0) as u32, calm, found)).or_insert(0) += 1;
-                    }
+                    hits += u32::from(count(&line) == expected);
+                    all += 1;
                 }
             }
         }
-        hits += good;
-        all += tried;
-        if good < tried {
-            println!("{name}: expected {expected}, {good}/{tried} {wrong:?}");
-        }
     }
-    println!("all {hits}/{all}");
-}
-
-#[test]
-fn dump() {
-    for entry in std::fs::read_dir("/tmp/bump/in").unwrap().flatten() {
-        let text = std::fs::read_to_string(entry.path()).unwrap();
-        let points: Vec<Vec2> = text
-            .lines()
-            .filter_map(|l| l.split_once(' '))
-            .map(|(x, y)| Vec2::new(x.parse().unwrap(), y.parse().unwrap()))
-            .collect();
-        let shape = outline(simple(points));
-        let found = bumps(&shape, &BumpParams::default());
-        let time = std::time::Instant::now();
-        for _ in 0..20 {
-            let _ = bumps(&shape, &BumpParams::default());
-        }
-        let time = time.elapsed() / 20;
-        println!(
-            "{:?} {} points, {} bumps, {time:?}",
-            entry.file_name(),
-            shape.points().len(),
-            found.len()
-        );
-        let mut out = String::new();
-        for p in shape.points() {
-            out += &format!("o {} {}\n", p.x, p.y);
-        }
-        let border = border::Border::of(&shape).unwrap();
-        let mut mesh = mesh::Mesh::of(&border).unwrap();
-        let _ = stand::ends(&mut mesh, &BumpParams::default());
-        for t in mesh.terminals() {
-            for c in t.path.windows(2).filter_map(|w| mesh.chord(w[0], w[1])) {
-                let c = border.frame.to_drawing(c);
-                out += &format!("a {} {}\n", c.x, c.y);
-            }
-        }
-        for b in &found {
-            out += &format!(
-                "b {} {} {} {} {} {} {} {} {}\n",
-                b.centre.x,
-                b.centre.y,
-                b.tip.x,
-                b.tip.y,
-                b.tangent.x,
-                b.tangent.y,
-                b.radius,
-                b.stretch[0],
-                b.stretch[1]
-            );
-        }
-        let (low, high) = shape.bounds();
-        let mut took = std::time::Duration::ZERO;
-        for b in &found {
-            let y = (b.centre.y - 0.25 * (high.y - low.y)).max(low.y + 0.1 * (high.y - low.y));
-            let root = Vec2::new(0.5 * (low.x + high.x), y.min(low.y + 0.7 * (high.y - low.y)));
-            let Some(branch) = crate::silhouette::Line::new(vec![root, b.centre]) else { continue };
-            let time = std::time::Instant::now();
-            let s = crate::silhouette::sub::sub_outline(
-                &shape,
-                &branch,
-                b.radius,
-                Some(b.stretch),
-                &Default::default(),
-            );
-            took += time.elapsed();
-            out += "s";
-            for p in s.outline.points() {
-                out += &format!(" {} {}", p.x, p.y);
-            }
-            out += &format!("\nr {} {} {} {}\n", root.x, root.y, b.centre.x, b.centre.y);
-        }
-        println!("   subs {:?} each", took / found.len() as u32);
-        std::fs::write(std::path::Path::new("/tmp/bump/out").join(entry.file_name()), out).unwrap();
-    }
+    assert!(100 * hits >= 99 * all, "{hits} of {all}");
 }
