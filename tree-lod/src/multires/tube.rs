@@ -266,7 +266,7 @@ mod tests {
             ..Line::default()
         };
         let few = line(all.points.clone(), all.radii.clone());
-        assert!(few.points.len() < 250, "{}", few.points.len());
+        assert!(few.points.len() < 300, "{}", few.points.len());
         let rows: Vec<usize> = few
             .points
             .iter()

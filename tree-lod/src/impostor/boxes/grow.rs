@@ -189,7 +189,7 @@ impl Boxes {
                     };
                     let rest = rest(&walk, walk.rows_of(here), &nodes);
                     let place = |row: u32| elements.centers[walk.leaves[row as usize] as usize];
-                    let mut found = groups(rest, volume, params, &fit_rows, &place);
+                    let mut found = groups(rest, &here.fit, params, &fit_rows, &place);
                     largest(&mut found, room - children.len());
                     let node = here.node;
                     children.extend(found.into_iter().map(|(rows, fit)| (node, fit, Some(rows))));
@@ -237,11 +237,12 @@ fn rest(walk: &Walk, mut rows: Vec<u32>, nodes: &[u32]) -> Vec<u32> {
 /// enough.
 fn groups(
     rows: Vec<u32>,
-    volume: f64,
+    whole: &Fit,
     params: &BoxParams,
     fit: &dyn Fn(&[u32]) -> Option<Fit>,
     place: &dyn Fn(u32) -> Vec3,
 ) -> Vec<(Vec<u32>, Fit)> {
+    let (volume, longest) = (whole.volume(), whole.half.max_element());
     let (n, mut found, mut stack) = (rows.len(), Vec::new(), vec![rows]);
     while let Some(mut rows) = stack.pop() {
         if rows.len() < params.least_leaves as usize {
@@ -252,8 +253,9 @@ fn groups(
         if share < params.least_volume {
             continue;
         }
-        // All of them would only be the same box again.
-        if share <= params.most_volume && rows.len() < n {
+        // All of them would only be the same box again, and a box as long would be no sharper.
+        let shorter = fit.half.max_element() <= SHORTER * longest;
+        if share <= params.most_volume && shorter && rows.len() < n {
             rows.sort_unstable();
             found.push((rows, fit));
             continue;
@@ -312,6 +314,9 @@ fn branches(
     }
     Ok((found, small))
 }
+
+/// Longest side of leaves put together by place, against that of the box they are in.
+const SHORTER: f32 = 0.8;
 
 /// A subtree is measured again when it has fewer leaves by one part in this many.
 const SHRUNK: usize = 32;

@@ -7,15 +7,24 @@ use crate::preview::Srgb;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
-use tree_mesh::{Mesh, Surface, Texture};
+use tree_mesh::{Alpha, Mesh, Surface, Texture};
 
 /// Planes that are drawn of each box: all six at once would cover too much.
 pub const PLAIN: usize = 3;
 /// Mean light of all that is covered. Pictures are somewhat darker than bare leaves: those shade each other,
 /// planes hardly do.
 const EXPOSURE: f64 = 0.85;
+/// Alpha from which on a texel is drawn. Three planes that cross cover more than one.
+const CUTOFF: f32 = 0.62;
+/// Light on the planes of the whole crown, against those of its parts: nothing else shades them.
+const ALONE: f32 = 0.7;
+/// How much brighter what stands out is, and how much darker what lies behind, of 1; texels by which it
+/// must stand out for that; and texels around it that are looked at.
+const CONTRAST: f32 = 0.55;
+const RELIEF: f32 = 3.0;
+const AROUND_TEXEL: usize = 2;
 /// Light from straight below, where that from straight above is 1.
-const BELOW: f32 = 0.55;
+const BELOW: f32 = 0.4;
 /// Part of a normal that looks to the viewer, against the part that looks out of the crown.
 const TOWARD: f32 = 0.9;
 
@@ -59,6 +68,7 @@ impl Cards {
         }
         let mut material = mesh::material(self.lit());
         material.double_sided = false;
+        material.alpha = Alpha::Mask(CUTOFF);
         Ok(Mesh { surfaces: vec![surface], materials: vec![material], ..Mesh::default() })
     }
 
@@ -104,8 +114,11 @@ impl Cards {
         let covered = texels.iter().zip(&shades).filter(|(texel, _)| texel[3] >= 128);
         let (sum, n) = covered.fold((0.0, 0_u64), |(s, n), (_, &v)| (s + f64::from(v), n + 1));
         let exposure = if sum > 0.0 { (EXPOSURE * n as f64 / sum) as f32 } else { 1.0 };
-        texels.par_iter_mut().zip(&shades).for_each(|(texel, &shade)| {
-            let lit = srgb.decode(*texel) * (exposure * shade);
+        let (width, size) = (self.color.width as usize, self.size as usize);
+        texels.par_iter_mut().zip(&shades).enumerate().for_each(|(at, (texel, &shade))| {
+            let tile = at / width / size * self.columns as usize + at % width / size;
+            let alone = if tile < PLANES { ALONE } else { 1.0 };
+            let lit = srgb.decode(*texel) * (exposure * alone * shade);
             let [r, g, b] = lit.to_array().map(|v| srgb.encode(v.min(1.0)));
             *texel = [r, g, b, texel[3]];
         });
@@ -118,21 +131,50 @@ impl Cards {
         let light = self.crown.light();
         let (width, size) = (self.color.width as usize, self.size as usize);
         let mut shades = vec![0.0; width * self.color.height as usize];
-        let (detail, _) = self.detail.pixels.as_chunks::<4>();
         // A row of tiles at a time.
-        let rows = shades.par_chunks_mut(width * size).zip(detail.par_chunks(width * size));
-        rows.enumerate().for_each(|(row, (shades, detail))| {
-            for (at, (shade, detail)) in shades.iter_mut().zip(detail).enumerate() {
+        shades.par_chunks_mut(width * size).enumerate().for_each(|(row, shades)| {
+            for (at, shade) in shades.iter_mut().enumerate() {
                 let (x, y) = (at % width, at / width);
                 let tile = row * self.columns as usize + x / size;
                 let Ok(leaf_box) = self.boxes.get((tile / PLANES) as u32) else { continue };
                 let face = planes(leaf_box)[tile % PLANES];
-                let [_, ny, _, depth] = detail.map(|v| f32::from(v) / 127.5 - 1.0);
+                let [_, ny, _, depth] = self.detail_at(x, row * size + y);
                 let p = self.position(&face, [x % size, y], depth);
-                *shade = light.at(p) * (BELOW + (1.0 - BELOW) * (0.5 + 0.5 * ny));
+                let soft = BELOW + (1.0 - BELOW) * (0.5 + 0.5 * ny);
+                let texel = 2.0 * face.half.max_element() / self.inner();
+                let above = self.relief([x, row * size + y], depth) * face.reach / texel;
+                let relief = 1.0 + CONTRAST * (above / RELIEF).clamp(-1.0, 1.0);
+                *shade = light.at(p) * soft * relief;
             }
         });
         shades
+    }
+
+    /// How far a texel lies above the mean of what is around it in its tile, in units of the depth.
+    fn relief(&self, [x, y]: [usize; 2], depth: f32) -> f32 {
+        let (width, size) = (self.color.width as usize, self.size as usize);
+        let (texels, _) = self.color.pixels.as_chunks::<4>();
+        let around = |t: usize| {
+            let first = t / size * size;
+            t.saturating_sub(AROUND_TEXEL).max(first)..(t + AROUND_TEXEL + 1).min(first + size)
+        };
+        let (mut sum, mut n) = (0.0, 0.0);
+        for row in around(y) {
+            for column in around(x) {
+                if texels.get(row * width + column).is_some_and(|texel| texel[3] >= 128) {
+                    sum += self.detail_at(column, row)[3];
+                    n += 1.0;
+                }
+            }
+        }
+        if n > 0.0 { depth - sum / n } else { 0.0 }
+    }
+
+    /// Normal and depth of a texel, −1 to 1 each.
+    fn detail_at(&self, x: usize, y: usize) -> [f32; 4] {
+        let (texels, _) = self.detail.pixels.as_chunks::<4>();
+        let texel = texels.get(y * self.detail.width as usize + x).copied().unwrap_or_default();
+        texel.map(|v| f32::from(v) / 127.5 - 1.0)
     }
 
     /// The place of a texel of a tile in the space of the tree; depth as a share of the reach.
