@@ -25,9 +25,9 @@ pub enum Allocation {
     /// The priority model: the buds and branches of each axis are ranked by the mean light of their buds, the
     /// terminal bud first, and get shares by light times weight; see [`priorities`].
     Priority {
-        /// Weight of the first rank (w_max), 0 to 1000.
+        /// Weight of the first rank (`w_max`), 0 to 1000.
         first: f32,
-        /// Weight of the last ranks (w_min), 0 to 1000.
+        /// Weight of the last ranks (`w_min`), 0 to 1000.
         last: f32,
         /// Share of the ranks (κ) over which the weight falls from one to the other, 0 to 1.
         fall: f32,

@@ -7,7 +7,7 @@
 use crate::path::Obstacle;
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::f32::consts::TAU;
 
 /// Rays to the upper hemisphere.
@@ -41,7 +41,7 @@ pub struct Sky {
     rays: Vec<(Vec3, f32)>,
     open: Exposure,
     /// `None` for points in the obstacle.
-    seen: HashMap<IVec3, Option<Exposure>>,
+    seen: BTreeMap<[i32; 3], Option<Exposure>>,
 }
 
 impl Sky {
@@ -58,7 +58,7 @@ impl Sky {
         let rays: Vec<(Vec3, f32)> = directions.into_iter().map(|ray| (ray, share(ray))).collect();
         let mean = rays.iter().fold(Vec3::ZERO, |sum, &(ray, share)| sum + share * ray);
         let open = Exposure { share: 1.0, mean };
-        Self { obstacle: obstacle.cloned(), spacing, rays, open, seen: HashMap::new() }
+        Self { obstacle: obstacle.cloned(), spacing, rays, open, seen: BTreeMap::new() }
     }
 
     /// Without any obstacle.
@@ -122,13 +122,13 @@ impl Sky {
         let mut missing: Vec<IVec3> = points
             .iter()
             .flat_map(|&point| CORNERS.map(|corner| self.corner(point).0 + corner))
-            .filter(|cell| !self.seen.contains_key(cell))
+            .filter(|cell| !self.seen.contains_key(&cell.to_array()))
             .collect();
         missing.sort_unstable_by_key(|cell| cell.to_array());
         missing.dedup();
         let trace = |cell: &IVec3| self.trace_outside(cell.as_vec3() * self.spacing);
         let traced: Vec<Option<Exposure>> = missing.par_iter().map(trace).collect();
-        self.seen.extend(missing.into_iter().zip(traced));
+        self.seen.extend(missing.into_iter().map(|cell| cell.to_array()).zip(traced));
     }
 
     /// What is seen from a point, between the lattice points around it; the open sky where these were not
@@ -144,7 +144,8 @@ impl Sky {
             let near = corner.as_vec3() * within + (1.0 - corner.as_vec3()) * (1.0 - within);
             let weight = near.x * near.y * near.z;
             // What lies in the obstacle says nothing about the sky beside it.
-            let seen = self.seen.get(&(cell + corner)).copied().unwrap_or(Some(self.open));
+            let seen =
+                self.seen.get(&(cell + corner).to_array()).copied().unwrap_or(Some(self.open));
             let Some(seen) = seen else { continue };
             sum.share += weight * seen.share;
             sum.mean += weight * seen.mean;

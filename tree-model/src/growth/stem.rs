@@ -129,10 +129,9 @@ impl Stem {
     /// Removes nodes; what grows on a removed node must go too.
     pub(super) fn retain(&mut self, keep: &[bool]) {
         let mut new = vec![NOTHING; self.len()];
-        let mut n = 0;
-        for (node, _) in keep.iter().enumerate().filter(|&(_, &keep)| keep) {
-            new[node] = n;
-            n += 1;
+        let kept = keep.iter().enumerate().filter(|&(_, &keep)| keep);
+        for (name, (node, _)) in (0..).zip(kept) {
+            new[node] = name;
         }
         let renamed = |old: u32| match old {
             BUD | NOTHING => old,

@@ -218,7 +218,8 @@ fn bad_parameters_are_named() {
         change(&mut params);
         params.grow(Seed(1), &Control::default()).unwrap_err().to_string()
     };
-    let cases: [(fn(&mut GrowthParams), &str); 12] = [
+    type Change = fn(&mut GrowthParams);
+    let cases: [(Change, &str); 12] = [
         (|p| p.iterations = MAX_ITERATIONS + 1, "iterations"),
         (|p| p.base.x = f32::NAN, "base"),
         (|p| p.base.x = 1e9, "base.length()"),
@@ -233,7 +234,7 @@ fn bad_parameters_are_named() {
         (
             |p| {
                 p.world.environment =
-                    Environment::Shadow(Shadow { voxel: 0.0, ..Shadow::default() })
+                    Environment::Shadow(Shadow { voxel: 0.0, ..Shadow::default() });
             },
             "shadow.voxel",
         ),
