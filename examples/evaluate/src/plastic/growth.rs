@@ -33,7 +33,7 @@ pub(super) fn params(years: u32) -> Outcome<GrowthParams> {
     let mut params = Preset::find("oak")?.params();
     params.iterations = years;
     params.habit.leaves = None;
-    params.habit.vigour = 2.05;
+    params.habit.vigour = 2.15;
     if let Environment::Shadow(shadow) = &mut params.world.environment {
         (shadow.strength, shadow.falloff) = (0.15, 1.7);
     }
