@@ -61,12 +61,11 @@ impl Octahedral {
         for _ in 0..STEPS {
             let here = self.place(frame, start + along * s);
             let above = height - sink * s - self.detail(here).w * meta.radius;
-            if above <= slab && above >= -slab - THICKNESS * meta.radius {
-                if self.met(here, s, srgb).alpha >= ALPHA_MIN {
-                    // To where the ray crosses the depth that was found.
-                    let crossing = (s + above / sink).clamp(near, far);
-                    return self.met(self.place(frame, start + along * crossing), crossing, srgb);
-                }
+            let near_enough = above <= slab && above >= -slab - THICKNESS * meta.radius;
+            if near_enough && self.met(here, s, srgb).alpha >= ALPHA_MIN {
+                // To where the ray crosses the depth that was found.
+                let crossing = (s + above / sink).clamp(near, far);
+                return self.met(self.place(frame, start + along * crossing), crossing, srgb);
             }
             s += step;
         }
