@@ -203,7 +203,7 @@ impl<'a> Filling<'a> {
         if !wanted || from == NO_PARENT || !self.planted.lives(row) {
             return;
         }
-        let turn = self.around_branch(row, node);
+        let turn = self.around_branch(row);
         let at = self.place(row, turn * self.seek[piece], model.tree.skeleton().positions()[node]);
         if !self.walls.is_empty() && self.blocked(self.columns.positions[from as usize], at) {
             return;
@@ -214,7 +214,7 @@ impl<'a> Filling<'a> {
     }
 
     /// The turn of a second setting: about the main branch, by the golden angle, the same for the whole branchlet.
-    fn around_branch(&self, row: usize, _node: usize) -> Quat {
+    fn around_branch(&self, row: usize) -> Quat {
         let axis =
             (self.planted.state.turned[row] * self.plan.direction[row]).normalize_or(Vec3::Y);
         let half = 0.5 * GOLDEN;
@@ -271,7 +271,7 @@ impl<'a> Filling<'a> {
             };
             let wanted = !on_main || chance < self.density[piece] - 1.0;
             if again != NO_PARENT && wanted {
-                let turn = self.around_branch(row, leaf.node as usize);
+                let turn = self.around_branch(row);
                 let at = self.place(row, turn * self.seek[piece], leaf.position);
                 if !self.inside(at) {
                     let rotation = turn * turned * leaf.rotation;

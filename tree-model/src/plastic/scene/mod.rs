@@ -5,8 +5,8 @@
 //! tree is worked out anew where the light on one of its clusters has changed or an earlier season of it has.
 //!
 //! Steps of a season, for all trees at a time:
-//! 1. [`state`]: clusters move with the branches that carry them, and thin out with those that died.
-//! 2. [`crate::plastic`]'s light on every cluster, with what other trees and obstacles leave of it.
+//! 1. Clusters move with the branches that carry them, and thin out with those that died.
+//! 2. Every cluster gets the light that other clusters, trees and obstacles leave it.
 //! 3. Segments of the season bend; those that meet a solid end there.
 //! 4. Branches that starve die.
 
