@@ -8,7 +8,7 @@ use super::params::PlasticParams;
 use super::plan::Plan;
 use crate::error::Result;
 use glam::Vec3;
-use tree_core::{Control, NO_PARENT, Resource, Skeleton, Tree};
+use tree_core::{Aabb, Control, NO_PARENT, Resource, Skeleton, Tree};
 
 /// A tree whose crown leans farther than this from above its base, in radians, was bent by something (Fig. 14).
 const LEANING: f32 = 0.26;
@@ -27,6 +27,8 @@ pub struct PlasticTree {
     pub(super) is_main: Vec<bool>,
     /// Around the tree wherever it may bend.
     pub(super) around: Ball,
+    /// Around the middles of its clusters, with some room for bending.
+    pub(super) crown: Ball,
     params: PlasticParams,
     ages: Ages,
     report: PlasticReport,
@@ -94,10 +96,12 @@ impl PlasticTree {
         let report = report(&tree, &plan, &ages);
         control.report("done", 1.0)?;
         let around = around(skeleton);
+        let crown = crown(&plan);
         Ok(Self {
             plan,
             row_of,
             around,
+            crown,
             is_main: main.is_main,
             params: *params,
             ages,
@@ -196,6 +200,15 @@ fn around(skeleton: &Skeleton) -> Ball {
     let bounds = skeleton.bounds();
     let radius = 0.75 * bounds.size().length();
     Ball { center: bounds.center(), radius, translucency: 0.0 }
+}
+
+/// A ball around the middles of all clusters, a fifth wider.
+fn crown(plan: &Plan) -> Ball {
+    let middles: Vec<Vec3> = plan.clusters.iter().map(|cluster| cluster.ball.center).collect();
+    let bounds = Aabb::of_points(&middles);
+    let center = bounds.center();
+    let radius = middles.iter().map(|at| at.distance(center)).fold(0.0, f32::max);
+    Ball { center, radius: 1.2 * radius, translucency: 0.0 }
 }
 
 fn report(tree: &Tree, plan: &Plan, ages: &Ages) -> PlasticReport {

@@ -5,7 +5,7 @@ use super::light::{Ball, Bins, Light};
 use super::lobe::Lobes;
 use super::params::PlasticParams;
 use super::prune;
-use super::shade::{Casters, light_at};
+use super::shade::Casters;
 use super::tropism::{Tropisms, unbend};
 use glam::Vec3;
 use std::ops::Range;
@@ -237,12 +237,14 @@ impl Plan {
     }
 
     fn light_up(&mut self, bins: &Bins) {
+        let mut casters = Casters::default();
         for season in &self.seasons {
-            let own: Vec<Ball> =
-                self.clusters[season.clusters.clone()].iter().map(|c| c.ball).collect();
-            let casters = Casters { own: &own, foreign: &[], solids: &[] };
-            for (index, cluster) in self.clusters[season.clusters.clone()].iter_mut().enumerate() {
-                cluster.light = light_at(index, &casters, bins);
+            casters.clear();
+            let clusters = &mut self.clusters[season.clusters.clone()];
+            clusters.iter().for_each(|cluster| casters.push(&cluster.ball));
+            for (place, cluster) in clusters.iter_mut().enumerate() {
+                let through = casters.through(cluster.ball.center, place, bins);
+                cluster.light = Light::gather(bins, &through);
             }
         }
     }

@@ -19,7 +19,7 @@ pub(super) use convex::{Block, Convex, Plane};
 pub use sky::Sky;
 pub(super) use sky::{Bins, DIRECTIONS, Weights};
 pub use veil::Ball;
-pub(super) use veil::{influence, may_shade, veil};
+pub(super) use veil::{may_shade, veil};
 
 use glam::Vec3;
 
@@ -35,7 +35,7 @@ pub struct Light {
 
 /// Amounts and directions are multiples of this. What changes them by less changes nothing, so that an edit is felt as
 /// far as it matters and not through the whole forest.
-pub(super) const STEP: f32 = 1.0 / 1024.0;
+pub(super) const STEP: f32 = 1.0 / 256.0;
 
 impl Light {
     /// Sums up what the directions let through.

@@ -1,5 +1,6 @@
+use super::veil::influence;
 use super::*;
-use crate::plastic::shade::{Casters, light_at};
+use crate::plastic::shade::{Casters, veil_solids};
 use glam::Quat;
 use tree_core::Seed;
 use tree_core::seed::{in_unit_ball, uniform};
@@ -36,9 +37,12 @@ fn by_rays(at: Vec3, balls: &[Ball], solids: &[Convex], brightest: Vec3) -> (f32
 
 fn ours(at: Vec3, balls: &[Ball], solids: &[Convex], brightest: Vec3) -> Light {
     let bins = Bins::new(brightest, Vec3::Y, 1.0);
-    let mut own = vec![Ball { center: at, radius: 0.5, translucency: 0.5 }];
-    own.extend_from_slice(balls);
-    light_at(0, &Casters { own: &own, foreign: &[], solids }, &bins)
+    let mut casters = Casters::default();
+    casters.push(&Ball { center: at, radius: 0.5, translucency: 0.5 });
+    balls.iter().for_each(|ball| casters.push(ball));
+    let mut through = casters.through(at, 0, &bins);
+    veil_solids(solids, at, &bins, &mut through);
+    Light::gather(&bins, &through)
 }
 
 fn crown(seed: u64, n: usize) -> Vec<Ball> {

@@ -60,10 +60,10 @@ pub(in crate::plastic) fn may_shade(
     if gap <= 2.0 * ball.radius {
         return true;
     }
-    let sin = ball.radius / gap;
-    let high = offset.dot(brightest) + around.radius + ball.radius;
-    let bright = (high / gap + Bins::reach()).clamp(0.0, 1.0);
-    1.7 * sin * sin * bright * bright * (1.0 - ball.translucency) > least
+    let high = offset.dot(brightest) + around.radius + ball.radius + Bins::reach() * gap;
+    let high = (high * ball.radius).max(0.0);
+    let squared = gap * gap;
+    1.7 * (1.0 - ball.translucency) * high * high > least * squared * squared
 }
 
 /// Draws the ball before the sky as seen from `offset` away from its middle.

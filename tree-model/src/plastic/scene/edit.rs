@@ -36,6 +36,8 @@ pub struct Scene {
     pub(super) left: Vec<Ball>,
     /// Whether all trees must be worked out anew.
     pub(super) all: bool,
+    /// For each tree those that may shade it, until a tree or the sky is another.
+    pub(super) near: Option<Vec<Vec<u32>>>,
 }
 
 /// A tree where it stands.
@@ -84,6 +86,7 @@ impl Scene {
                 tree.bins = bins(&sky, tree.pose);
             }
             self.all = true;
+            self.near = None;
         }
         Ok(())
     }
@@ -122,6 +125,7 @@ impl Scene {
         self.next_id += 1;
         let (state, balls) = State::of_input(&model.plan);
         let bins = bins(&self.sky, pose);
+        self.near = None;
         self.trees.push(Planted { id, model, pose, bins, state, balls, anew: true });
         Ok(id)
     }
@@ -138,6 +142,7 @@ impl Scene {
         }
         self.check_base(&self.trees[index].model, pose, "the tree")?;
         self.leave(index);
+        self.near = None;
         let tree = &mut self.trees[index];
         tree.pose = pose;
         tree.bins = bins(&self.sky, pose);
@@ -152,6 +157,7 @@ impl Scene {
     pub fn remove_tree(&mut self, id: TreeId) -> Result<()> {
         let index = self.tree_index(id)?;
         self.leave(index);
+        self.near = None;
         self.trees.remove(index);
         Ok(())
     }

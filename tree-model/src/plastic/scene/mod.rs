@@ -1,8 +1,8 @@
 //! Trees, obstacles and a sky that can be moved, and what the trees make of it (Pirk et al. 2012, section 5).
 //!
 //! What the trees look like is a function of the scene alone, not of how it came about: an obstacle that is moved away leaves
-//! no trace, and the order of edits does not matter. [`Scene::update`] redoes only what an edit touches: a season of a
-//! tree is worked out anew where the light on one of its clusters has changed or an earlier season of it has.
+//! no trace, and the order of edits does not matter. [`Scene::update`] redoes only what an edit touches: the light on a cluster where
+//! something in its sky has changed, a segment where its light has or what it stands on.
 //!
 //! Steps of a season, for all trees at a time:
 //! 1. Clusters move with the branches that carry them, and thin out with those that died.
@@ -15,6 +15,7 @@ mod neighbours;
 mod state;
 mod step;
 mod update;
+mod work;
 
 #[cfg(test)]
 mod tests;

@@ -39,7 +39,7 @@ pub(super) fn neighbours(trees: &[Planted], brightest: Vec3) -> Vec<Vec<u32>> {
 
 impl Far {
     fn of(tree: &Planted) -> Self {
-        let around = tree.model.around;
+        let around = tree.model.crown;
         let center = tree.pose.to_world(around.center);
         let clusters = &tree.model.plan.clusters;
         let largest = clusters.iter().map(|c| c.ball.radius).fold(0.0, f32::max);

@@ -1,12 +1,11 @@
 //! One season of one tree: light, bending, pruning.
 
-use super::super::light::{Ball, Bins, Convex, Light};
+use super::super::light::{Ball, Bins, Light};
 use super::super::obstacle::Placed;
 use super::super::params::Response;
 use super::super::plan::Plan;
 use super::super::pose::Pose;
 use super::super::prune::Balance;
-use super::super::shade::{Casters, light_at};
 use super::super::tropism::bend;
 use super::state::{ALIVE, State};
 use glam::{Quat, Vec3};
@@ -16,10 +15,27 @@ pub(super) struct Surroundings<'a> {
     pub bins: &'a Bins,
     pub pose: Pose,
     pub response: &'a Response,
-    /// Obstacles in the tree's own frame.
-    pub solids: &'a [Convex],
     /// Obstacles that the tree may touch.
     pub walls: &'a [&'a Placed],
+}
+
+/// What is not as it was before the update.
+#[derive(Default)]
+pub(super) struct Changes {
+    /// All of the tree must be worked out anew.
+    pub anew: bool,
+    /// Obstacles that the tree may touch have moved.
+    pub walls: bool,
+    /// Whether each node's place or life has changed, in any season so far.
+    pub rows: Vec<bool>,
+    /// Whether any has.
+    pub any_row: bool,
+    /// Whether any node's life has.
+    pub any_death: bool,
+    /// Whether the light of each cluster of this season has changed.
+    pub lit: Vec<bool>,
+    /// Whether any of them gets more or less.
+    pub amounts: bool,
 }
 
 /// Scratch that is used again.
@@ -29,40 +45,27 @@ pub(super) struct Scratch {
     died: Vec<u16>,
 }
 
-/// Works out the light on the clusters of season `t`. Returns whether any is not what it was.
-pub(super) fn shine(
-    plan: &Plan,
-    t: usize,
-    state: &mut State,
-    own: &[Ball],
-    foreign: &[Ball],
-    around: &Surroundings<'_>,
-) -> bool {
-    let clusters = plan.seasons[t].clusters.clone();
-    let casters = Casters { own: &own[clusters.clone()], foreign, solids: around.solids };
-    let mut changed = false;
-    for (place, index) in clusters.enumerate() {
-        let light = if casters.own[place].radius > 0.0 {
-            light_at(place, &casters, around.bins)
-        } else {
-            Light::default()
-        };
-        changed |= light != state.lights[index];
-        state.lights[index] = light;
-    }
-    changed
-}
-
-/// Grows the segments of season `t` and prunes what starves. Returns whether the tree is not what it was.
+/// Grows the segments of season `t` and prunes what starves.
 pub(super) fn grow(
     plan: &Plan,
     t: usize,
     state: &mut State,
     balls: &[Ball],
     around: &Surroundings<'_>,
+    changes: &mut Changes,
     scratch: &mut Scratch,
-) -> bool {
+) {
     let end = plan.seasons[t].nodes.end;
+    // Who lives is asked again only where something has changed for life and death.
+    let judged = changes.anew
+        || changes.any_death
+        || changes.amounts
+        || changes.walls
+        || !around.walls.is_empty();
+    if !judged {
+        bend_season(plan, t, state, around, changes, false);
+        return;
+    }
     scratch.died.clear();
     scratch.died.extend_from_slice(&state.died[..end]);
     for died in &mut state.died[..end] {
@@ -70,52 +73,72 @@ pub(super) fn grow(
             *died = ALIVE;
         }
     }
-    let mut changed = bend_season(plan, t, state, around);
+    bend_season(plan, t, state, around, changes, true);
     starve(plan, t, state, balls, around.response.pruning, &mut scratch.balance);
-    changed |= state.died[..end] != scratch.died[..];
-    changed
+    let deaths = state.died[..end].iter().zip(&scratch.died);
+    for ((now, before), changed) in deaths.zip(&mut changes.rows[..end]) {
+        *changed |= now != before;
+        changes.any_death |= now != before;
+    }
+    changes.any_row |= changes.any_death;
 }
 
-fn bend_season(plan: &Plan, t: usize, state: &mut State, around: &Surroundings<'_>) -> bool {
+/// Bends the segments of season `t`. Where life and death are `judged` anew, deaths of this season have been taken back before.
+fn bend_season(
+    plan: &Plan,
+    t: usize,
+    state: &mut State,
+    around: &Surroundings<'_>,
+    changes: &mut Changes,
+    judged: bool,
+) {
     let up = around.bins.up;
     let season = t as u16;
-    let mut changed = false;
+    let first_cluster = plan.seasons[t].clusters.start;
     for row in plan.seasons[t].nodes.clone() {
         if row == 0 {
             continue;
         }
         let below = plan.parent[row] as usize;
-        let dead = !state.outlived(below, t);
-        let turned = if dead {
-            state.turned[below]
-        } else {
-            turn(
-                plan,
-                row,
-                state.turned[below],
-                state.lights[plan.lit_by[row] as usize],
-                up,
-                around.response.bending,
-            )
-        };
-        let segment = plan.segment[row];
-        let moved = state.moved[below] + (turned * segment - segment);
-        changed |= moved != state.moved[row] || turned != state.turned[row];
-        state.moved[row] = moved;
-        state.turned[row] = turned;
-        let blocked = || {
-            let from = around.pose.to_world(plan.position[below] + state.moved[below]);
-            let to = around.pose.to_world(plan.position[row] + moved);
-            around.walls.iter().any(|wall| wall.meets(from, to))
-        };
-        state.died[row] = if dead || (!around.walls.is_empty() && blocked()) {
-            season
-        } else {
-            // A death in a later season stands until that season is looked at again.
-            if state.outlived(row, t) { state.died[row] } else { ALIVE }
-        };
+        let dead = if judged { !state.outlived(below, t) } else { !state.lived(below, t) };
+        let lit_by = plan.lit_by[row] as usize;
+        if changes.anew || changes.rows[below] || changes.lit[lit_by - first_cluster] {
+            let turned = if dead {
+                state.turned[below]
+            } else {
+                let light = state.lights[lit_by];
+                turn(plan, row, state.turned[below], light, up, around.response.bending)
+            };
+            let segment = plan.segment[row];
+            let moved = state.moved[below] + (turned * segment - segment);
+            changes.rows[row] = moved != state.moved[row] || turned != state.turned[row];
+            state.moved[row] = moved;
+            state.turned[row] = turned;
+        }
+        changes.any_row |= changes.rows[row];
+        if !judged {
+            continue;
+        }
+        if changes.anew || changes.walls || changes.rows[row] || changes.rows[below] {
+            let stopped = !around.walls.is_empty() && meets(plan, row, state, around);
+            changes.rows[row] |= stopped != state.stopped[row];
+            state.stopped[row] = stopped;
+        }
+        // A death in a later season stands until that season is looked at again.
+        if dead || state.stopped[row] {
+            state.died[row] = season;
+        } else if !state.outlived(row, t) {
+            state.died[row] = ALIVE;
+        }
+        changes.any_row |= changes.rows[row];
     }
-    changed
+}
+
+/// Whether the segment below the node runs into an obstacle.
+fn meets(plan: &Plan, row: usize, state: &State, around: &Surroundings<'_>) -> bool {
+    let at = |row: usize| around.pose.to_world(plan.position[row] + state.moved[row]);
+    let (from, to) = (at(plan.parent[row] as usize), at(row));
+    around.walls.iter().any(|wall| wall.meets(from, to))
 }
 
 /// How far the segment below `row` turns, all in all, where what is below it turned by `below` (section 5.1).

@@ -1,16 +1,17 @@
 //! What all edits since the last update mean.
 
 use super::super::analysis::PlasticTree;
-use super::super::light::{Ball, Convex, may_shade};
+use super::super::light::{Ball, Light};
 use super::super::obstacle::Placed;
 use super::super::params::Response;
 use super::super::pose::Pose;
-use super::super::shade::LEAST;
+use super::super::shade::{LEAST, reaches, veil_solids};
 use super::edit::{Planted, Scene, TreeId};
 use super::neighbours::neighbours;
-use super::step::{Scratch, Surroundings, grow, shine};
+use super::step::{Surroundings, grow};
+use super::work::{Work, felt};
 use crate::error::Result;
-use glam::{Quat, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
 use std::sync::Arc;
 use tree_core::Control;
@@ -26,25 +27,6 @@ pub struct Update {
     pub seasons: u32,
 }
 
-/// What goes with a tree during one update.
-struct Work {
-    /// Trees whose clusters may shade it.
-    near: Vec<u32>,
-    /// Obstacles that may shade it, in its own frame.
-    solids: Vec<Convex>,
-    /// Clusters of other trees in this step, in its own frame.
-    foreign: Vec<Ball>,
-    scratch: Scratch,
-    /// Whether its light must be worked out in every season.
-    anew: bool,
-    /// Whether its branches are not what they were in a season before this one.
-    dirty: bool,
-    /// Whether its clusters of this season are not what they were.
-    stirred: bool,
-    changed: bool,
-    n_seasons: u32,
-}
-
 impl Scene {
     /// Works out what the edits since the last update mean, on as many threads as rayon has.
     ///
@@ -52,58 +34,57 @@ impl Scene {
     /// Cancellation; trees are then half way, and the next update works all of them out anew.
     ///
     /// # Complexity
-    /// For each tree that is touched: O(nodes · seasons), and for each cluster of each season O(clusters of its own and of
-    /// neighbours, obstacles near). For all others O(clusters) for each obstacle that moved.
+    /// For each tree that an edit reaches: O(nodes + clusters · obstacles near) in each season, and O(clusters of its own and of
+    /// neighbours) for each cluster that one of them, or its own place, has changed for. O(1) for all others.
     pub fn update(&mut self, control: &Control) -> Result<Update> {
         control.check()?;
         let all = std::mem::replace(&mut self.all, true);
         let mut walls: Vec<&Placed> =
             self.obstacles.iter().map(|standing| &standing.placed).collect();
         walls.sort_by_key(|placed| placed.key());
-        let (moved, left) = (&self.moved, &self.left);
-        let mut works: Vec<Work> = self
+        let towards = self.sky.brightest.normalize_or(Vec3::Y);
+        let near = self.near.get_or_insert_with(|| neighbours(&self.trees, towards));
+        let mut works: Vec<Work<'_>> = self
             .trees
-            .par_iter()
-            .zip(neighbours(&self.trees, self.sky.brightest.normalize_or(Vec3::Y)))
-            .map(|(tree, near)| {
-                let anew = all || tree.anew || disturbed(tree, moved, left);
-                Work::new(tree, near, &walls, anew)
-            })
+            .iter()
+            .zip(near.iter())
+            .map(|(tree, near)| Work::new(tree, near, all, &self.moved, &self.left))
             .collect();
-        // What a tree casts that is new in its place, its neighbours have never seen.
-        let arrived: Vec<bool> = self.trees.iter().map(|tree| tree.anew).collect();
-        for work in &mut works {
-            work.anew |= work.near.iter().any(|&other| arrived[other as usize]);
-        }
         let mut balls: Vec<Vec<Ball>> =
             self.trees.iter_mut().map(|tree| std::mem::take(&mut tree.balls)).collect();
-        let outcome = run(&mut self.trees, &mut balls, &mut works, &walls, &self.response, control);
-        for (tree, balls) in self.trees.iter_mut().zip(balls) {
-            tree.balls = balls;
-        }
-        outcome?;
-        self.all = false;
-        self.moved.clear();
-        self.left.clear();
+        let (trees, response) = (&mut self.trees, &self.response);
+        let outcome = if trees.len() > 1 {
+            // Once into the pool, not in every season.
+            rayon::scope(|_| run(trees, &mut balls, &mut works, &walls, response, control))
+        } else {
+            run(trees, &mut balls, &mut works, &walls, response, control)
+        };
         let mut update = Update::default();
-        for (tree, work) in self.trees.iter_mut().zip(&works) {
-            tree.anew = false;
+        for (tree, work) in self.trees.iter().zip(&works) {
             update.touched += u32::from(work.n_seasons > 0);
             update.seasons += work.n_seasons;
             if work.changed {
                 update.changed.push(tree.id);
             }
         }
+        for (tree, balls) in self.trees.iter_mut().zip(balls) {
+            tree.balls = balls;
+            tree.anew &= outcome.is_err();
+        }
+        outcome?;
+        self.all = false;
+        self.moved.clear();
+        self.left.clear();
         Ok(update)
     }
 }
 
 /// Season after season: first clusters move with their trees, then all trees look at them.
-fn run(
+fn run<'a>(
     trees: &mut [Planted],
     balls: &mut [Vec<Ball>],
-    works: &mut [Work],
-    walls: &[&Placed],
+    works: &mut [Work<'a>],
+    walls: &[&'a Placed],
     response: &Response,
     control: &Control,
 ) -> Result<()> {
@@ -115,31 +96,49 @@ fn run(
         for ((tree, own), work) in trees.iter().zip(balls.iter_mut()).zip(works.iter_mut()) {
             let clock = Clock::new(&tree.model, step, n_steps);
             if clock.first {
-                work.stirred =
-                    work.dirty && tree.state.move_clusters(&tree.model.plan, clock.t, own);
+                work.stir(tree, clock.t, own);
             }
         }
-        let stirred: Vec<bool> = works.iter().map(|work| work.stirred).collect();
-        let balls = &*balls;
-        let stands = &stands;
-        let live = |tree: &Planted, work: &Work| {
+        let stirred: Vec<Vec<Ball>> =
+            works.iter_mut().map(|work| std::mem::take(&mut work.stirred)).collect();
+        let crowd = Crowd { stands: &stands, balls, stirred: &stirred, step, n_steps };
+        let live = |tree: &Planted, work: &Work<'_>| {
             Clock::new(&tree.model, step, n_steps).last
-                && (work.anew
-                    || work.dirty
-                    || work.near.iter().any(|&other| stirred[other as usize]))
+                && (work.disturbed()
+                    || work.changes.any_row
+                    || work.near.iter().any(|&other| !stirred[other as usize].is_empty()))
         };
-        let mut busy: Vec<(usize, &mut Planted, &mut Work)> = trees
+        let mut busy: Vec<(usize, &mut Planted, &mut Work<'a>)> = trees
             .iter_mut()
             .zip(works.iter_mut())
             .enumerate()
             .filter(|(_, (tree, work))| live(tree, work))
             .map(|(index, (tree, work))| (index, tree, work))
             .collect();
-        busy.par_iter_mut().for_each(|(index, tree, work)| {
-            look(*index, tree, work, stands, balls, walls, response, step, n_steps);
-        });
+        let look = |(index, tree, work): &mut (usize, &mut Planted, &mut Work<'a>)| {
+            work.prepare(tree, walls);
+            look(*index, tree, work, &crowd, response);
+        };
+        if busy.len() > 1 {
+            busy.par_iter_mut().for_each(look);
+        } else {
+            busy.iter_mut().for_each(look);
+        }
+        for (work, stirred) in works.iter_mut().zip(stirred) {
+            work.stirred = stirred;
+        }
     }
     Ok(())
+}
+
+/// All trees at a step, as each sees the others.
+struct Crowd<'a> {
+    stands: &'a [(Arc<PlasticTree>, Pose)],
+    balls: &'a [Vec<Ball>],
+    /// Of each tree, in its own frame, the clusters that are not what they were.
+    stirred: &'a [Vec<Ball>],
+    step: usize,
+    n_steps: usize,
 }
 
 /// Where a tree stands in its life at a step, so that all end together (section 5.3).
@@ -160,102 +159,107 @@ impl Clock {
     }
 }
 
-#[expect(clippy::too_many_arguments, reason = "one tree, and all there is around it")]
+/// A tree's season: light, and what it does to the tree.
 fn look(
     index: usize,
     tree: &mut Planted,
-    work: &mut Work,
-    stands: &[(Arc<PlasticTree>, Pose)],
-    balls: &[Vec<Ball>],
-    walls: &[&Placed],
+    work: &mut Work<'_>,
+    crowd: &Crowd<'_>,
     response: &Response,
-    step: usize,
-    n_steps: usize,
 ) {
     let model = tree.model.clone();
-    let t = Clock::new(&model, step, n_steps).t;
-    work.foreign.clear();
-    for &other in &work.near {
-        let (theirs, pose) = &stands[other as usize];
-        let season = Clock::new(theirs, step, n_steps).t;
-        for ball in &balls[other as usize][theirs.plan.seasons[season].clusters.clone()] {
-            let ball = Ball { center: tree.pose.to_local(pose.to_world(ball.center)), ..*ball };
-            if may_shade(&ball, &model.around, tree.bins.brightest, LEAST) {
-                work.foreign.push(ball);
-            }
+    let t = Clock::new(&model, crowd.step, crowd.n_steps).t;
+    let balls = &crowd.balls[index];
+    let lit = shine(index, tree, work, crowd, t);
+    work.changed |= lit;
+    if lit || work.changes.anew || work.changes.any_row || work.changes.walls {
+        let touching = work.solids.as_ref().map_or(&[][..], |solids| &solids.touching);
+        let around =
+            Surroundings { bins: &tree.bins, pose: tree.pose, response, walls: touching };
+        let (changes, scratch) = (&mut work.changes, &mut work.scratch);
+        grow(&model.plan, t, &mut tree.state, balls, &around, changes, scratch);
+        work.changed |= work.changes.any_row;
+    }
+}
+
+/// Works out the light on those clusters of season `t` for which anything has changed. Returns whether any is not what it was.
+fn shine(index: usize, tree: &mut Planted, work: &mut Work<'_>, crowd: &Crowd<'_>, t: usize) -> bool {
+    let clusters = tree.model.plan.seasons[t].clusters.clone();
+    let own = &crowd.balls[index][clusters.clone()];
+    work.n_seasons += 1;
+    work.find_relit(index, tree, own, crowd);
+    if work.relit.contains(&true) {
+        work.casters.clear();
+        own.iter().for_each(|ball| work.casters.push(ball));
+        for &other in work.near {
+            let casters = &mut work.casters;
+            crowd.each(crowd.clusters(other), other, tree, |ball| casters.push(&ball));
         }
     }
-    let center = tree.pose.to_world(model.around.center);
-    let touching: Vec<&Placed> =
-        walls.iter().copied().filter(|wall| wall.near(center, model.around.radius)).collect();
-    let around = Surroundings {
-        bins: &tree.bins,
-        pose: tree.pose,
-        response,
-        solids: &work.solids,
-        walls: &touching,
-    };
-    work.n_seasons += 1;
-    let lit = shine(&model.plan, t, &mut tree.state, &balls[index], &work.foreign, &around);
-    work.changed |= lit;
-    if lit || work.anew || work.dirty {
-        let grown =
-            grow(&model.plan, t, &mut tree.state, &balls[index], &around, &mut work.scratch);
-        work.dirty |= grown;
-        work.dirty |= grown;
-        work.changed |= grown;
+    let shading = work.solids.as_ref().map_or(&[][..], |solids| &solids.shading);
+    work.changes.amounts = false;
+    work.changes.lit.clear();
+    work.changes.lit.resize(clusters.len(), false);
+    let (bins, state) = (&tree.bins, &mut tree.state);
+    for (place, cluster) in clusters.enumerate() {
+        let Ball { center: at, radius, .. } = own[place];
+        let relit = work.relit[place];
+        if !relit && !work.shifted.iter().any(|solid| solid.influence(at, bins) > LEAST) {
+            continue;
+        }
+        let mut light = Light::default();
+        if radius > 0.0 {
+            if relit {
+                state.through[cluster] = work.casters.through(at, place, bins);
+            }
+            let mut through = state.through[cluster];
+            veil_solids(shading, at, bins, &mut through);
+            light = Light::gather(bins, &through);
+        }
+        let before = std::mem::replace(&mut state.lights[cluster], light);
+        work.changes.lit[place] = light != before;
+        work.changes.amounts |= light.amount != before.amount;
+    }
+    work.changes.lit.contains(&true)
+}
+
+impl Work<'_> {
+    /// Marks the clusters to which something else than before lets light through.
+    fn find_relit(&mut self, index: usize, tree: &Planted, own: &[Ball], crowd: &Crowd<'_>) {
+        self.relit.clear();
+        self.relit.resize(own.len(), self.changes.anew);
+        if self.changes.anew {
+            return;
+        }
+        let mut stirred = self.left.clone();
+        stirred.extend_from_slice(&crowd.stirred[index]);
+        for &other in self.near {
+            crowd.each(&crowd.stirred[other as usize], other, tree, |ball| stirred.push(ball));
+        }
+        let towards = tree.bins.brightest;
+        for ((relit, ball), &moved) in self.relit.iter_mut().zip(own).zip(&self.own) {
+            *relit = moved || stirred.iter().any(|other| reaches(other, ball.center, towards));
+        }
     }
 }
 
-/// Whether a change of obstacles, or trees that left, may be felt by any cluster of the tree, or by its wood.
-fn disturbed(tree: &Planted, moved: &[Placed], left: &[Ball]) -> bool {
-    let around = tree.model.around;
-    let felt = |solid: Convex| {
-        solid.ball().is_none_or(|ball| may_shade(&ball, &around, tree.bins.brightest, LEAST))
-            && tree
-                .balls
-                .iter()
-                .any(|own| own.radius > 0.0 && solid.influence(own.center, &tree.bins) > LEAST)
-    };
-    let (turn, offset) = into(tree.pose);
-    let reached = |placed: &Placed| {
-        placed.near(tree.pose.to_world(around.center), around.radius)
-            || placed.pieces.iter().any(|piece| felt(piece.moved(turn, offset)))
-    };
-    moved.iter().any(reached)
-        || left.iter().any(|ball| felt(Convex::Ball(*ball).moved(turn, offset)))
-}
+impl Crowd<'_> {
+    /// The clusters of a tree in the season it stands in, in its own frame.
+    fn clusters(&self, tree: u32) -> &[Ball] {
+        let (model, _) = &self.stands[tree as usize];
+        let season = Clock::new(model, self.step, self.n_steps).t;
+        &self.balls[tree as usize][model.plan.seasons[season].clusters.clone()]
+    }
 
-/// Turn and offset that take the world into the frame of what stands so.
-fn into(pose: Pose) -> (Quat, Vec3) {
-    let turn = pose.rotation.conjugate();
-    (turn, -(turn * pose.position))
-}
-
-impl Work {
-    fn new(tree: &Planted, near: Vec<u32>, walls: &[&Placed], anew: bool) -> Self {
-        let (turn, offset) = into(tree.pose);
-        let around = tree.model.around;
-        let solids = walls
-            .iter()
-            .flat_map(|wall| &wall.pieces)
-            .map(|piece| piece.moved(turn, offset))
-            .filter(|piece| {
-                piece
-                    .ball()
-                    .is_none_or(|ball| may_shade(&ball, &around, tree.bins.brightest, LEAST))
-            })
-            .collect();
-        Self {
-            near,
-            solids,
-            foreign: Vec::new(),
-            scratch: Scratch::default(),
-            anew,
-            dirty: false,
-            stirred: false,
-            changed: false,
-            n_seasons: 0,
+    /// Hands on those balls of tree `other` that `tree` may feel, in its frame.
+    fn each(&self, balls: &[Ball], other: u32, tree: &Planted, mut take: impl FnMut(Ball)) {
+        let pose = self.stands[other as usize].1;
+        for ball in balls {
+            let center = tree.pose.to_local(pose.to_world(ball.center));
+            let ball = Ball { center, ..*ball };
+            if felt(tree, &ball) {
+                take(ball);
+            }
         }
     }
 }
