@@ -89,7 +89,7 @@ impl Lobes {
 }
 
 /// Share of the extent below which the middles of two pieces are too near each other for two clusters.
-const JOINED: f32 = 0.75;
+const JOINED: f32 = 0.9;
 
 /// Mean of the main nodes of each piece.
 fn middles(branches: &Skeleton, piece: &[u32], n_pieces: u32) -> Vec<Vec3> {

@@ -4,7 +4,7 @@ use super::light::{Ball, Block, Convex, Plane};
 use super::params::scene_error;
 use super::pose::Pose;
 use crate::error::Result;
-use glam::{Quat, Vec3};
+use glam::{Mat3, Quat, Vec3};
 use tree_core::{Aabb, Solid, Volume};
 
 /// Cells along the longest side of a volume whose shadow is that of boxes.
@@ -70,10 +70,34 @@ impl Placed {
         })
     }
 
+    /// Whether it may come into the box; both in the world.
+    pub(super) fn reaches_into(&self, bounds: &Aabb) -> bool {
+        let (center, half) = (bounds.center(), bounds.size() * 0.5);
+        let apart = |ball: &Ball| {
+            let gap = ((ball.center - center).abs() - half).max(Vec3::ZERO);
+            gap.length_squared() > ball.radius * ball.radius
+        };
+        if !self.exact {
+            return self.ball.is_none_or(|ball| !apart(&ball));
+        }
+        self.pieces.iter().any(|piece| match piece {
+            Convex::Ball(ball) => !apart(ball),
+            Convex::Block(block) => {
+                let turn = Mat3::from_quat(block.rotation);
+                let span = turn.x_axis.abs() * block.half.x
+                    + turn.y_axis.abs() * block.half.y
+                    + turn.z_axis.abs() * block.half.z;
+                (block.center - center).abs().cmple(span + half).all()
+            }
+            Convex::Plane(plane) => {
+                (center - plane.point).dot(plane.normal) <= plane.normal.abs().dot(half)
+            }
+        })
+    }
+
     /// Whether the segment between two points of the world runs through it.
     pub(super) fn meets(&self, a: Vec3, b: Vec3) -> bool {
-        let middle = (a + b) * 0.5;
-        if !self.near(middle, 0.5 * a.distance(b)) {
+        if self.pieces.len() > 1 && !self.near((a + b) * 0.5, 0.5 * a.distance(b)) {
             return false;
         }
         // The pieces of other volumes are a guess: they catch a wall thinner than the segment is long.

@@ -18,6 +18,8 @@ pub(super) struct Season {
     pub nodes: Range<usize>,
     /// Clusters there are in it.
     pub clusters: Range<usize>,
+    /// How far a node of it can be from the older wood it stands on, in metres.
+    pub stretch: f32,
 }
 
 /// A leaf cluster in one season.
@@ -101,7 +103,7 @@ impl Plan {
         let mut start = 0;
         for season in 0..ages.n_seasons {
             let end = main.partition_point(|&node| u32::from(ages.season[node as usize]) <= season);
-            plan.seasons.push(Season { nodes: start..end, clusters: 0..0 });
+            plan.seasons.push(Season { nodes: start..end, clusters: 0..0, stretch: 0.0 });
             start = end;
         }
         let positions = branches.positions();
@@ -125,7 +127,21 @@ impl Plan {
             plan.piece.push(lobes.piece[i]);
         }
         plan.main = main;
+        plan.stretch();
         plan
+    }
+
+    fn stretch(&mut self) {
+        let mut way = vec![0.0_f32; self.len()];
+        for season in &mut self.seasons {
+            let start = season.nodes.start;
+            for row in season.nodes.clone() {
+                let below = self.parent[row] as usize;
+                let before = if below >= start { way[below] } else { 0.0 };
+                way[row] = before + self.length[row];
+                season.stretch = season.stretch.max(way[row]);
+            }
+        }
     }
 
     fn form_clusters(

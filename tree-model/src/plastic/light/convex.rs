@@ -187,6 +187,9 @@ impl Block {
     fn meets(&self, a: Vec3, b: Vec3) -> bool {
         let turn = self.rotation.conjugate();
         let (a, b) = (turn * (a - self.center), turn * (b - self.center));
+        if a.min(b).cmpgt(self.half).any() || a.max(b).cmplt(-self.half).any() {
+            return false;
+        }
         let way = b - a;
         let (mut enter, mut leave) = (0.0_f32, 1.0_f32);
         for axis in 0..3 {

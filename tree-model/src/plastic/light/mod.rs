@@ -40,26 +40,29 @@ pub(super) const STEP: f32 = 1.0 / 256.0;
 impl Light {
     /// Sums up what the directions let through.
     pub(super) fn gather(bins: &Bins, through: &Weights) -> Self {
-        let (mut x, mut y, mut z, mut amount) =
-            ([0.0_f32; 8], [0.0_f32; 8], [0.0_f32; 8], [0.0_f32; 8]);
-        // Eight sums side by side: one vector register each, and always the same order.
-        for first in (0..DIRECTIONS).step_by(8) {
-            for lane in 0..8 {
-                let k = first + lane;
-                let w = through[k] * bins.weight[k];
-                amount[lane] += w;
-                x[lane] += w * bins.x[k];
-                y[lane] += w * bins.y[k];
-                z[lane] += w * bins.z[k];
-            }
+        let mut seen = *through;
+        for (seen, weight) in seen.iter_mut().zip(&bins.weight) {
+            *seen *= weight;
         }
-        let sum = |lanes: [f32; 8]| lanes.iter().sum::<f32>();
+        let amount = dot(&seen, &[1.0; DIRECTIONS]);
+        let towards = Vec3::new(dot(&seen, &bins.x), dot(&seen, &bins.y), dot(&seen, &bins.z));
         let coarse = |value: f32| (value / STEP).round() * STEP;
-        let towards = Vec3::new(sum(x), sum(y), sum(z)).normalize_or_zero();
+        let towards = towards.normalize_or_zero();
         let towards = Vec3::new(coarse(towards.x), coarse(towards.y), coarse(towards.z));
         Self {
-            amount: coarse(sum(amount) * bins.brightness),
+            amount: coarse(amount * bins.brightness),
             direction: towards.normalize_or_zero(),
         }
     }
+}
+
+/// Eight sums side by side, which fit vector registers, and always the same order.
+fn dot(a: &Weights, b: &Weights) -> f32 {
+    let mut sums = [0.0_f32; 8];
+    for (a, b) in a.chunks_exact(8).zip(b.chunks_exact(8)) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a * b;
+        }
+    }
+    sums.iter().sum()
 }

@@ -22,6 +22,8 @@ pub(in crate::plastic) struct State {
     pub died: Vec<u16>,
     /// Whether the segment below each node runs into an obstacle.
     pub stopped: Vec<bool>,
+    /// Whether any segment of each season does.
+    pub stops: Vec<bool>,
     /// Light on each cluster of each season.
     pub lights: Vec<Light>,
     /// What its own and all other clusters let through to it.
@@ -37,6 +39,7 @@ impl State {
             turned: vec![Quat::IDENTITY; n],
             died: vec![ALIVE; n],
             stopped: vec![false; n],
+            stops: vec![false; plan.seasons.len()],
             lights: plan.clusters.iter().map(|cluster| cluster.light).collect(),
             through: vec![[1.0; DIRECTIONS]; plan.clusters.len()],
         };

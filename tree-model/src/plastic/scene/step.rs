@@ -8,7 +8,8 @@ use super::super::pose::Pose;
 use super::super::prune::Balance;
 use super::super::tropism::bend;
 use super::state::{ALIVE, State};
-use glam::{Quat, Vec3};
+use glam::{Mat3, Quat, Vec3};
+use tree_core::Aabb;
 
 /// What a tree meets.
 pub(super) struct Surroundings<'a> {
@@ -17,6 +18,8 @@ pub(super) struct Surroundings<'a> {
     pub response: &'a Response,
     /// Obstacles that the tree may touch.
     pub walls: &'a [&'a Placed],
+    /// Those of them that have moved, as they were and as they are now.
+    pub shifted: &'a [&'a Placed],
 }
 
 /// What is not as it was before the update.
@@ -24,8 +27,6 @@ pub(super) struct Surroundings<'a> {
 pub(super) struct Changes {
     /// All of the tree must be worked out anew.
     pub anew: bool,
-    /// Obstacles that the tree may touch have moved.
-    pub walls: bool,
     /// Whether each node's place or life has changed, in any season so far.
     pub rows: Vec<bool>,
     /// Whether any has.
@@ -56,14 +57,14 @@ pub(super) fn grow(
     scratch: &mut Scratch,
 ) {
     let end = plan.seasons[t].nodes.end;
+    let meeting = meeting(plan, t, state, around);
     // Who lives is asked again only where something has changed for life and death.
-    let judged = changes.anew
-        || changes.any_death
-        || changes.amounts
-        || changes.walls
-        || !around.walls.is_empty();
+    let judged = changes.anew || changes.any_death || changes.amounts || meeting.is_some();
+    let meeting = meeting.unwrap_or_default();
     if !judged {
-        bend_season(plan, t, state, around, changes, false);
+        if changes.any_row || changes.lit.contains(&true) {
+            bend_season(plan, t, state, around, changes, None);
+        }
         return;
     }
     scratch.died.clear();
@@ -73,7 +74,8 @@ pub(super) fn grow(
             *died = ALIVE;
         }
     }
-    bend_season(plan, t, state, around, changes, true);
+    bend_season(plan, t, state, around, changes, Some(&meeting));
+    state.stops[t] = plan.seasons[t].nodes.clone().any(|row| state.stopped[row]);
     starve(plan, t, state, balls, around.response.pruning, &mut scratch.balance);
     let deaths = state.died[..end].iter().zip(&scratch.died);
     for ((now, before), changed) in deaths.zip(&mut changes.rows[..end]) {
@@ -83,14 +85,55 @@ pub(super) fn grow(
     changes.any_row |= changes.any_death;
 }
 
-/// Bends the segments of season `t`. Where life and death are `judged` anew, deaths of this season have been taken back before.
+/// What the season's segments may meet.
+#[derive(Default)]
+struct Meeting<'a> {
+    walls: Vec<&'a Placed>,
+    /// Whether any of them has moved.
+    shifted: bool,
+}
+
+/// Obstacles within reach of the season's segments, however they bend; none where none is, was, or stops any.
+fn meeting<'a>(
+    plan: &Plan,
+    t: usize,
+    state: &State,
+    around: &Surroundings<'a>,
+) -> Option<Meeting<'a>> {
+    if around.walls.is_empty() && around.shifted.is_empty() && !state.stops[t] {
+        return None;
+    }
+    let season = &plan.seasons[t];
+    let mut bounds = Aabb::EMPTY;
+    for row in season.nodes.clone() {
+        let below = plan.parent[row] as usize;
+        if below < season.nodes.start || row == 0 {
+            bounds = bounds.including(plan.position[below] + state.moved[below]);
+        }
+    }
+    // A little more, for rounding.
+    let bounds = bounds.grown(1.001 * season.stretch + 1e-4);
+    let turn = Mat3::from_quat(around.pose.rotation);
+    let half = bounds.size() * 0.5;
+    let half =
+        turn.x_axis.abs() * half.x + turn.y_axis.abs() * half.y + turn.z_axis.abs() * half.z;
+    let center = around.pose.to_world(bounds.center());
+    let bounds = Aabb::new(center - half, center + half);
+    let within = |wall: &&Placed| wall.reaches_into(&bounds);
+    let walls: Vec<&Placed> = around.walls.iter().copied().filter(within).collect();
+    let shifted = around.shifted.iter().any(within);
+    (shifted || !walls.is_empty() || state.stops[t]).then_some(Meeting { walls, shifted })
+}
+
+/// Bends the segments of season `t`. Where life and death are judged anew, deaths of this season have been taken back before,
+/// and `meeting` is given.
 fn bend_season(
     plan: &Plan,
     t: usize,
     state: &mut State,
     around: &Surroundings<'_>,
     changes: &mut Changes,
-    judged: bool,
+    meeting: Option<&Meeting<'_>>,
 ) {
     let up = around.bins.up;
     let season = t as u16;
@@ -100,7 +143,10 @@ fn bend_season(
             continue;
         }
         let below = plan.parent[row] as usize;
-        let dead = if judged { !state.outlived(below, t) } else { !state.lived(below, t) };
+        let dead = match meeting {
+            Some(_) => !state.outlived(below, t),
+            None => !state.lived(below, t),
+        };
         let lit_by = plan.lit_by[row] as usize;
         if changes.anew || changes.rows[below] || changes.lit[lit_by - first_cluster] {
             let turned = if dead {
@@ -116,11 +162,9 @@ fn bend_season(
             state.turned[row] = turned;
         }
         changes.any_row |= changes.rows[row];
-        if !judged {
-            continue;
-        }
-        if changes.anew || changes.walls || changes.rows[row] || changes.rows[below] {
-            let stopped = !around.walls.is_empty() && meets(plan, row, state, around);
+        let Some(Meeting { walls, shifted }) = meeting else { continue };
+        if changes.anew || *shifted || changes.rows[row] || changes.rows[below] {
+            let stopped = !walls.is_empty() && meets(plan, row, state, around.pose, walls);
             changes.rows[row] |= stopped != state.stopped[row];
             state.stopped[row] = stopped;
         }
@@ -135,10 +179,10 @@ fn bend_season(
 }
 
 /// Whether the segment below the node runs into an obstacle.
-fn meets(plan: &Plan, row: usize, state: &State, around: &Surroundings<'_>) -> bool {
-    let at = |row: usize| around.pose.to_world(plan.position[row] + state.moved[row]);
+fn meets(plan: &Plan, row: usize, state: &State, pose: Pose, walls: &[&Placed]) -> bool {
+    let at = |row: usize| pose.to_world(plan.position[row] + state.moved[row]);
     let (from, to) = (at(plan.parent[row] as usize), at(row));
-    around.walls.iter().any(|wall| wall.meets(from, to))
+    walls.iter().any(|wall| wall.meets(from, to))
 }
 
 /// How far the segment below `row` turns, all in all, where what is below it turned by `below` (section 5.1).

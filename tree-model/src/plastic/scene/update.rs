@@ -172,10 +172,15 @@ fn look(
     let balls = &crowd.balls[index];
     let lit = shine(index, tree, work, crowd, t);
     work.changed |= lit;
-    if lit || work.changes.anew || work.changes.any_row || work.changes.walls {
+    if lit || work.changes.anew || work.changes.any_row || !work.nudging.is_empty() {
         let touching = work.solids.as_ref().map_or(&[][..], |solids| &solids.touching);
-        let around =
-            Surroundings { bins: &tree.bins, pose: tree.pose, response, walls: touching };
+        let around = Surroundings {
+            bins: &tree.bins,
+            pose: tree.pose,
+            response,
+            walls: touching,
+            shifted: &work.nudging,
+        };
         let (changes, scratch) = (&mut work.changes, &mut work.scratch);
         grow(&model.plan, t, &mut tree.state, balls, &around, changes, scratch);
         work.changed |= work.changes.any_row;

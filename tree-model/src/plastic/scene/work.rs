@@ -24,6 +24,8 @@ pub(super) struct Work<'a> {
     pub left: Vec<Ball>,
     /// Obstacles that moved, as they were and as they are now.
     pub shifted: Vec<Convex>,
+    /// Those of them that it may touch or have touched, in the world.
+    pub nudging: Vec<&'a Placed>,
     pub solids: Option<Solids<'a>>,
     /// Whether what other clusters let through to each of the season's is to be worked out.
     pub relit: Vec<bool>,
@@ -38,7 +40,7 @@ pub(super) struct Work<'a> {
 pub(super) struct Solids<'a> {
     /// Those that may shade it, in its own frame.
     pub shading: Vec<Convex>,
-    /// Those it may touch.
+    /// Those it may touch, in the world.
     pub touching: Vec<&'a Placed>,
 }
 
@@ -48,7 +50,7 @@ impl<'a> Work<'a> {
         tree: &Planted,
         near: &'a [u32],
         anew: bool,
-        moved: &[Placed],
+        moved: &'a [Placed],
         left: &[Ball],
     ) -> Self {
         let (turn, offset) = into(tree.pose);
@@ -59,7 +61,7 @@ impl<'a> Work<'a> {
             let place = |ball: &Ball| Ball { center: turn * ball.center + offset, ..*ball };
             work.left = left.iter().map(place).filter(|ball| felt(tree, ball)).collect();
             work.shifted = shading(tree, moved.iter());
-            work.changes.walls = moved.iter().any(|wall| touches(tree, wall));
+            work.nudging = moved.iter().filter(|wall| touches(tree, wall)).collect();
         }
         work
     }
@@ -67,7 +69,7 @@ impl<'a> Work<'a> {
     /// Whether an edit concerns the tree itself.
     pub(super) fn disturbed(&self) -> bool {
         self.changes.anew
-            || self.changes.walls
+            || !self.nudging.is_empty()
             || !self.shifted.is_empty()
             || !self.left.is_empty()
     }
