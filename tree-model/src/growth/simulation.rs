@@ -126,6 +126,7 @@ impl Simulation {
             }
             seedlings.push(seedling);
         }
+        surroundings.add(&world.standing, &control.limits)?;
         let leaves: Vec<Vec3> = seedlings.iter().map(|plant| plant.stem.positions[1]).collect();
         surroundings.add(&leaves, &control.limits)?;
         Ok(Self { plants: seedlings, surroundings, iteration: 0 })

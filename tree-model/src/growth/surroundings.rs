@@ -42,6 +42,9 @@ pub struct World {
     pub brightness: f32,
     /// What no branch may enter, and what hides the sky. Default `None`.
     pub obstacle: Option<Obstacle>,
+    /// Metamers that stand there already and shade, or take up space, as those of the plants do: neighbours, or a tree on which
+    /// the plants are new branches. Default none.
+    pub standing: Vec<Vec3>,
 }
 
 impl Default for World {
@@ -51,6 +54,7 @@ impl Default for World {
             light: Vec3::Y,
             brightness: 1.0,
             obstacle: None,
+            standing: Vec::new(),
         }
     }
 }
@@ -75,6 +79,9 @@ impl World {
             });
         }
         check("world.brightness", self.brightness, 0, 10)?;
+        if let Some(place) = self.standing.iter().position(|point| !point.is_finite()) {
+            return Err(ModelError::NotFinite { field: format!("world.standing[{place}]") });
+        }
         self.obstacle.as_ref().map_or(Ok(()), Obstacle::validate)
     }
 }

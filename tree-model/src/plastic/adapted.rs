@@ -296,7 +296,7 @@ fn chance(index: usize) -> f32 {
 }
 
 impl Planted {
-    fn lives(&self, row: usize) -> bool {
+    pub(super) fn lives(&self, row: usize) -> bool {
         self.state.died[row] == super::scene::ALIVE
     }
 

@@ -12,11 +12,12 @@
 //! * The light on a branch is that on the cluster at its tips, not at each segment: inside its own cluster a segment has no
 //!   light of its own. Inside a foreign cluster the cap it covers grows from half the sky to all of it.
 //! * Intensity is cos² up to a right angle from the brightest point; printed, the far side of a low sun would shine again.
-//! * Light comes in steps of 1/1024, and what keeps less than 1/2000 of it is passed over, so that an edit is felt where it
-//!   matters.
+//! * Light comes in steps of 1/256, what keeps less than 1/250 of it is passed over, and clusters shade from places an eighth of
+//!   their radius apart, so that an edit is felt where it matters.
 //! * A branch is judged from its tips down, and what dies is a burden no more to what carries it. The trunk is never pruned.
 //! * Branchlets of the input, not patches of a library, fill the clusters; in the environment of the input all stay where they
 //!   are, and the adapted tree is the input, bit for bit.
+//! * Beyond the paper: where branches died, others can grow into what light there is ([`Scene::regrown`]).
 //!
 //! # Accuracy
 //! [`Light`] is a sum over 64 directions; against 10⁵ rays it errs by less than 2 % of the open sky (`evaluate -- plastic`).
@@ -32,6 +33,7 @@ mod params;
 mod plan;
 mod pose;
 mod prune;
+mod regrowth;
 pub mod scene;
 mod shade;
 mod tropism;
@@ -42,5 +44,6 @@ pub use analysis::{LeafCluster, PlasticReport, PlasticTree};
 pub use light::{Ball, Light, Sky};
 pub use params::{PlasticParams, Response};
 pub use pose::Pose;
+pub use regrowth::{Regrown, Regrowth};
 pub use scene::{ObstacleId, Scene, TreeId, Update};
 pub use tropism::{Tropisms, bend, unbend};

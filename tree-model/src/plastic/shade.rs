@@ -5,7 +5,7 @@ use glam::Vec3;
 
 /// A caster that keeps less than this share of the sky's light from a point is passed over: where it keeps more is its shadow
 /// volume.
-pub(super) const LEAST: f32 = 4e-3;
+pub(super) const LEAST: f32 = 2e-3;
 
 /// The share of the sky's light that a ball seen under a small angle keeps away, over the square of the angle's sine.
 const CAP: f32 = 1.7;

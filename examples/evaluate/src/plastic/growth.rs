@@ -28,12 +28,17 @@ const TABLE_2: [Aged; 3] = [
     Aged { years: 30, nodes: 9134.0, milliseconds: 61_843.9 },
 ];
 
-/// The tree that the times are of: an oak that is as large at these ages as the paper's trees, without leaves.
+/// The tree that the times are of: an oak that has about as many nodes at these ages as the paper's trees, and no fewer; without
+/// leaves.
 pub(super) fn params(years: u32) -> Outcome<GrowthParams> {
     let mut params = Preset::find("oak")?.params();
     params.iterations = years;
     params.habit.leaves = None;
-    params.habit.vigour = 2.15;
+    params.habit.vigour = match years {
+        0..=10 => 2.15,
+        11..=20 => 2.0,
+        _ => 1.95,
+    };
     if let Environment::Shadow(shadow) = &mut params.world.environment {
         (shadow.strength, shadow.falloff) = (0.15, 1.7);
     }

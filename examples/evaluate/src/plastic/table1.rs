@@ -40,8 +40,8 @@ const KINDS: [Kind; 3] = [
         name: "type 2",
         photo: 0.45,
         gravi: 0.44,
-        years: 12,
-        shedding: 1.0,
+        years: 18,
+        shedding: 0.6,
         printed: [431.73, 396.81, 471.63, 413.64],
     },
     Kind {
@@ -62,6 +62,7 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
 impl Kind {
     fn params(&self) -> Outcome<GrowthParams> {
         let mut params = growth::params(self.years)?;
+        params.habit.vigour = 2.15;
         let tropisms = Tropisms { photo: self.photo, gravi: self.gravi, ..params.habit.branches };
         params.habit.branches = tropisms;
         params.habit.trunk = Tropisms { plagio: 0.0, ..tropisms };
