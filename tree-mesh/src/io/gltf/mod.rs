@@ -6,7 +6,7 @@
 //! `TEXCOORD_1`, occlusion what [`OcclusionAs`] says; a caller's own columns go in as [`Attribute`]s.
 //! Branches, welds and anchors are not written. Options: smaller files ([`GlbOptions::quantize`]),
 //! leaves as [`Instances`], several [`Level`]s of detail, `.gltf` with files beside it
-//! ([`write_gltf`]).
+//! ([`write_gltf`]), a mesh that moves ([`Motion`]).
 //!
 //! **Read**: [`read`] and [`from_slice`] take what other programs write as well; see there.
 //!
@@ -22,6 +22,7 @@ mod image;
 mod instance;
 mod look;
 mod material;
+mod motion;
 mod primitive;
 mod quantize;
 mod read;
@@ -29,6 +30,7 @@ mod scene;
 mod write;
 
 pub use instance::{Instanced, Instances, instanced};
+pub use motion::{JointPose, Motion, to_glb_moving, write_glb_moving};
 pub use read::{from_slice, read};
 
 use crate::error::{MeshError, Result};

@@ -40,10 +40,10 @@ pub(super) fn pack(levels: &[Level<'_>], options: &GlbOptions, stem: Option<&str
         roots.push(writer.level(number, level)?);
     }
     writer.link_levels(&roots, levels);
-    writer.finish(roots.first().copied().unwrap_or(0), stem)
+    writer.finish(&roots[..roots.len().min(1)], stem)
 }
 
-fn check(levels: &[Level<'_>]) -> Result<()> {
+pub(super) fn check(levels: &[Level<'_>]) -> Result<()> {
     let mut coverage = f32::INFINITY;
     for level in levels {
         let instanced = level.instances.iter().map(|instances| &instances.mesh);
@@ -110,14 +110,16 @@ pub(super) struct Writer<'a> {
     binary: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
-    meshes: Vec<Value>,
-    nodes: Vec<Value>,
+    pub(super) meshes: Vec<Value>,
+    pub(super) nodes: Vec<Value>,
+    pub(super) skins: Vec<Value>,
+    pub(super) animations: Vec<Value>,
     /// Meshes seen so far.
     n_sources: usize,
 }
 
 impl<'a> Writer<'a> {
-    fn new(options: &'a GlbOptions) -> Self {
+    pub(super) fn new(options: &'a GlbOptions) -> Self {
         Self {
             options,
             materials: Materials::default(),
@@ -128,6 +130,8 @@ impl<'a> Writer<'a> {
             accessors: Vec::new(),
             meshes: Vec::new(),
             nodes: Vec::new(),
+            skins: Vec::new(),
+            animations: Vec::new(),
             n_sources: 0,
         }
     }
@@ -158,7 +162,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn mesh(
+    pub(super) fn mesh(
         &mut self,
         mesh: &'a Mesh,
         name: &str,
@@ -271,7 +275,7 @@ impl<'a> Writer<'a> {
         Ok(push(&mut self.views, view))
     }
 
-    fn finish(mut self, root: usize, stem: Option<&str>) -> Result<Pack> {
+    pub(super) fn finish(mut self, roots: &[usize], stem: Option<&str>) -> Result<Pack> {
         let textures = self.materials.textures();
         let mut names = Unique::default();
         let mut pictures = Vec::new();
@@ -307,13 +311,15 @@ impl<'a> Writer<'a> {
         let generator = concat!("tree-mesh ", env!("CARGO_PKG_VERSION"));
         json.insert("asset".into(), json!({ "version": "2.0", "generator": generator }));
         json.insert("scene".into(), 0.into());
-        json.insert("scenes".into(), json!([{ "nodes": [root] }]));
+        json.insert("scenes".into(), json!([{ "nodes": roots }]));
         let strings = |set: &BTreeSet<&str>| set.iter().map(|&name| name.into()).collect();
         for (key, list) in [
             ("extensionsUsed", strings(&self.extensions)),
             ("extensionsRequired", strings(&self.required)),
             ("nodes", self.nodes),
             ("meshes", self.meshes),
+            ("skins", self.skins),
+            ("animations", self.animations),
             ("materials", materials),
             ("textures", described),
             ("images", images),
@@ -333,7 +339,7 @@ impl<'a> Writer<'a> {
 }
 
 /// Adds to a list and returns the place.
-fn push(list: &mut Vec<Value>, value: Value) -> usize {
+pub(super) fn push(list: &mut Vec<Value>, value: Value) -> usize {
     list.push(value);
     list.len() - 1
 }
