@@ -142,7 +142,7 @@
 // The memory budget does not allow it.
 #define TREE_ERROR_MEMORY 10
 
-// The caller cancelled. Nothing was changed and nothing was written.
+// The caller cancelled. Nothing was written, and nothing was changed but where a function says so.
 #define TREE_ERROR_CANCELLED 11
 
 // A file could not be read or written.

@@ -12699,7 +12699,7 @@ namespace TreeFamily.Native
         public const int TREE_ERROR_MEMORY = 10;
 
         /// <summary>
-        /// The caller cancelled. Nothing was changed and nothing was written.
+        /// The caller cancelled. Nothing was written, and nothing was changed but where a function says so.
         /// </summary>
         public const int TREE_ERROR_CANCELLED = 11;
 

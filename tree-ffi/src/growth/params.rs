@@ -2,9 +2,7 @@
 
 use super::habit::tree_growth_habit;
 use super::world::tree_growth_world;
-use crate::border::{
-    Result, Versioned, call, init, read, read_or_default, read_rows, tree_status,
-};
+use crate::border::{Result, Versioned, call, init, read, read_or_default, read_rows, tree_status};
 use glam::Vec3;
 use tree_model::growth::{GrowthParams, Habit, MAX_PLANTS, Planting, World};
 

@@ -65,10 +65,7 @@ pub extern "C" fn tree_growth_preset_count() -> usize {
 
 /// Name of a preset, such as `oak`; valid for ever. `index` is below `tree_growth_preset_count`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_growth_preset_name(
-    index: usize,
-    name: *mut tree_str,
-) -> tree_status {
+pub unsafe extern "C" fn tree_growth_preset_name(index: usize, name: *mut tree_str) -> tree_status {
     call(|| {
         let preset = PRESETS.get(index).ok_or_else(|| {
             let text = format!("index is {index}, but there are {} presets", PRESETS.len());

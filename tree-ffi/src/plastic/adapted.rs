@@ -1,9 +1,7 @@
 //! A tree of a scene as it is today.
 
 use super::scene::{lock, tree_plastic_scene};
-use crate::border::{
-    Handle, Versioned, call, foresee, free, get, out, tree_status, view, write,
-};
+use crate::border::{Handle, Versioned, call, foresee, free, get, out, tree_status, view, write};
 use crate::control::{run, tree_control};
 use crate::mesh::column;
 use crate::tree::tree_tree;

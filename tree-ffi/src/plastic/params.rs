@@ -70,10 +70,7 @@ impl tree_plastic_params {
             translucency: self.translucency,
             phototropism: self.phototropism,
             gravitropism: self.gravitropism,
-            sky: Sky {
-                brightest: Vec3::from(self.sky_brightest),
-                brightness: self.sky_brightness,
-            },
+            sky: Sky { brightest: Vec3::from(self.sky_brightest), brightness: self.sky_brightness },
         }
     }
 }
