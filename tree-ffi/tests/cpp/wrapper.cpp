@@ -392,7 +392,8 @@ static void trees_grow_and_react() {
     tree::AdaptedReport report;
     tree::Adapted adapted = scene.adapted(id, nullptr, &report);
     CHECK(report.farthest > 0 && adapted.view().n_input_nodes == grown.view().n_nodes);
-    CHECK(scene.clusters(id).view().size() > 0);
+    tree::PlasticClusters clusters = scene.clusters(id);
+    CHECK(clusters.view().size() > 0);
 
     tree::Skeleton before = grown.tree().skeleton(), after = adapted.tree().skeleton();
     CHECK(before.distance(before).value == 0);
