@@ -50,6 +50,17 @@
 // is uploaded; in each frame `tree_hybrid_choice_update` says how much of the wood, which boxes and which leaves are drawn.
 // `tree_hybrid_write_glb_levels` writes it for programs without shaders of ours.
 //
+// Scans: `tree_cloud_read` takes a file of points, `tree_skeletonize_scan` or `tree_skeletonize_cloud` finds the trees in it.
+//
+// Growing: `tree_growth_preset` and `tree_growth_grow` for a tree that stands alone; `tree_growth_new` plants several that compete,
+// `tree_growth_step` lets years pass, `tree_growth_grown` hands out a tree. `tree_grown_view` has the ages of its nodes.
+//
+// Reacting: `tree_plastic_new` reads a tree; in a `tree_plastic_scene` trees, obstacles and the sky are put and moved,
+// `tree_plastic_scene_update` works out what that means, `tree_plastic_scene_adapted` hands out a tree as it is then.
+// `examples/c/wall.c` does this.
+//
+// Comparing: `tree_skeleton_distance` says how different two trees are, `tree_skeleton_distance_pairs` which branch is which.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -59,7 +70,7 @@
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
 //   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
 //   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
-//   `tree_hybrid_choice` and `tree_stream_reader`: one thread at a time.
+//   `tree_hybrid_choice`, `tree_growth`, `tree_plastic_scene` and `tree_stream_reader`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
