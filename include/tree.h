@@ -50,6 +50,17 @@
 // is uploaded; in each frame `tree_hybrid_choice_update` says how much of the wood, which boxes and which leaves are drawn.
 // `tree_hybrid_write_glb_levels` writes it for programs without shaders of ours.
 //
+// Scans: `tree_cloud_read` takes a file of points, `tree_skeletonize_scan` or `tree_skeletonize_cloud` finds the trees in it.
+//
+// Growing: `tree_growth_preset` and `tree_growth_grow` for a tree that stands alone; `tree_growth_new` plants several that compete,
+// `tree_growth_step` lets years pass, `tree_growth_grown` hands out a tree. `tree_grown_view` has the ages of its nodes.
+//
+// Reacting: `tree_plastic_new` reads a tree; in a `tree_plastic_scene` trees, obstacles and the sky are put and moved,
+// `tree_plastic_scene_update` works out what that means, `tree_plastic_scene_adapted` hands out a tree as it is then.
+// `examples/c/wall.c` does this.
+//
+// Comparing: `tree_skeleton_distance` says how different two trees are, `tree_skeleton_distance_pairs` which branch is which.
+//
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
 //   where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
 //   caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -59,7 +70,7 @@
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
 //   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
 //   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
-//   `tree_hybrid_choice` and `tree_stream_reader`: one thread at a time.
+//   `tree_hybrid_choice`, `tree_growth`, `tree_plastic_scene` and `tree_stream_reader`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
 // * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -142,7 +153,7 @@
 // The memory budget does not allow it.
 #define TREE_ERROR_MEMORY 10
 
-// The caller cancelled. Nothing was changed and nothing was written.
+// The caller cancelled. Nothing was written, and nothing was changed but where a function says so.
 #define TREE_ERROR_CANCELLED 11
 
 // A file could not be read or written.
@@ -162,6 +173,28 @@
 
 // A defect in the library. Please report it with the text.
 #define TREE_ERROR_PANIC 17
+
+// Its radius in metres; of a run or an axis, the mean over its length. The default.
+#define TREE_EDIT_WEIGHT_RADIUS 0
+
+// Radius times length of its segment in square metres, which goes with the bark, however finely a shoot is divided.
+#define TREE_EDIT_WEIGHT_RADIUS_TIMES_LENGTH 1
+
+// Radius squared times length in cubic metres, which goes with the wood.
+#define TREE_EDIT_WEIGHT_RADIUS_SQUARED_TIMES_LENGTH 2
+
+// 1 each: structure only.
+#define TREE_EDIT_WEIGHT_UNIT 3
+
+// Every node stays one.
+#define TREE_EDIT_REDUCTION_NONE 0
+
+// An unbranched run, from above a fork up to the next fork or a tip: how finely shoots are divided does not matter.
+// The default.
+#define TREE_EDIT_REDUCTION_RUNS 1
+
+// An axis with all its nodes; its laterals are its children, wherever they leave it.
+#define TREE_EDIT_REDUCTION_AXES 2
 
 // Ours: glTF, also Bevy and three.js.
 #define TREE_CONVENTION_GLTF 0
@@ -292,6 +325,20 @@
 // A chain of modules: each ends, and its topmost lateral takes over. Linden, elm, beech.
 #define TREE_BRANCHING_SYMPODIAL 1
 
+// The extended Borchert-Honda model: main axis and laterals get shares λ Qₘ : (1 - λ) Qₗ for the light Q behind each.
+// The default.
+#define TREE_ALLOCATION_BORCHERT_HONDA 0
+
+// The priority model: buds and branches of each axis are ranked by mean light, the terminal bud first, and get shares by
+// light times weight.
+#define TREE_ALLOCATION_PRIORITY 1
+
+// By light: leaves shade what is below them. Crowns fill from the outside and self-prune within. The default.
+#define TREE_GROWTH_BY_LIGHT 0
+
+// By space: buds compete for markers of free space. Branches keep apart, and a crown can be prescribed.
+#define TREE_GROWTH_BY_SPACE 1
+
 // Parent of the box of the whole tree: no box.
 #define TREE_NO_BOX 4294967295u
 
@@ -304,6 +351,13 @@
 
 // Planes of a box.
 #define TREE_CARD_PLANES 6
+
+// PLY, text or binary, of either order of bytes: the vertices; other properties and elements are passed over.
+#define TREE_CLOUD_FORMAT_PLY 1
+
+// XYZ, TXT, CSV, ASC, PTS: a point on each line, columns parted by blanks, commas, semicolons or tabs. A line of names
+// may say which columns are x, y and z; else they are the first three. Lines behind `#`, `//` and `;` are comments.
+#define TREE_CLOUD_FORMAT_TEXT 2
 
 // As the attribute `_OCCLUSION`, which only shaders that know it use.
 #define TREE_GLTF_OCCLUSION_ATTRIBUTE 0
@@ -703,6 +757,9 @@
 // Certainly the tree.
 #define TREE_LEVEL_FOREGROUND 2
 
+// In `tree_adapted_columns.died`: the node's branch lives.
+#define TREE_PLASTIC_ALIVE 4294967295u
+
 // A clear sky.
 #define TREE_BACKDROP_SKY 0
 
@@ -896,6 +953,12 @@
 
 // Leaf widths in a report: those of the first kinds.
 #define TREE_SKELETONIZE_LEAF_WIDTHS 256
+
+// Z, as in most scanners' files: (x, y, z) becomes (x, z, -y). The default.
+#define TREE_UP_Z 0
+
+// Y, as here.
+#define TREE_UP_Y 1
 
 // Bark.
 #define TREE_CLASS_WOOD 0
@@ -1144,6 +1207,9 @@
 // Part 0, transformed.
 #define TREE_SOLID_TRANSFORMED 14
 
+// A tree of a scene as it was when it was asked for, with branchlets and leaves, and what became of the input's nodes.
+typedef struct tree_adapted tree_adapted;
+
 // The branches of a chain of modules or of a skeleton, with their modules, lengths and children (the paper's *tree
 // abstract data type*). Branch 0 is the root, and parents come before their children.
 typedef struct tree_adt tree_adt;
@@ -1189,6 +1255,9 @@ typedef struct tree_cards tree_cards;
 // The voxels that a tree may fill, and what they begin with.
 typedef struct tree_carved tree_carved;
 
+// A cloud of points, as laser scanners give it.
+typedef struct tree_cloud tree_cloud;
+
 // Triangles of a surface that cross each other.
 typedef struct tree_crossings tree_crossings;
 
@@ -1204,6 +1273,13 @@ typedef struct tree_drawing tree_drawing;
 
 // Drawings of one file.
 typedef struct tree_drawings tree_drawings;
+
+// Pairs of nodes that are changed into one another: all others are deleted or inserted.
+typedef struct tree_edit_pairs tree_edit_pairs;
+
+// A rooted tree with a weight for every node, to be compared with many others: a skeleton, perhaps with runs or axes
+// as one node each, or any tree of your own.
+typedef struct tree_edit_tree tree_edit_tree;
 
 // The elements of a mesh: what is dropped and scaled as one, such as a leaf or a card. There is always at
 // least one.
@@ -1239,6 +1315,15 @@ typedef struct tree_graph_nodes tree_graph_nodes;
 // Numbers on a regular grid of cubic voxels. The number of a voxel is that at its centre. Densities are
 // optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
 typedef struct tree_grid tree_grid;
+
+// A grown tree, the ages of its nodes, and what happened in each iteration.
+typedef struct tree_grown tree_grown;
+
+// Trees that compete for the same light or space, in the middle of their growth.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work on it,
+// from a progress callback too, is `TREE_ERROR_ORDER`. The trees it hands out do not change with it.
+typedef struct tree_growth tree_growth;
 
 // A surface around a plant: closed, facing outwards, in several pieces where points are far apart.
 typedef struct tree_hull tree_hull;
@@ -1355,6 +1440,25 @@ typedef struct tree_pieces tree_pieces;
 // strokes.
 typedef struct tree_plan tree_plan;
 
+// A tree, read so that it can react: its main branches with the seasons in which they grew, its leaf clusters in every
+// season and the light they had, what its branches would be without tropisms, and on how little light they live. Made
+// once, and planted as often as you like.
+typedef struct tree_plastic tree_plastic;
+
+// The leaf clusters of a tree at one time: a copy.
+typedef struct tree_plastic_clusters tree_plastic_clusters;
+
+// Trees, obstacles and a sky. Edits are checked at once, and leave the scene as it was where they are refused;
+// `tree_plastic_scene_update` works out what all edits since the last one mean, and no more than that.
+//
+// What the trees look like depends on the scene alone, not on how it came about: an obstacle that is moved away leaves
+// no trace. Trees and obstacles are named by ids, which are not used again after they are removed.
+//
+// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work on it,
+// from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it, and outlives
+// it; ids that are viewed stay until the next edit or update.
+typedef struct tree_plastic_scene tree_plastic_scene;
+
 // Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
 // depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
 // threads of calls without a pool never end.
@@ -1373,6 +1477,9 @@ typedef struct tree_revolved tree_revolved;
 // Numbers of rows: for each node of a skeleton that was made of another the node there that it comes from,
 // or the tips of a graph; for each row of a tree with levels the row of the tree it was made of.
 typedef struct tree_rows tree_rows;
+
+// The trees of a cloud of points.
+typedef struct tree_scanned tree_scanned;
 
 // Tree models, and where they stand (Neubert 2012, 7.2.5 and 7.4). Make one `tree_scene_state` for each view of it.
 // In each frame `tree_scene_state_select` finds what is drawn and how finely, and `tree_scene_state_draws` or
@@ -1582,6 +1689,77 @@ typedef struct tree_control {
     // Threads that do the work. Default NULL: one for each core, shared by all calls.
     const struct tree_pool *pool;
 } tree_control;
+
+// What an edit costs, finite and 0 or more: changing node `first` of the first tree into node `second` of the second;
+// deleting `first` where `second` is `TREE_NO_PARENT`; inserting `second` where `first` is. Called from one thread at
+// a time, once for each pair; must not unwind.
+typedef double (*tree_edit_cost_fn)(void *user, uint32_t first, uint32_t second);
+
+// What edits cost. Begin with `tree_edit_costs_init`. For a metric, changing costs at most deleting plus inserting, is
+// symmetric, and obeys the triangle inequality.
+typedef struct tree_edit_costs {
+    // `sizeof(tree_edit_costs)`.
+    size_t struct_size;
+    // Costs of single edits. Default NULL: deleting and inserting cost the weight, changing the difference of the
+    // weights.
+    tree_edit_cost_fn cost;
+    // Handed to `cost`.
+    void *user;
+} tree_edit_costs;
+
+// Two nodes that are changed into one another.
+typedef struct tree_edit_pair {
+    // A node of the first tree.
+    uint32_t first;
+    // A node of the second tree.
+    uint32_t second;
+} tree_edit_pair;
+
+// What a node weighs, the price of deleting or inserting it: one of the `TREE_EDIT_WEIGHT_` constants.
+typedef uint32_t tree_edit_weight;
+
+// What becomes one node before trees are compared: one of the `TREE_EDIT_REDUCTION_` constants.
+typedef uint32_t tree_edit_reduction;
+
+// How trees are compared. Begin with `tree_edit_params_init`.
+typedef struct tree_edit_params {
+    // `sizeof(tree_edit_params)`.
+    size_t struct_size;
+    // What a node weighs. Default `TREE_EDIT_WEIGHT_RADIUS`.
+    tree_edit_weight weight;
+    // What becomes one node. Default `TREE_EDIT_REDUCTION_RUNS`.
+    tree_edit_reduction reduction;
+} tree_edit_params;
+
+// How far apart two trees are.
+typedef struct tree_edit_distance {
+    // `sizeof(tree_edit_distance)`.
+    size_t struct_size;
+    // The least cost, in the unit of the weights or of your own costs.
+    double value;
+    // 2 d / (a + b + d) for the weights a and b of the trees and the cost d, 0 to 1: 0 for equal trees, 1 where nothing
+    // of one is left in the other. A metric, too.
+    double normalised;
+    // What deleting the first tree and what inserting the second costs.
+    double weights[2];
+    // Nodes compared, after the reduction.
+    uint64_t n_nodes[2];
+} tree_edit_distance;
+
+// A tree that is compared, in columns: as input, or as a view.
+typedef struct tree_edit_columns {
+    // `sizeof(tree_edit_columns)`.
+    size_t struct_size;
+    // Number of nodes, at least 1.
+    size_t n_nodes;
+    // One for each node: its parent, which comes before it; `TREE_NO_PARENT` for node 0 alone.
+    const uint32_t *parents;
+    // One for each node: its weight, finite and 0 or more.
+    const double *weights;
+    // One for each node: the uppermost of the skeleton's nodes that it stands for; of a tree of columns, the node itself.
+    // Not looked at as input.
+    const uint32_t *nodes;
+} tree_edit_columns;
 
 // What follows from a row of the table of branches.
 typedef struct tree_branch_motion {
@@ -2169,6 +2347,219 @@ typedef struct tree_twig_report {
     double moved;
 } tree_twig_report;
 
+// How buds sense their surroundings: one of the `TREE_GROWTH_BY_` constants.
+typedef uint32_t tree_growth_environment;
+
+// Where trees grow. Nothing grows below the lowest base. Begin with `tree_growth_world_init`.
+typedef struct tree_growth_world {
+    // `sizeof(tree_growth_world)`.
+    size_t struct_size;
+    // By space: where there are markers, the crown. Default NULL: everywhere.
+    const struct tree_volume *crown;
+    // What no branch may enter, and what hides the sky. Default NULL.
+    const struct tree_volume *obstacle;
+    // How buds sense. Default `TREE_GROWTH_BY_LIGHT`.
+    tree_growth_environment environment;
+    // By light: edge of a voxel in metres, 0.001 to 100; about one and a half internodes. Default 0.2.
+    float shadow_voxel;
+    // By light: shadow in the voxel of the one who casts it, 0 to 4; the open sky gives a light of 1. Default 0.12.
+    float shadow_strength;
+    // By light: what divides the shadow with each layer down, 1 to 10. Default 1.4.
+    float shadow_falloff;
+    // By light: layers below its own that a metamer shades, 0 to 32; cost grows with the cube. Default 7.
+    uint32_t shadow_depth;
+    // By light: how many voxels a bud looks around for the brighter side, 1 to 8; cost grows with the cube. Default 3.
+    uint32_t shadow_reach;
+    // By space: radius in metres within which a node leaves no marker, 0.001 to 100; about two internodes. Default 0.24.
+    float space_occupancy;
+    // By space: how far a bud sees in metres, 0.001 to 100; four to six internodes. Default 0.6.
+    float space_perception;
+    // By space: half the angle of a bud's view in radians, 0.01 to π. Default π/4.
+    float space_angle;
+    // By space: markers in a cube of the perception radius, 0.1 to 4096. Default 50.
+    float space_density;
+    // Towards the brightest point of the sky; any length but 0. Default 0, 1, 0.
+    float light[3];
+    // Light of the open sky, 0 (nothing grows) to 10. Default 1.
+    float brightness;
+    // Distance to keep from the obstacle in metres, 0 or more. Default 0.
+    float clearance;
+    // 0.
+    uint32_t reserved;
+} tree_growth_world;
+
+// What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
+// `tree_leaf_names`.
+typedef struct tree_species {
+    // `sizeof(tree_species)`.
+    size_t struct_size;
+    // Name for people and files.
+    struct tree_str name;
+    // Name of the bark.
+    struct tree_str bark;
+    // Names of the leaf kinds.
+    const struct tree_str *leaf_kinds;
+    // Number of leaf kinds.
+    size_t n_leaf_kinds;
+} tree_species;
+
+// How vigour is shared out at forks, which decides whether a tree has one trunk or many limbs: one of the
+// `TREE_ALLOCATION_` constants.
+typedef uint32_t tree_allocation;
+
+// Which way axes turn: weights against the direction in which an axis would go on by itself, which has 1. Each metamer
+// turns by them.
+typedef struct tree_growth_tropisms {
+    // Towards most light or space, -10 to 10. Default 0.25.
+    float photo;
+    // Upwards, -10 to 10; negative: hanging. Default 0.12.
+    float gravi;
+    // Towards the horizontal, 0 to 10. Default 0.
+    float plagio;
+} tree_growth_tropisms;
+
+// The species' part of a growing tree. Lengths in metres, angles in radians, times in iterations (years, usually). Begin
+// with `tree_growth_habit_init`, or with a copy of a preset's own. What those point at belongs to the library, lives
+// for ever and is not to be written.
+typedef struct tree_growth_habit {
+    // `sizeof(tree_growth_habit)`.
+    size_t struct_size;
+    // Leaves; NULL for a bare tree. Default: those of `tree_leaf_params_init`.
+    const struct tree_leaf_params *leaves;
+    // Name, bark, and the kinds that `leaves->kind` counts; NULL for an oak's. Default: an oak's.
+    const struct tree_species *species;
+    // Length of an internode at whole vigour, 0.001 to 100; one of vigour v in a shoot of n metamers is v / n times as
+    // long. Default 0.12.
+    float internode;
+    // How axillary buds stand. Default `TREE_PHYLLOTAXIS_SPIRAL`.
+    tree_phyllotaxis buds;
+    // Spiral: angle from one bud to the next, -2π to 2π. Default the golden angle, 2.39996.
+    float divergence;
+    // Whorled: buds at a node, 3 to 64. No default: 0, which is refused.
+    uint32_t whorl;
+    // Only so many of a shoot's topmost metamers bear axillary buds, 1 to 64; 1 with whorled buds makes tiers of branches.
+    // Default 64: all.
+    uint32_t bud_zone;
+    // Iterations after which an axillary bud that has not grown is dead, 0 to 10,000. Default 6.
+    uint32_t bud_life;
+    // Angle between an internode and the buds at its end, 0 to π. Default 0.8.
+    float angle;
+    // Standard deviation of branching and divergence angles, 0 to 1. Default 0.12.
+    float jitter;
+    // Highest order of an axis, 0 (only the trunk) to 255. Default 12.
+    uint32_t max_order;
+    // Most metamers a bud makes in one iteration, 1 to 64. Default 6.
+    uint32_t max_shoot;
+    // How vigour is shared out. Default `TREE_ALLOCATION_BORCHERT_HONDA`.
+    tree_allocation allocation;
+    // Borchert-Honda: λ of a seedling, 0 to 1; above 0.5 the main axis is favoured, below the laterals. 0.46 to 0.54 span
+    // shrubs to poplars. Default 0.5.
+    float lambda;
+    // Borchert-Honda: λ of an old tree, 0 to 1; lower than `lambda` for a crown that opens with age. Default 0.5.
+    float lambda_late;
+    // Borchert-Honda: iterations in which λ goes from one to the other, 0 to 10,000. Default 0.
+    uint32_t lambda_turning;
+    // Priority: weight of the first rank, 0 to 1000. Default 0.
+    float priority_first;
+    // Priority: weight of the last ranks, 0 to 1000. Default 0.
+    float priority_last;
+    // Priority: share of the ranks over which the weight falls from one to the other, 0 to 1. Default 0.
+    float priority_fall;
+    // Vigour at the base per light that all buds found, 0 to 100. Default 2.
+    float vigour;
+    // Which way the trunk turns.
+    struct tree_growth_tropisms trunk;
+    // Which way all other axes turn.
+    struct tree_growth_tropisms branches;
+    // A branch with less light per metamer than this is shed, 0 (never) to 100. Default 0.12.
+    float shedding;
+    // Youngest age at which a branch can be shed, 0 to 10,000. Default 2.
+    uint32_t shedding_age;
+    // For how long a metamer has leaves and casts shadow, 1 to 10,000. Default 3.
+    uint32_t leaf_life;
+    // Radii, by the pipe model: Δ in r₀^Δ = Σ rᵢ^Δ, 1 to 10. Default 2.49.
+    float radii_exponent;
+    // Radii: that of every tip in metres, 1e-6 to 100. Default 0.002.
+    float radii_tip;
+    // Radii: how much they grow per metre towards the base, 0 to 1. Default 0.002.
+    float radii_taper;
+    // Radii: that of the root node in metres, 1e-6 to 100. Default 0: the tips decide.
+    float radii_trunk;
+    // 0.
+    uint32_t reserved;
+} tree_growth_habit;
+
+// Everything that shapes a tree that grows alone. Begin with `tree_growth_params_init`, or with `tree_growth_preset`.
+typedef struct tree_growth_params {
+    // `sizeof(tree_growth_params)`.
+    size_t struct_size;
+    // Where it grows. Default NULL: as `tree_growth_world_init` has it.
+    const struct tree_growth_world *world;
+    // What kind of tree it is. Default NULL: as `tree_growth_habit_init` has it.
+    const struct tree_growth_habit *habit;
+    // Where it stands, in metres. Default the origin.
+    float base[3];
+    // Iterations, usually years, 0 to 10,000; after 0 there is the seedling's one internode. Default 18.
+    uint32_t iterations;
+} tree_growth_params;
+
+// One iteration of one tree.
+typedef struct tree_growth_year {
+    // Light that all buds found together.
+    float light;
+    // Living buds before it grew.
+    uint32_t n_buds;
+    // Buds that grew.
+    uint32_t n_shoots;
+    // Shoots cut short by an obstacle or the ground.
+    uint32_t n_blocked;
+    // Nodes shed.
+    uint32_t n_shed;
+    // Nodes afterwards.
+    uint32_t n_nodes;
+} tree_growth_year;
+
+// A view of how a tree grew.
+typedef struct tree_grown_columns {
+    // `sizeof(tree_grown_columns)`.
+    size_t struct_size;
+    // Number of nodes of the tree's skeleton.
+    size_t n_nodes;
+    // One for each node: iterations since its segment grew, 0 for this year's. That of the base is its first
+    // internode's.
+    const uint32_t *ages;
+    // One for each node: the Gravelius order of the axis it grew on, 0 for the trunk.
+    const uint8_t *orders;
+    // Number of iterations.
+    size_t n_years;
+    // What happened in each iteration.
+    const struct tree_growth_year *years;
+} tree_grown_columns;
+
+// A tree to be, and where it stands. Begin with `tree_growth_plant_init`.
+typedef struct tree_growth_plant {
+    // `sizeof(tree_growth_plant)`.
+    size_t struct_size;
+    // Its kind. Default NULL: as `tree_growth_habit_init` has it.
+    const struct tree_growth_habit *habit;
+    // Where it stands, in metres, at most 1,000 km from the origin. Default the origin.
+    float base[3];
+    // Direction of its first internode; any length but 0. Default 0, 1, 0.
+    float direction[3];
+} tree_growth_plant;
+
+// How far trees have grown.
+typedef struct tree_growth_counts {
+    // `sizeof(tree_growth_counts)`.
+    size_t struct_size;
+    // Iterations done.
+    size_t n_iterations;
+    // Number of trees.
+    size_t n_plants;
+    // Nodes of all trees, bases included.
+    size_t n_nodes;
+} tree_growth_counts;
+
 // How much is drawn.
 typedef struct tree_hybrid_choice_report {
     // `sizeof(tree_hybrid_choice_report)`.
@@ -2686,6 +3077,21 @@ typedef struct tree_twig_instances {
     // One for each instance: the branch of the base mesh that bears it.
     const uint32_t *branches;
 } tree_twig_instances;
+
+// A file format for clouds of points: one of the `TREE_CLOUD_FORMAT_` constants.
+typedef uint32_t tree_cloud_format;
+
+// A view of a cloud of points.
+typedef struct tree_cloud_columns {
+    // `sizeof(tree_cloud_columns)`.
+    size_t struct_size;
+    // Number of points.
+    size_t n_points;
+    // Three doubles for each point, in the file's own axes and unit. They need not be finite.
+    const double *positions;
+    // Lines of text that are no points: names, counts and comments.
+    uint64_t n_other_lines;
+} tree_cloud_columns;
 
 // A mesh and where its copies stand: scaled, turned, then moved.
 typedef struct tree_gltf_instances {
@@ -3370,21 +3776,6 @@ typedef struct tree_tier_columns {
     // Number of triangles.
     size_t n_triangles;
 } tree_tier_columns;
-
-// What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
-// `tree_leaf_names`.
-typedef struct tree_species {
-    // `sizeof(tree_species)`.
-    size_t struct_size;
-    // Name for people and files.
-    struct tree_str name;
-    // Name of the bark.
-    struct tree_str bark;
-    // Names of the leaf kinds.
-    const struct tree_str *leaf_kinds;
-    // Number of leaf kinds.
-    size_t n_leaf_kinds;
-} tree_species;
 
 // How a material treats the alpha of its texture: one of the `TREE_ALPHA_` constants.
 typedef uint32_t tree_alpha;
@@ -5588,6 +5979,172 @@ typedef struct tree_trimap_columns {
     size_t n_foreground;
 } tree_trimap_columns;
 
+// What happened to a tree.
+typedef struct tree_adapted_report {
+    // `sizeof(tree_adapted_report)`.
+    size_t struct_size;
+    // Main nodes that died.
+    uint64_t n_pruned;
+    // Nodes of branchlets left out, with their branch, in the dark, or in a solid.
+    uint64_t n_branchlets_dropped;
+    // Nodes of branchlets set once more in the light.
+    uint64_t n_branchlets_added;
+    // Leaves left out.
+    uint64_t n_leaves_dropped;
+    // Leaves set once more.
+    uint64_t n_leaves_added;
+    // Farthest that a living node moved, in metres.
+    float farthest;
+    // 0.
+    uint32_t reserved;
+} tree_adapted_report;
+
+// A view of what became of the nodes of the input.
+typedef struct tree_adapted_columns {
+    // `sizeof(tree_adapted_columns)`.
+    size_t struct_size;
+    // Number of nodes of the tree.
+    size_t n_nodes;
+    // One for each node of the tree: the node of the input that it comes from.
+    const uint32_t *source;
+    // Number of nodes of the input.
+    size_t n_input_nodes;
+    // One for each node of the input: how far it moved, in metres; for those that are gone, how far they would have.
+    const float *moved;
+    // One for each node of the input: the season in which its branch died, or `TREE_PLASTIC_ALIVE`.
+    const uint32_t *died;
+} tree_adapted_columns;
+
+// How a tree is analysed. Begin with `tree_plastic_params_init`.
+typedef struct tree_plastic_params {
+    // `sizeof(tree_plastic_params)`.
+    size_t struct_size;
+    // Branches at least this share of the trunk's radius are bent and pruned one by one; thinner ones follow them as
+    // branchlets, 0 to 1. Default 0.04. At 0 every node takes part.
+    float main;
+    // Length of an internode in metres, above 0 to 1e6. Default 0: the commonest distance between forks.
+    float internode;
+    // Most seasons that are told apart, 1 to 200. Default 40. A tree that has more is told them several at a time.
+    uint32_t seasons;
+    // Extent of a leaf cluster along the branches, as a share of the longest way from the root to a tip, 0.02 to 1.
+    // Default 0.2. Smaller ones follow the light more finely; the cost grows with the square of their number.
+    float lobe;
+    // Share of the light that one metre of leaf cluster lets through, 0 to 1. Default 0.5.
+    float translucency;
+    // Strength of phototropism over one internode, 0 to 0.9. Default 0.25.
+    float phototropism;
+    // Strength of gravitropism over one internode, -0.9 (down) to 0.9 (up). Default 0.12. The two strengths together stay
+    // under 0.95.
+    float gravitropism;
+    // The sky the tree grew under: direction to its brightest point, as in `tree_plastic_sky`. Default 0, 1, 0.
+    float sky_brightest[3];
+    // Factor on all its light, 0 to 10. Default 1.
+    float sky_brightness;
+    // 0.
+    uint32_t reserved;
+} tree_plastic_params;
+
+// What was found in a tree.
+typedef struct tree_plastic_report {
+    // `sizeof(tree_plastic_report)`.
+    size_t struct_size;
+    // Nodes of the main branches.
+    uint64_t n_main_nodes;
+    // Nodes that follow them.
+    uint64_t n_branchlet_nodes;
+    // Leaf clusters of the last season.
+    uint64_t n_clusters;
+    // Seasons the tree lived.
+    uint32_t n_seasons;
+    // Length of an internode in metres.
+    float internode;
+    // How far the middle of the crown leans from above the base, in radians.
+    float lean;
+    // 1 where it leans so far that it cannot have grown alone in the open: a warning. The analysis takes a tree for one
+    // that did, and so this one keeps its lean whatever it reacts to. Else 0.
+    uint32_t already_bent;
+} tree_plastic_report;
+
+// A view of what is known of each node of a tree that can react.
+typedef struct tree_plastic_columns {
+    // `sizeof(tree_plastic_columns)`.
+    size_t struct_size;
+    // Number of nodes of the tree's skeleton.
+    size_t n_nodes;
+    // A byte for each node: 1 for main branches, 0 for branchlets, which follow the main branch below.
+    const uint8_t *is_main;
+    // One for each node: the season in which it grew, from 0; that of the main branch below for branchlets.
+    const uint16_t *seasons;
+    // Three floats for each node: the direction in which its segment would have grown without tropisms, of length 1 or
+    // more; that of the main branch below for branchlets.
+    const float *own_directions;
+    // One for each node: the least light per metre on which the branch that starts there is known to live; -1 where no
+    // branch starts that could be pruned.
+    const float *pruning_factors;
+} tree_plastic_columns;
+
+// A leaf cluster: a ball that lets a share of the light through, and the light at its middle.
+typedef struct tree_plastic_cluster {
+    // Its middle in metres, in the tree's own frame.
+    float center[3];
+    // In metres.
+    float radius;
+    // Share of the light that comes through, 0 to 1.
+    float translucency;
+    // Light at its middle, as a share of the open sky's, 0 to 1 times the brightness.
+    float light;
+    // Unit vector towards where the light comes from on average; 0 where there is none.
+    float towards[3];
+    // Tips of main branches that it is made of; 0 in a scene, where that is not told.
+    uint32_t n_tips;
+} tree_plastic_cluster;
+
+// Where something stands and how it is turned: a point p of its own frame is at rotation · p + position in the world.
+typedef struct tree_pose {
+    // In metres, at most 1,000 km from the origin along each axis.
+    float position[3];
+    // A quaternion, x, y, z, w, of any length but 0. 0, 0, 0, 1 is not turned.
+    float rotation[4];
+} tree_pose;
+
+// The light of the sky: cos² of the angle to its brightest point, 0 beyond a right angle and below the horizon. Begin
+// with `tree_plastic_sky_init` or `tree_plastic_sky_towards`.
+typedef struct tree_plastic_sky {
+    // `sizeof(tree_plastic_sky)`.
+    size_t struct_size;
+    // Direction to the brightest point, of any length but 0, not below the horizon. Default 0, 1, 0.
+    float brightest[3];
+    // Factor on all light, 0 to 10. Default 1. At 0 every branch starves but the trunk.
+    float brightness;
+} tree_plastic_sky;
+
+// How much trees react. Begin with `tree_plastic_response_init`.
+typedef struct tree_plastic_response {
+    // `sizeof(tree_plastic_response)`.
+    size_t struct_size;
+    // Share of the bending that tropisms ask for, 0 (none) to 1 (all of it). Default 1.
+    float bending;
+    // Strength of pruning, 0 (none) to 1. Default 0.8: a branch dies when it has less than 0.8 of the light per length on
+    // which it is known to have lived.
+    float pruning;
+    // How strongly the foliage follows the light, 0 (not at all) to 4. Default 1: half the light, half the branchlets.
+    float density;
+    // 0.
+    uint32_t reserved;
+} tree_plastic_response;
+
+// What an update did.
+typedef struct tree_plastic_update {
+    // `sizeof(tree_plastic_update)`.
+    size_t struct_size;
+    // Trees that are not what they were, or get another light: `tree_plastic_scene_changed` tells which.
+    uint64_t n_changed;
+    // Trees that were looked at.
+    uint64_t n_touched;
+    // Seasons of trees whose light was worked out anew.
+    uint64_t n_seasons;
+} tree_plastic_update;
+
 // What the host runs on one of its threads: `run(worker)`, once. It returns when the pool is freed.
 typedef void (*tree_worker_fn)(void *worker);
 
@@ -6511,6 +7068,90 @@ typedef struct tree_mesh_part {
     uint32_t reserved;
 } tree_mesh_part;
 
+// Which axis of a cloud points up: one of the `TREE_UP_` constants.
+typedef uint32_t tree_up;
+
+// How a cloud of points is read. Lengths are metres; "spacings" are the median distance of a point to its fourth
+// neighbour. Begin with `tree_scan_params_init`.
+typedef struct tree_scan_params {
+    // `sizeof(tree_scan_params)`.
+    size_t struct_size;
+    // Metres for a unit of the cloud, 1e-6 to 1e6. Default 1.
+    double unit;
+    // The axis that points up. Default `TREE_UP_Z`.
+    tree_up up;
+    // Edge of the voxels that become one point each, 0 to 10 m. Default 0: half a spacing.
+    float voxel;
+    // Nearest points that each one is joined with, 4 to 32. Default 8. More bridge thin gaps and run branches together.
+    uint32_t neighbours;
+    // Widest gap that is bridged, as a share of the cloud's size, 0 to 1. Default 0.1. What is farther away is left out
+    // and reported.
+    float bridge;
+    // Distance between nodes in spacings, 1 to 20. Default 2.5.
+    float step;
+    // Reach within which an axis takes in what runs beside it, in its widths (mean distances of its points from its
+    // middle), 1 to 10. Default 2.
+    float merge;
+    // Length in spacings by which a branch must leave the reach of its parent, 0 to 100. Default 4.
+    float prune;
+    // Whether the ground is taken away where the scan shows some. Default 1.
+    uint32_t ground;
+    // Whether every trunk becomes a tree. Default 0: the cloud is one tree, and the report tells how many trunks it may
+    // have.
+    uint32_t several;
+    // Whether branches through foliage, which are guessed, are kept. Default 1.
+    uint32_t foliage;
+} tree_scan_params;
+
+// What was found in a cloud of points, and what was left out.
+typedef struct tree_scan_report {
+    // `sizeof(tree_scan_report)`.
+    size_t struct_size;
+    // Points that came in.
+    uint64_t n_points;
+    // Points that were no numbers.
+    uint64_t n_not_finite;
+    // Second points at one place.
+    uint64_t n_doubles;
+    // Points that became one with others in their voxel.
+    uint64_t n_thinned;
+    // Points of the ground.
+    uint64_t n_ground;
+    // Points of pieces that no bridge reached.
+    uint64_t n_left_out;
+    // Gaps bridged: `tree_scanned_bridge` tells of each.
+    uint64_t n_bridges;
+    // Places where a tree may stand.
+    uint64_t n_bases;
+    // Clusters of points that the levels fell into.
+    uint64_t n_clusters;
+    // Side shoots too short for an axis.
+    uint64_t n_short;
+    // Nodes of all trees.
+    uint64_t n_nodes;
+    // Nodes whose radius and centre come from a circle fitted to the points; the radii of all others are guessed from
+    // the wood beyond.
+    uint64_t n_fitted;
+    // Nodes in foliage, kept or not.
+    uint64_t n_in_foliage;
+    // Median distance to the fourth neighbour in metres.
+    float spacing;
+    // 0.
+    uint32_t reserved;
+} tree_scan_report;
+
+// A view of a tree of a cloud.
+typedef struct tree_scanned_columns {
+    // `sizeof(tree_scanned_columns)`.
+    size_t struct_size;
+    // Where the tree's base, the origin of its skeleton, is in the cloud, in its axes and unit.
+    double base[3];
+    // Number of nodes of its skeleton.
+    size_t n_nodes;
+    // A byte for each node: 1 where it runs through foliage, guessed and not seen; else 0.
+    const uint8_t *in_foliage;
+} tree_scanned_columns;
+
 // A view of the kinds of leaves that were found.
 typedef struct tree_leaf_kinds {
     // `sizeof(tree_leaf_kinds)`.
@@ -7431,6 +8072,80 @@ tree_status tree_cancel_set(const struct tree_cancel *cancel);
 // Frees a switch. Calls it was given to may still run.
 tree_status tree_cancel_free(struct tree_cancel *cancel);
 
+// Makes `costs`, of `size` bytes, the default.
+tree_status tree_edit_costs_init(struct tree_edit_costs *costs, size_t size);
+
+// Views the pairs, rising by the node of the first tree: where they begin and how many there are.
+tree_status tree_edit_pairs_view(const struct tree_edit_pairs *pairs,
+                                 const struct tree_edit_pair **rows,
+                                 size_t *n_pairs);
+
+// Frees pairs of nodes.
+tree_status tree_edit_pairs_free(struct tree_edit_pairs *pairs);
+
+// The constrained edit distance between two skeletons (Zhang 1996): the least cost of deleting, inserting and changing
+// nodes that turns one tree into the other, where disjoint subtrees go to disjoint subtrees. The order of siblings and
+// where nodes are do not matter. `params` and `control` may be NULL; set `distance->struct_size` first.
+//
+// The time goes with the product of the numbers of nodes and of children after the reduction. `TREE_ERROR_LIMIT` where
+// more pairs of nodes would be kept than `tree_limits.pairs`, 16 bytes each: here those of the nodes of the first tree
+// that wait for a sibling.
+tree_status tree_skeleton_distance(const struct tree_skeleton *first,
+                                   const struct tree_skeleton *second,
+                                   const struct tree_edit_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_edit_distance *distance);
+
+// As `tree_skeleton_distance`, and hands out which node of the skeletons is changed into which; of runs and axes their
+// uppermost nodes. All pairs of nodes are kept for it. `distance` may be NULL. Free the pairs with
+// `tree_edit_pairs_free`.
+tree_status tree_skeleton_distance_pairs(const struct tree_skeleton *first,
+                                         const struct tree_skeleton *second,
+                                         const struct tree_edit_params *params,
+                                         const struct tree_control *control,
+                                         struct tree_edit_distance *distance,
+                                         struct tree_edit_pairs **pairs);
+
+// As `tree_skeleton_distance`, of trees prepared for it: for many comparisons with the same tree, for trees that are no
+// skeletons, and for costs of your own. `costs` and `control` may be NULL. `TREE_ERROR_PARAMETER` where `costs` gives
+// what is no cost.
+tree_status tree_edit_tree_distance(const struct tree_edit_tree *first,
+                                    const struct tree_edit_tree *second,
+                                    const struct tree_edit_costs *costs,
+                                    const struct tree_control *control,
+                                    struct tree_edit_distance *distance);
+
+// As `tree_edit_tree_distance`, and hands out which node of the two trees is changed into which, as
+// `tree_skeleton_distance_pairs` does.
+tree_status tree_edit_tree_distance_pairs(const struct tree_edit_tree *first,
+                                          const struct tree_edit_tree *second,
+                                          const struct tree_edit_costs *costs,
+                                          const struct tree_control *control,
+                                          struct tree_edit_distance *distance,
+                                          struct tree_edit_pairs **pairs);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_edit_params_init(struct tree_edit_params *params, size_t size);
+
+// Reduces and weighs a skeleton, which is not kept. `params` may be NULL. Free the tree with `tree_edit_tree_free`.
+tree_status tree_edit_tree_of_skeleton(const struct tree_skeleton *skeleton,
+                                       const struct tree_edit_params *params,
+                                       struct tree_edit_tree **tree);
+
+// Makes a tree of columns, which are copied. `control` may be NULL; only its limits matter. `TREE_ERROR_INVALID` for a
+// second root or parents that do not come first, `TREE_ERROR_PARAMETER` for weights below 0 or not finite. Free the
+// tree with `tree_edit_tree_free`.
+tree_status tree_edit_tree_from_columns(const struct tree_edit_columns *columns,
+                                        const struct tree_control *control,
+                                        struct tree_edit_tree **tree);
+
+// Views the tree. Set `columns->struct_size` first.
+tree_status tree_edit_tree_view(const struct tree_edit_tree *tree,
+                                struct tree_edit_columns *columns);
+
+// Frees a tree that is compared.
+tree_status tree_edit_tree_free(struct tree_edit_tree *tree);
+
 // What a branch of a mesh does in the wind. Set `motion->struct_size` first.
 tree_status tree_mesh_branch_motion(const struct tree_mesh *mesh,
                                     size_t branch,
@@ -7678,6 +8393,105 @@ tree_status tree_twig_params_init(struct tree_twig_params *params, size_t size);
 
 // Whether all fields are in order: `TREE_OK`, or the error that their use would give.
 tree_status tree_twig_params_check(const struct tree_twig_params *params);
+
+// Grows a tree that stands alone; for several that compete there is `tree_growth_stand`. The same parameters and `seed`
+// give the same bits for any number of threads. `params` and `control` may be NULL. Free it with `tree_grown_free`.
+// `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` where the base or the first internode is in
+// the obstacle; `TREE_ERROR_LIMIT` comes before more nodes, voxels or leaves are made than allowed.
+tree_status tree_growth_grow(const struct tree_growth_params *params,
+                             uint64_t seed,
+                             const struct tree_control *control,
+                             struct tree_grown **grown);
+
+// The tree, not copied. Free it with `tree_tree_free`; it may outlive what it was asked of.
+tree_status tree_grown_tree(const struct tree_grown *grown, struct tree_tree **tree);
+
+// Views ages, orders and years. Set `columns->struct_size` first.
+tree_status tree_grown_view(const struct tree_grown *grown, struct tree_grown_columns *columns);
+
+// Frees a grown tree. Trees handed out live on.
+tree_status tree_grown_free(struct tree_grown *grown);
+
+// Makes `habit`, of `size` bytes, the default.
+tree_status tree_growth_habit_init(struct tree_growth_habit *habit, size_t size);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_growth_params_init(struct tree_growth_params *params, size_t size);
+
+// Whether all fields, those of world and habit too, are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_growth_params_check(const struct tree_growth_params *params);
+
+// Makes `plant`, of `size` bytes, the default.
+tree_status tree_growth_plant_init(struct tree_growth_plant *plant, size_t size);
+
+// Number of presets of growing trees.
+size_t tree_growth_preset_count(void);
+
+// Name of a preset, such as `oak`; valid for ever. `index` is below `tree_growth_preset_count`.
+tree_status tree_growth_preset_name(size_t index, struct tree_str *name);
+
+// Makes `params`, of `size` bytes, the preset called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). World and habit, and
+// what they point at, belong to the library and live for ever: to alter one, copy it and point at the copy. The habit is
+// for `tree_growth_plant` too. `TREE_ERROR_UNKNOWN_NAME` lists the names there are.
+tree_status tree_growth_preset(const char *name,
+                               size_t len,
+                               struct tree_growth_params *params,
+                               size_t size);
+
+// Plants seedlings: a base and one internode each, 1 to 100,000 of them. `world` and `control` may be NULL. Free it with
+// `tree_growth_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` for a seedling in the
+// obstacle.
+tree_status tree_growth_new(const struct tree_growth_world *world,
+                            const struct tree_growth_plant *plants,
+                            size_t n_plants,
+                            uint64_t seed,
+                            const struct tree_control *control,
+                            struct tree_growth **growth);
+
+// As `tree_growth_new`, and grows them for `iterations`, 0 to 10,000. `tree_growth_grown` hands out the trees.
+tree_status tree_growth_stand(const struct tree_growth_world *world,
+                              const struct tree_growth_plant *plants,
+                              size_t n_plants,
+                              uint32_t iterations,
+                              uint64_t seed,
+                              const struct tree_control *control,
+                              struct tree_growth **growth);
+
+// Goes on for `iterations`: in each, buds sense, vigour is shared out, shoots grow, weak branches are shed. `control` may
+// be NULL. After an error all is as it was: the iterations are done on a copy, which takes as much memory again.
+// `TREE_ERROR_PARAMETER` beyond 10,000 iterations in all; `TREE_ERROR_LIMIT` comes before more nodes or voxels are made
+// than allowed.
+tree_status tree_growth_step(struct tree_growth *growth,
+                             uint32_t iterations,
+                             const struct tree_control *control);
+
+// Counts iterations, trees and nodes. Set `counts->struct_size` first.
+tree_status tree_growth_measure(const struct tree_growth *growth,
+                                struct tree_growth_counts *counts);
+
+// The light as it is now at `n_points` points, three floats each in metres: 0 to the world's brightness, into `light`,
+// which has room for as many. `control` may be NULL; `nodes` of its limits caps the points.
+tree_status tree_growth_light(const struct tree_growth *growth,
+                              const float *points,
+                              size_t n_points,
+                              const struct tree_control *control,
+                              float *light);
+
+// A tree as it is now, with radii, leaves and ages. `index` is its place among the plants. `control` may be NULL. Free it
+// with `tree_grown_free`.
+tree_status tree_growth_grown(const struct tree_growth *growth,
+                              size_t index,
+                              const struct tree_control *control,
+                              struct tree_grown **grown);
+
+// A second one in the state of the first, to try something. Free it too.
+tree_status tree_growth_copy(const struct tree_growth *growth, struct tree_growth **copy);
+
+// Frees growing trees. Trees handed out live on. `TREE_ERROR_ORDER` while a call is at work on them.
+tree_status tree_growth_free(struct tree_growth *growth);
+
+// Makes `world`, of `size` bytes, the default: open and lit from above.
+tree_status tree_growth_world_init(struct tree_growth_world *world, size_t size);
 
 // Makes a choice for one instance of a model, with room for all there can ever be; level 1 and no leaves until it is
 // updated. Free it with `tree_hybrid_choice_free`.
@@ -8265,6 +9079,28 @@ tree_status tree_bytes_view(const struct tree_bytes *bytes, const uint8_t **data
 
 // Frees a file in memory.
 tree_status tree_bytes_free(struct tree_bytes *bytes);
+
+// Reads a cloud from a file whose extension is `ply`, `xyz`, `txt`, `csv`, `asc` or `pts`, in letters of any case; the
+// path is as in `tree_mesh_read`. `TREE_ERROR_FORMAT` for others, and for broken files, with the line or row;
+// `TREE_ERROR_LIMIT` for more points than `tree_limits.graph_nodes`. `control` may be NULL. Free the cloud with
+// `tree_cloud_free`.
+tree_status tree_cloud_read(const char *path,
+                            size_t path_len,
+                            const struct tree_control *control,
+                            struct tree_cloud **cloud);
+
+// As `tree_cloud_read`, from a file in memory, whose `format` must be stated. The bytes are needed during the call only.
+tree_status tree_cloud_from_bytes(tree_cloud_format format,
+                                  const uint8_t *data,
+                                  size_t len,
+                                  const struct tree_control *control,
+                                  struct tree_cloud **cloud);
+
+// Views a cloud. Set `columns->struct_size` first.
+tree_status tree_cloud_view(const struct tree_cloud *cloud, struct tree_cloud_columns *columns);
+
+// Frees a cloud of points.
+tree_status tree_cloud_free(struct tree_cloud *cloud);
 
 // Makes `options`, of `size` bytes, the default.
 tree_status tree_glb_options_init(struct tree_glb_options *options, size_t size);
@@ -11492,6 +12328,199 @@ tree_status tree_trimap_view(const struct tree_trimap *trimap, struct tree_trima
 // Frees a trimap.
 tree_status tree_trimap_free(struct tree_trimap *trimap);
 
+// A tree of a scene as of the last update. In the surroundings that it grew in it is the input, bit for bit. `control` and
+// `report` may be NULL. Free it with `tree_adapted_free`. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_plastic_scene_adapted(const struct tree_plastic_scene *scene,
+                                       uint64_t id,
+                                       const struct tree_control *control,
+                                       struct tree_adapted_report *report,
+                                       struct tree_adapted **adapted);
+
+// The tree, in its own frame, not copied: `tree_plastic_scene_pose` says where it stands. Free it with `tree_tree_free`; it
+// may outlive what it was asked of.
+tree_status tree_adapted_tree(const struct tree_adapted *adapted,
+                              struct tree_tree **tree);
+
+// Views what became of the input's nodes. Set `columns->struct_size` first.
+tree_status tree_adapted_view(const struct tree_adapted *adapted,
+                              struct tree_adapted_columns *columns);
+
+// Frees an adapted tree. Trees handed out live on.
+tree_status tree_adapted_free(struct tree_adapted *adapted);
+
+// Analyses a tree, which should have grown alone in the open, and is copied. `params`, `control` and `report` may be
+// NULL; see `already_bent` of the report. A few milliseconds for ten thousand nodes; the time grows with the square of
+// the number of leaf clusters. Free it with `tree_plastic_free`.
+tree_status tree_plastic_new(const struct tree_tree *tree,
+                             const struct tree_plastic_params *params,
+                             const struct tree_control *control,
+                             struct tree_plastic_report *report,
+                             struct tree_plastic **plastic);
+
+// What was found in the tree. Set `report->struct_size` first.
+tree_status tree_plastic_measure(const struct tree_plastic *plastic,
+                                 struct tree_plastic_report *report);
+
+// How the tree was analysed. Set `params->struct_size` first.
+tree_status tree_plastic_get_params(const struct tree_plastic *plastic,
+                                    struct tree_plastic_params *params);
+
+// A copy of the tree as it came in. Free it with `tree_tree_free`.
+tree_status tree_plastic_tree(const struct tree_plastic *plastic, struct tree_tree **tree);
+
+// Views what is known of each node. Set `columns->struct_size` first.
+tree_status tree_plastic_view(const struct tree_plastic *plastic,
+                              struct tree_plastic_columns *columns);
+
+// Frees a tree that can react. Scenes in which it is planted go on.
+tree_status tree_plastic_free(struct tree_plastic *plastic);
+
+// The leaf clusters that a tree had in a season of its life in the open. `season` is below
+// `tree_plastic_report.n_seasons`. Free them with `tree_plastic_clusters_free`.
+tree_status tree_plastic_clusters_of_season(const struct tree_plastic *plastic,
+                                            uint32_t season,
+                                            struct tree_plastic_clusters **clusters);
+
+// The leaf clusters of a tree of a scene today, as of the last update; those that are gone are left out. Free them with
+// `tree_plastic_clusters_free`. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_plastic_scene_clusters(const struct tree_plastic_scene *scene,
+                                        uint64_t id,
+                                        struct tree_plastic_clusters **clusters);
+
+// Views clusters: where the rows begin and how many there are.
+tree_status tree_plastic_clusters_view(const struct tree_plastic_clusters *clusters,
+                                       const struct tree_plastic_cluster **rows,
+                                       size_t *n_rows);
+
+// Frees clusters.
+tree_status tree_plastic_clusters_free(struct tree_plastic_clusters *clusters);
+
+// Plants a tree; the analysis is shared, not copied. `pose` may be NULL for the origin, not turned. `TREE_ERROR_INVALID`
+// for a pose that is not finite, and where its base lies in an obstacle.
+tree_status tree_plastic_scene_add_tree(struct tree_plastic_scene *scene,
+                                        const struct tree_plastic *plastic,
+                                        const struct tree_pose *pose,
+                                        uint64_t *id);
+
+// Moves a tree. Errors are those of `tree_plastic_scene_add_tree`, and `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_plastic_scene_move_tree(struct tree_plastic_scene *scene,
+                                         uint64_t id,
+                                         const struct tree_pose *pose);
+
+// Takes a tree away. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_plastic_scene_remove_tree(struct tree_plastic_scene *scene, uint64_t id);
+
+// Puts an obstacle into the scene; `volume` may be freed. Spheres, boxes and half-spaces, moved, turned and united, cast
+// their exact shadow; any other volume, closed meshes too, that of boxes a sixteenth of its size. It is prepared once:
+// moving it is cheap. `pose` may be NULL for the origin, not turned. `TREE_ERROR_INVALID` for a pose that is not finite, a
+// volume that has no end and is no half-space (nor a union with them), and where it would hold the base of a tree.
+tree_status tree_plastic_scene_add_obstacle(struct tree_plastic_scene *scene,
+                                            const struct tree_volume *volume,
+                                            const struct tree_pose *pose,
+                                            uint64_t *id);
+
+// Moves an obstacle. Errors are those of `tree_plastic_scene_add_obstacle`, and `TREE_ERROR_INVALID` for an id that is not
+// there.
+tree_status tree_plastic_scene_move_obstacle(struct tree_plastic_scene *scene,
+                                             uint64_t id,
+                                             const struct tree_pose *pose);
+
+// Takes an obstacle away. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_plastic_scene_remove_obstacle(struct tree_plastic_scene *scene, uint64_t id);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_plastic_params_init(struct tree_plastic_params *params, size_t size);
+
+// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_plastic_params_check(const struct tree_plastic_params *params);
+
+// The sky. Set `sky->struct_size` first.
+tree_status tree_plastic_scene_get_sky(const struct tree_plastic_scene *scene,
+                                       struct tree_plastic_sky *sky);
+
+// How much trees react. Set `response->struct_size` first.
+tree_status tree_plastic_scene_get_response(const struct tree_plastic_scene *scene,
+                                            struct tree_plastic_response *response);
+
+// The trees' ids, in the order they were planted. Valid until the next edit.
+tree_status tree_plastic_scene_trees(const struct tree_plastic_scene *scene,
+                                     const uint64_t **ids,
+                                     size_t *n_ids);
+
+// The obstacles' ids, in the order they were put there. Valid until the next edit.
+tree_status tree_plastic_scene_obstacles(const struct tree_plastic_scene *scene,
+                                         const uint64_t **ids,
+                                         size_t *n_ids);
+
+// Ids of the trees that the last update changed. Valid until the next update.
+tree_status tree_plastic_scene_changed(const struct tree_plastic_scene *scene,
+                                       const uint64_t **ids,
+                                       size_t *n_ids);
+
+// Where a tree stands. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_plastic_scene_pose(const struct tree_plastic_scene *scene,
+                                    uint64_t id,
+                                    struct tree_pose *pose);
+
+// The analysis that a tree was planted from, not copied. Free it with `tree_plastic_free`. `TREE_ERROR_INVALID` for an id
+// that is not there.
+tree_status tree_plastic_scene_model(const struct tree_plastic_scene *scene,
+                                     uint64_t id,
+                                     struct tree_plastic **plastic);
+
+// Makes an empty scene. `sky` and `response` may be NULL for the defaults. Free it with `tree_plastic_scene_free`.
+// `TREE_ERROR_PARAMETER` names what is out of range.
+tree_status tree_plastic_scene_new(const struct tree_plastic_sky *sky,
+                                   const struct tree_plastic_response *response,
+                                   struct tree_plastic_scene **scene);
+
+// A second one in the state of the first. Free it too.
+tree_status tree_plastic_scene_copy(const struct tree_plastic_scene *scene,
+                                    struct tree_plastic_scene **copy);
+
+// Changes the sky. It is as it was where it is refused.
+tree_status tree_plastic_scene_set_sky(struct tree_plastic_scene *scene,
+                                       const struct tree_plastic_sky *sky);
+
+// Changes how much trees react. It is as it was where it is refused.
+tree_status tree_plastic_scene_set_response(struct tree_plastic_scene *scene,
+                                            const struct tree_plastic_response *response);
+
+// Works out what the edits since the last update mean. `control` and `update` may be NULL. Where it is cancelled trees
+// are half way, and the next update works all of them out anew. For each tree that is touched it takes time in proportion to
+// its nodes and seasons, and to the clusters and obstacles around each of its clusters.
+tree_status tree_plastic_scene_update(struct tree_plastic_scene *scene,
+                                      const struct tree_control *control,
+                                      struct tree_plastic_update *update);
+
+// Frees a scene. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it.
+tree_status tree_plastic_scene_free(struct tree_plastic_scene *scene);
+
+// Estimates the season in which the segment that ends at each node grew, from 0 at the base, and how many internodes it
+// made in a season, at least 1. `internode` is the length of one in metres; 0 takes the commonest distance between
+// forks. `most`, 1 to 10,000, is how many seasons are told apart; a tree that has more is told them several at a time.
+// `seasons` and `rates` have room for `capacity` numbers, at least one for each node.
+tree_status tree_skeleton_ages(const struct tree_skeleton *skeleton,
+                               float internode,
+                               uint32_t most,
+                               uint16_t *seasons,
+                               float *rates,
+                               size_t capacity,
+                               size_t *n_seasons);
+
+// Makes `sky`, of `size` bytes, the default: brightest above.
+tree_status tree_plastic_sky_init(struct tree_plastic_sky *sky, size_t size);
+
+// Makes `sky`, of `size` bytes, one that is brightest `elevation` radians above the horizon, 0 to π/2, in the direction
+// `azimuth`, in radians from +Z towards +X.
+tree_status tree_plastic_sky_towards(struct tree_plastic_sky *sky,
+                                     size_t size,
+                                     float azimuth,
+                                     float elevation);
+
+// Makes `response`, of `size` bytes, the default.
+tree_status tree_plastic_response_init(struct tree_plastic_response *response, size_t size);
+
 // Makes `options`, of `size` bytes, the default.
 tree_status tree_pool_options_init(struct tree_pool_options *options, size_t size);
 
@@ -12604,6 +13633,56 @@ tree_status tree_skeletonize_params_init(struct tree_skeletonize_params *params,
 
 // Makes `part`, of `size` bytes, the default: nothing.
 tree_status tree_mesh_part_init(struct tree_mesh_part *part, size_t size);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_scan_params_init(struct tree_scan_params *params, size_t size);
+
+// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+tree_status tree_scan_params_check(const struct tree_scan_params *params);
+
+// Makes skeletons of a laser scan: `points` is three doubles for each of `n_points`, which are not kept; those that are
+// not finite are left out. Leaves are not made. `params`, `control` and `report` may be NULL. Free the result with
+// `tree_scanned_free`. `TREE_ERROR_INVALID` for fewer than 16 points that differ, or points on one line;
+// `TREE_ERROR_NO_RESULT` where no tree stands; `TREE_ERROR_LIMIT` for more than `graph_nodes`, `graph_arcs` or `nodes`.
+// It takes some four microseconds a point.
+tree_status tree_skeletonize_scan(const double *points,
+                                  size_t n_points,
+                                  const struct tree_scan_params *params,
+                                  const struct tree_control *control,
+                                  struct tree_scan_report *report,
+                                  struct tree_scanned **scanned);
+
+// As `tree_skeletonize_scan`, of a cloud from a file.
+tree_status tree_skeletonize_cloud(const struct tree_cloud *cloud,
+                                   const struct tree_scan_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_scan_report *report,
+                                   struct tree_scanned **scanned);
+
+// Number of trees: one, or as many as were found where all were asked for.
+tree_status tree_scanned_count(const struct tree_scanned *scanned, size_t *n_trees);
+
+// The skeleton of a tree, in metres, +Y up, its base at the origin; not copied. `index` is below `tree_scanned_count`.
+// Free it with `tree_skeleton_free`; it may outlive the scan.
+tree_status tree_scanned_skeleton(const struct tree_scanned *scanned,
+                                  size_t index,
+                                  struct tree_skeleton **skeleton);
+
+// Views a tree: where it stands and what of it was guessed. `index` is below `tree_scanned_count`. Set
+// `columns->struct_size` first.
+tree_status tree_scanned_view(const struct tree_scanned *scanned,
+                              size_t index,
+                              struct tree_scanned_columns *columns);
+
+// A gap that was bridged: its length in metres, and the points of the smaller one of the two pieces it joins. `index` is
+// below `tree_scan_report.n_bridges`.
+tree_status tree_scanned_bridge(const struct tree_scanned *scanned,
+                                size_t index,
+                                float *length,
+                                size_t *n_points);
+
+// Frees the trees of a cloud. Skeletons handed out live on.
+tree_status tree_scanned_free(struct tree_scanned *scanned);
 
 // The fourth stage: makes a leaf of each leaf component, on the nearest wood of a skeleton as
 // `tree_pieces_link` returns it. Positions and sizes are in the units of the mesh already. `control` may

@@ -390,6 +390,7 @@ inline void rethrow(const Field &field) { field.rethrow(); }
 
 } // namespace detail
 
+class Adapted;
 class Adt;
 class Aligned;
 class Arranged;
@@ -403,11 +404,14 @@ class Capsules;
 class CardChoice;
 class Cards;
 class Carved;
+class Cloud;
 class Crossings;
 class Crown;
 class DirectionField;
 class Drawing;
 class Drawings;
+class EditPairs;
+class EditTree;
 class Elements;
 class Equations;
 class FactorGraph;
@@ -418,6 +422,8 @@ class Grammar;
 class Graph;
 class GraphNodes;
 class Grid;
+class Grown;
+class Growth;
 class Hull;
 class Hybrid;
 class HybridChoice;
@@ -448,11 +454,15 @@ class PhotoSession;
 class Picture;
 class Pieces;
 class Plan;
+class Plastic;
+class PlasticClusters;
+class PlasticScene;
 class Pool;
 class Profile;
 class Pruned;
 class Revolved;
 class Rows;
+class Scanned;
 class Scene;
 class SceneLevels;
 class SceneState;
@@ -479,6 +489,8 @@ class Volume;
 class Way;
 class WindBranches;
 class Word;
+struct AdaptedColumns;
+struct AdaptedReport;
 struct AdtColumns;
 struct AlignParams;
 struct AlignReport;
@@ -518,6 +530,7 @@ struct ChainParams;
 using Choice = tree_choice;
 struct CleanParams;
 using CleanRepair = tree_clean_repair;
+struct CloudColumns;
 struct ColorSamples;
 struct Concentration;
 struct ConventionTraits;
@@ -541,6 +554,11 @@ using DrawIndexed = tree_draw_indexed;
 using DrawnRepair = tree_drawn_repair;
 struct DrawnStroke;
 struct DrawnTree;
+struct EditColumns;
+struct EditCosts;
+struct EditDistance;
+using EditPair = tree_edit_pair;
+struct EditParams;
 struct ElementsColumns;
 struct EquationsColumns;
 struct EraseReport;
@@ -561,6 +579,14 @@ using GraphArc = tree_graph_arc;
 struct GraphColumns;
 struct GraphNodesColumns;
 struct GridColumns;
+struct GrownColumns;
+struct GrowthCounts;
+struct GrowthHabit;
+struct GrowthParams;
+struct GrowthPlant;
+using GrowthTropisms = tree_growth_tropisms;
+struct GrowthWorld;
+using GrowthYear = tree_growth_year;
 struct HullColumns;
 struct HullParams;
 struct HybridChoiceReport;
@@ -652,8 +678,16 @@ struct PivotElement;
 struct Pivots;
 struct Pixels;
 struct PlanColumns;
+using PlasticCluster = tree_plastic_cluster;
+struct PlasticColumns;
+struct PlasticParams;
+struct PlasticReport;
+struct PlasticResponse;
+struct PlasticSky;
+struct PlasticUpdate;
 struct PlyOptions;
 struct PoolOptions;
+using Pose = tree_pose;
 struct ProfileColumns;
 struct ProfileOptions;
 struct PruneMakeParams;
@@ -662,6 +696,9 @@ struct PrunedPart;
 struct PrunedTotals;
 struct RadiusRule;
 struct RevolvedFrame;
+struct ScanParams;
+struct ScanReport;
+struct ScannedColumns;
 using SceneDraw = tree_scene_draw;
 struct SceneFrame;
 using SceneInstance = tree_scene_instance;
@@ -747,6 +784,14 @@ struct Wind;
 using WindBranch = tree_wind_branch;
 struct WordColumns;
 struct WordHistory;
+
+struct AdaptedColumns : tree_adapted_columns {
+    AdaptedColumns() : tree_adapted_columns{} { struct_size = sizeof *this; }
+};
+
+struct AdaptedReport : tree_adapted_report {
+    AdaptedReport() : tree_adapted_report{} { struct_size = sizeof *this; }
+};
 
 struct AdtColumns : tree_adt_columns {
     AdtColumns() : tree_adt_columns{} { struct_size = sizeof *this; }
@@ -882,6 +927,10 @@ struct CleanParams : tree_clean_params {
     bool check() const;
 };
 
+struct CloudColumns : tree_cloud_columns {
+    CloudColumns() : tree_cloud_columns{} { struct_size = sizeof *this; }
+};
+
 struct ColorSamples : tree_color_samples {
     ColorSamples() : tree_color_samples{} { tree_color_samples_init(this, sizeof(tree_color_samples)); }
 };
@@ -955,6 +1004,22 @@ struct DrawnStroke : tree_drawn_stroke {
 
 struct DrawnTree : tree_drawn_tree {
     DrawnTree() : tree_drawn_tree{} { struct_size = sizeof *this; }
+};
+
+struct EditColumns : tree_edit_columns {
+    EditColumns() : tree_edit_columns{} { struct_size = sizeof *this; }
+};
+
+struct EditCosts : tree_edit_costs {
+    EditCosts() : tree_edit_costs{} { tree_edit_costs_init(this, sizeof(tree_edit_costs)); }
+};
+
+struct EditDistance : tree_edit_distance {
+    EditDistance() : tree_edit_distance{} { struct_size = sizeof *this; }
+};
+
+struct EditParams : tree_edit_params {
+    EditParams() : tree_edit_params{} { tree_edit_params_init(this, sizeof(tree_edit_params)); }
 };
 
 struct ElementsColumns : tree_elements_columns {
@@ -1038,6 +1103,31 @@ struct GraphNodesColumns : tree_graph_nodes_columns {
 
 struct GridColumns : tree_grid_columns {
     GridColumns() : tree_grid_columns{} { struct_size = sizeof *this; }
+};
+
+struct GrownColumns : tree_grown_columns {
+    GrownColumns() : tree_grown_columns{} { struct_size = sizeof *this; }
+};
+
+struct GrowthCounts : tree_growth_counts {
+    GrowthCounts() : tree_growth_counts{} { struct_size = sizeof *this; }
+};
+
+struct GrowthHabit : tree_growth_habit {
+    GrowthHabit() : tree_growth_habit{} { tree_growth_habit_init(this, sizeof(tree_growth_habit)); }
+};
+
+struct GrowthParams : tree_growth_params {
+    GrowthParams() : tree_growth_params{} { tree_growth_params_init(this, sizeof(tree_growth_params)); }
+    bool check() const;
+};
+
+struct GrowthPlant : tree_growth_plant {
+    GrowthPlant() : tree_growth_plant{} { tree_growth_plant_init(this, sizeof(tree_growth_plant)); }
+};
+
+struct GrowthWorld : tree_growth_world {
+    GrowthWorld() : tree_growth_world{} { tree_growth_world_init(this, sizeof(tree_growth_world)); }
 };
 
 struct HullColumns : tree_hull_columns {
@@ -1383,6 +1473,32 @@ struct PlanColumns : tree_plan_columns {
     PlanColumns() : tree_plan_columns{} { struct_size = sizeof *this; }
 };
 
+struct PlasticColumns : tree_plastic_columns {
+    PlasticColumns() : tree_plastic_columns{} { struct_size = sizeof *this; }
+};
+
+struct PlasticParams : tree_plastic_params {
+    PlasticParams() : tree_plastic_params{} { tree_plastic_params_init(this, sizeof(tree_plastic_params)); }
+    bool check() const;
+};
+
+struct PlasticReport : tree_plastic_report {
+    PlasticReport() : tree_plastic_report{} { struct_size = sizeof *this; }
+};
+
+struct PlasticResponse : tree_plastic_response {
+    PlasticResponse() : tree_plastic_response{} { tree_plastic_response_init(this, sizeof(tree_plastic_response)); }
+};
+
+struct PlasticSky : tree_plastic_sky {
+    PlasticSky() : tree_plastic_sky{} { tree_plastic_sky_init(this, sizeof(tree_plastic_sky)); }
+    static PlasticSky towards(float azimuth, float elevation);
+};
+
+struct PlasticUpdate : tree_plastic_update {
+    PlasticUpdate() : tree_plastic_update{} { struct_size = sizeof *this; }
+};
+
 struct PlyOptions : tree_ply_options {
     PlyOptions() : tree_ply_options{} { tree_ply_options_init(this, sizeof(tree_ply_options)); }
 };
@@ -1423,6 +1539,19 @@ struct RadiusRule : tree_radius_rule {
 
 struct RevolvedFrame : tree_revolved_frame {
     RevolvedFrame() : tree_revolved_frame{} { struct_size = sizeof *this; }
+};
+
+struct ScanParams : tree_scan_params {
+    ScanParams() : tree_scan_params{} { tree_scan_params_init(this, sizeof(tree_scan_params)); }
+    bool check() const;
+};
+
+struct ScanReport : tree_scan_report {
+    ScanReport() : tree_scan_report{} { struct_size = sizeof *this; }
+};
+
+struct ScannedColumns : tree_scanned_columns {
+    ScannedColumns() : tree_scanned_columns{} { struct_size = sizeof *this; }
 };
 
 struct SceneFrame : tree_scene_frame {
@@ -1719,6 +1848,14 @@ struct WordHistory : tree_word_history {
     WordHistory() : tree_word_history{} { struct_size = sizeof *this; }
 };
 
+class Adapted : public detail::Object<tree_adapted, tree_adapted_free> {
+public:
+    using Object::Object;
+    Tree tree() const;
+    AdaptedColumns view() const &;
+    AdaptedColumns view() const && = delete;
+};
+
 class Adt : public detail::Object<tree_adt, tree_adt_free> {
 public:
     using Object::Object;
@@ -1860,6 +1997,16 @@ public:
     Grid solve(Span<const tree_particle_view> views, Ref<tree_density_params> params, Ref<tree_control> control, tree_density_report *report, Span<tree_density_view> rows) const;
 };
 
+class Cloud : public detail::Object<tree_cloud, tree_cloud_free> {
+public:
+    using Object::Object;
+    static Cloud read(std::string_view path, Ref<tree_control> control = nullptr);
+    static Cloud from_bytes(tree_cloud_format format, Span<const uint8_t> data, Ref<tree_control> control = nullptr);
+    CloudColumns view() const &;
+    CloudColumns view() const && = delete;
+    Scanned skeletonize_cloud(Ref<tree_scan_params> params = nullptr, Ref<tree_control> control = nullptr, tree_scan_report *report = nullptr) const;
+};
+
 class Crossings : public detail::Object<tree_crossings, tree_crossings_free> {
 public:
     using Object::Object;
@@ -1920,6 +2067,24 @@ public:
     static Drawings from_ndjson(std::string_view ndjson, Ref<tree_control> control = nullptr);
     size_t count() const;
     Drawing at(size_t index) const;
+};
+
+class EditPairs : public detail::Object<tree_edit_pairs, tree_edit_pairs_free> {
+public:
+    using Object::Object;
+    Span<const tree_edit_pair> view() const &;
+    Span<const tree_edit_pair> view() const && = delete;
+};
+
+class EditTree : public detail::Object<tree_edit_tree, tree_edit_tree_free> {
+public:
+    using Object::Object;
+    EditDistance distance(const EditTree &second, Ref<tree_edit_costs> costs = nullptr, Ref<tree_control> control = nullptr) const;
+    std::tuple<EditDistance, EditPairs> distance_pairs(const EditTree &second, Ref<tree_edit_costs> costs = nullptr, Ref<tree_control> control = nullptr) const;
+    static EditTree of_skeleton(const Skeleton &skeleton, Ref<tree_edit_params> params = nullptr);
+    static EditTree from_columns(Ref<tree_edit_columns> columns, Ref<tree_control> control = nullptr);
+    EditColumns view() const &;
+    EditColumns view() const && = delete;
 };
 
 class Elements : public detail::Object<tree_elements, tree_elements_free> {
@@ -2046,6 +2211,31 @@ public:
     bool sample(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
     std::vector<float> nearest(Span<const float> points, Ref<tree_control> control = nullptr) const;
     bool nearest(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
+};
+
+class Grown : public detail::Object<tree_grown, tree_grown_free> {
+public:
+    using Object::Object;
+    Tree tree() const;
+    GrownColumns view() const &;
+    GrownColumns view() const && = delete;
+};
+
+class Growth : public detail::Object<tree_growth, tree_growth_free> {
+public:
+    using Object::Object;
+    static Grown grow(Ref<tree_growth_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
+    static size_t preset_count();
+    static std::string_view preset_name(size_t index);
+    static GrowthParams preset(std::string_view name);
+    static Growth make(Ref<tree_growth_world> world, Span<const tree_growth_plant> plants, uint64_t seed, Ref<tree_control> control = nullptr);
+    static Growth stand(Ref<tree_growth_world> world, Span<const tree_growth_plant> plants, uint32_t iterations, uint64_t seed, Ref<tree_control> control = nullptr);
+    bool step(uint32_t iterations, Ref<tree_control> control = nullptr) const;
+    GrowthCounts measure() const;
+    std::vector<float> light(Span<const float> points, Ref<tree_control> control = nullptr) const;
+    bool light(Span<const float> points, Ref<tree_control> control, Span<float> light) const;
+    Grown grown(size_t index, Ref<tree_control> control = nullptr) const;
+    Growth copy() const;
 };
 
 class Hull : public detail::Object<tree_hull, tree_hull_free> {
@@ -2544,6 +2734,53 @@ public:
     bool points_from_drawing(Span<const float> spots, Ref<tree_control> control, Span<float> planned) const;
 };
 
+class Plastic : public detail::Object<tree_plastic, tree_plastic_free> {
+public:
+    using Object::Object;
+    static Plastic make(const Tree &tree, Ref<tree_plastic_params> params = nullptr, Ref<tree_control> control = nullptr, tree_plastic_report *report = nullptr);
+    PlasticReport measure() const;
+    PlasticParams get_params() const;
+    Tree tree() const;
+    PlasticColumns view() const &;
+    PlasticColumns view() const && = delete;
+};
+
+class PlasticClusters : public detail::Object<tree_plastic_clusters, tree_plastic_clusters_free> {
+public:
+    using Object::Object;
+    static PlasticClusters of_season(const Plastic &plastic, uint32_t season);
+    Span<const tree_plastic_cluster> view() const &;
+    Span<const tree_plastic_cluster> view() const && = delete;
+};
+
+class PlasticScene : public detail::Object<tree_plastic_scene, tree_plastic_scene_free> {
+public:
+    using Object::Object;
+    Adapted adapted(uint64_t id, Ref<tree_control> control = nullptr, tree_adapted_report *report = nullptr) const;
+    PlasticClusters clusters(uint64_t id) const;
+    uint64_t add_tree(const Plastic &plastic, const tree_pose &pose) const;
+    bool move_tree(uint64_t id, const tree_pose &pose) const;
+    bool remove_tree(uint64_t id) const;
+    uint64_t add_obstacle(const Volume &volume, const tree_pose &pose) const;
+    bool move_obstacle(uint64_t id, const tree_pose &pose) const;
+    bool remove_obstacle(uint64_t id) const;
+    PlasticSky get_sky() const;
+    PlasticResponse get_response() const;
+    Span<const uint64_t> trees() const &;
+    Span<const uint64_t> trees() const && = delete;
+    Span<const uint64_t> obstacles() const &;
+    Span<const uint64_t> obstacles() const && = delete;
+    Span<const uint64_t> changed() const &;
+    Span<const uint64_t> changed() const && = delete;
+    tree_pose pose(uint64_t id) const;
+    Plastic model(uint64_t id) const;
+    static PlasticScene make(Ref<tree_plastic_sky> sky = nullptr, Ref<tree_plastic_response> response = nullptr);
+    PlasticScene copy() const;
+    bool set_sky(Ref<tree_plastic_sky> sky = nullptr) const;
+    bool set_response(Ref<tree_plastic_response> response = nullptr) const;
+    PlasticUpdate update(Ref<tree_control> control = nullptr) const;
+};
+
 class Pool : public detail::Object<tree_pool, tree_pool_free> {
 public:
     using Object::Object;
@@ -2610,6 +2847,16 @@ public:
     using Object::Object;
     Span<const uint32_t> view() const &;
     Span<const uint32_t> view() const && = delete;
+};
+
+class Scanned : public detail::Object<tree_scanned, tree_scanned_free> {
+public:
+    using Object::Object;
+    size_t count() const;
+    Skeleton skeleton(size_t index) const;
+    ScannedColumns view(size_t index) const &;
+    ScannedColumns view(size_t index) const && = delete;
+    std::tuple<float, size_t> bridge(size_t index) const;
 };
 
 class Scene : public detail::Object<tree_scene, tree_scene_free> {
@@ -2700,6 +2947,8 @@ public:
     bool radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule, Span<float> radii) const;
     std::vector<uint64_t> strands(Ref<tree_radius_rule> rule = nullptr) const;
     bool strands(Ref<tree_radius_rule> rule, Span<uint64_t> strands) const;
+    EditDistance distance(const Skeleton &second, Ref<tree_edit_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    std::tuple<EditDistance, EditPairs> distance_pairs(const Skeleton &second, Ref<tree_edit_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     WindBranches wind_branches(tree_continuation continuation) const;
     Capsules capsules(Ref<tree_capsule_params> params = nullptr, Ref<tree_control> control = nullptr, tree_capsule_report *report = nullptr) const;
     std::tuple<Rows, Skeleton> refine(float bearing, float spacing, Ref<tree_control> control = nullptr) const;
@@ -2707,6 +2956,8 @@ public:
     bool leaf_bearers_nearest(const Elements &elements, Ref<tree_control> control, Span<uint32_t> bearers) const;
     Word to_word(Ref<tree_foliage> foliage = nullptr, Ref<tree_chain_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     Tree grow_crown(const Grid &density, Span<const tree_particle_view> views, float height, Ref<tree_finish_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_crown_report *report = nullptr) const;
+    std::tuple<std::vector<uint16_t>, std::vector<float>, size_t> ages(float internode, uint32_t most) const;
+    size_t ages(float internode, uint32_t most, Span<uint16_t> seasons, Span<float> rates) const;
     static Skeleton from_columns(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static std::tuple<std::vector<uint32_t>, Skeleton> from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control = nullptr);
     static Skeleton from_unordered(Ref<tree_skeleton_columns> columns, Ref<tree_control> control, Span<uint32_t> rows);
@@ -3096,6 +3347,7 @@ ArrangementNumbers arrangement_measure(const tree_arrangement &arrangement);
 tree_domain domain_drawn(float along, bool left);
 bool domain_contains(const tree_domain &domain, float along, float azimuth);
 float domain_outside(const tree_domain &domain, float azimuth);
+Scanned skeletonize_scan(Span<const double> points, Ref<tree_scan_params> params = nullptr, Ref<tree_control> control = nullptr, tree_scan_report *report = nullptr);
 Tree skeletonize(Span<const tree_mesh_part> parts, Ref<tree_skeletonize_params> params = nullptr, Ref<tree_control> control = nullptr, tree_skeletonize_report *report = nullptr);
 size_t exemplar_count();
 std::tuple<std::string_view, std::string_view, std::string_view> exemplar_name(size_t index);
@@ -3193,6 +3445,49 @@ inline Cancel Cancel::make() {
 }
 inline bool Cancel::set() const {
     return detail::done(tree_cancel_set(get()));
+}
+inline Span<const tree_edit_pair> EditPairs::view() const & {
+    const tree_edit_pair *rows = nullptr;
+    size_t n_pairs = 0;
+    detail::done(tree_edit_pairs_view(get(), &rows, &n_pairs));
+    return Span<const tree_edit_pair>(rows, n_pairs);
+}
+inline EditDistance Skeleton::distance(const Skeleton &second, Ref<tree_edit_params> params, Ref<tree_control> control) const {
+    EditDistance distance;
+    if (!(detail::done(tree_skeleton_distance(get(), second.get(), params, control, &distance), control))) { distance.struct_size = 0; }
+    return distance;
+}
+inline std::tuple<EditDistance, EditPairs> Skeleton::distance_pairs(const Skeleton &second, Ref<tree_edit_params> params, Ref<tree_control> control) const {
+    EditDistance distance;
+    EditPairs pairs;
+    if (!(detail::done(tree_skeleton_distance_pairs(get(), second.get(), params, control, &distance, pairs.place()), control))) { distance.struct_size = 0; }
+    return {std::move(distance), std::move(pairs)};
+}
+inline EditDistance EditTree::distance(const EditTree &second, Ref<tree_edit_costs> costs, Ref<tree_control> control) const {
+    EditDistance distance;
+    if (!(detail::done(tree_edit_tree_distance(get(), second.get(), costs, control, &distance), control))) { distance.struct_size = 0; }
+    return distance;
+}
+inline std::tuple<EditDistance, EditPairs> EditTree::distance_pairs(const EditTree &second, Ref<tree_edit_costs> costs, Ref<tree_control> control) const {
+    EditDistance distance;
+    EditPairs pairs;
+    if (!(detail::done(tree_edit_tree_distance_pairs(get(), second.get(), costs, control, &distance, pairs.place()), control))) { distance.struct_size = 0; }
+    return {std::move(distance), std::move(pairs)};
+}
+inline EditTree EditTree::of_skeleton(const Skeleton &skeleton, Ref<tree_edit_params> params) {
+    EditTree tree;
+    detail::done(tree_edit_tree_of_skeleton(skeleton.get(), params, tree.place()));
+    return tree;
+}
+inline EditTree EditTree::from_columns(Ref<tree_edit_columns> columns, Ref<tree_control> control) {
+    EditTree tree;
+    detail::done(tree_edit_tree_from_columns(columns, control, tree.place()), control);
+    return tree;
+}
+inline EditColumns EditTree::view() const & {
+    EditColumns columns;
+    if (!(detail::done(tree_edit_tree_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
 }
 inline BranchMotion Mesh::branch_motion(size_t branch) const {
     BranchMotion motion;
@@ -3400,6 +3695,76 @@ inline std::tuple<Rows, Skeleton> Skeleton::refine(float bearing, float spacing,
 }
 inline bool TwigParams::check() const {
     return detail::done(tree_twig_params_check(this));
+}
+inline Grown Growth::grow(Ref<tree_growth_params> params, uint64_t seed, Ref<tree_control> control) {
+    Grown grown;
+    detail::done(tree_growth_grow(params, seed, control, grown.place()), control);
+    return grown;
+}
+inline Tree Grown::tree() const {
+    Tree tree;
+    detail::done(tree_grown_tree(get(), tree.place()));
+    return tree;
+}
+inline GrownColumns Grown::view() const & {
+    GrownColumns columns;
+    if (!(detail::done(tree_grown_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline bool GrowthParams::check() const {
+    return detail::done(tree_growth_params_check(this));
+}
+inline size_t Growth::preset_count() {
+    return tree_growth_preset_count();
+}
+inline std::string_view Growth::preset_name(size_t index) {
+    tree_str name{};
+    detail::done(tree_growth_preset_name(index, &name));
+    return detail::text(name);
+}
+inline GrowthParams Growth::preset(std::string_view name) {
+    GrowthParams params;
+    if (!(detail::done(tree_growth_preset(name.data() ? name.data() : "", name.size(), &params, sizeof(tree_growth_params))))) { params.struct_size = 0; }
+    return params;
+}
+inline Growth Growth::make(Ref<tree_growth_world> world, Span<const tree_growth_plant> plants, uint64_t seed, Ref<tree_control> control) {
+    Growth growth;
+    detail::done(tree_growth_new(world, plants.data(), plants.size(), seed, control, growth.place()), control);
+    return growth;
+}
+inline Growth Growth::stand(Ref<tree_growth_world> world, Span<const tree_growth_plant> plants, uint32_t iterations, uint64_t seed, Ref<tree_control> control) {
+    Growth growth;
+    detail::done(tree_growth_stand(world, plants.data(), plants.size(), iterations, seed, control, growth.place()), control);
+    return growth;
+}
+inline bool Growth::step(uint32_t iterations, Ref<tree_control> control) const {
+    return detail::done(tree_growth_step(get(), iterations, control), control);
+}
+inline GrowthCounts Growth::measure() const {
+    GrowthCounts counts;
+    if (!(detail::done(tree_growth_measure(get(), &counts)))) { counts.struct_size = 0; }
+    return counts;
+}
+inline std::vector<float> Growth::light(Span<const float> points, Ref<tree_control> control) const {
+    std::vector<float> light(points.size() / 3);
+    if (!(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_growth_light(get(), points.data(), points.size() / 3, control, light.data()), control))) { light.clear(); }
+    return light;
+}
+inline bool Growth::light(Span<const float> points, Ref<tree_control> control, Span<float> light) const {
+    return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::expect((!light.data() || light.size() >= (points.size() / 3)), TREE_ERROR_BUFFER, "light: not room enough")
+        && detail::done(tree_growth_light(get(), points.data(), points.size() / 3, control, light.data()), control);
+}
+inline Grown Growth::grown(size_t index, Ref<tree_control> control) const {
+    Grown grown;
+    detail::done(tree_growth_grown(get(), index, control, grown.place()), control);
+    return grown;
+}
+inline Growth Growth::copy() const {
+    Growth copy;
+    detail::done(tree_growth_copy(get(), copy.place()));
+    return copy;
 }
 inline HybridChoice HybridChoice::make(const Hybrid &hybrid) {
     HybridChoice choice;
@@ -3796,6 +4161,21 @@ inline Span<const uint8_t> Bytes::view() const & {
     size_t len = 0;
     detail::done(tree_bytes_view(get(), &data, &len));
     return Span<const uint8_t>(data, len);
+}
+inline Cloud Cloud::read(std::string_view path, Ref<tree_control> control) {
+    Cloud cloud;
+    detail::done(tree_cloud_read(path.data() ? path.data() : "", path.size(), control, cloud.place()), control);
+    return cloud;
+}
+inline Cloud Cloud::from_bytes(tree_cloud_format format, Span<const uint8_t> data, Ref<tree_control> control) {
+    Cloud cloud;
+    detail::done(tree_cloud_from_bytes(format, data.data(), data.size(), control, cloud.place()), control);
+    return cloud;
+}
+inline CloudColumns Cloud::view() const & {
+    CloudColumns columns;
+    if (!(detail::done(tree_cloud_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
 }
 inline bool Mesh::write_glb(std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
     return detail::done(tree_mesh_write_glb(get(), path.data() ? path.data() : "", path.size(), options, control), control);
@@ -5959,6 +6339,163 @@ inline TrimapColumns Trimap::view() const & {
     if (!(detail::done(tree_trimap_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
+inline Adapted PlasticScene::adapted(uint64_t id, Ref<tree_control> control, tree_adapted_report *report) const {
+    Adapted adapted;
+    detail::done(tree_plastic_scene_adapted(get(), id, control, report, adapted.place()), control);
+    return adapted;
+}
+inline Tree Adapted::tree() const {
+    Tree tree;
+    detail::done(tree_adapted_tree(get(), tree.place()));
+    return tree;
+}
+inline AdaptedColumns Adapted::view() const & {
+    AdaptedColumns columns;
+    if (!(detail::done(tree_adapted_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline Plastic Plastic::make(const Tree &tree, Ref<tree_plastic_params> params, Ref<tree_control> control, tree_plastic_report *report) {
+    Plastic plastic;
+    detail::done(tree_plastic_new(tree.get(), params, control, report, plastic.place()), control);
+    return plastic;
+}
+inline PlasticReport Plastic::measure() const {
+    PlasticReport report;
+    if (!(detail::done(tree_plastic_measure(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline PlasticParams Plastic::get_params() const {
+    PlasticParams params;
+    if (!(detail::done(tree_plastic_get_params(get(), &params)))) { params.struct_size = 0; }
+    return params;
+}
+inline Tree Plastic::tree() const {
+    Tree tree;
+    detail::done(tree_plastic_tree(get(), tree.place()));
+    return tree;
+}
+inline PlasticColumns Plastic::view() const & {
+    PlasticColumns columns;
+    if (!(detail::done(tree_plastic_view(get(), &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline PlasticClusters PlasticClusters::of_season(const Plastic &plastic, uint32_t season) {
+    PlasticClusters clusters;
+    detail::done(tree_plastic_clusters_of_season(plastic.get(), season, clusters.place()));
+    return clusters;
+}
+inline PlasticClusters PlasticScene::clusters(uint64_t id) const {
+    PlasticClusters clusters;
+    detail::done(tree_plastic_scene_clusters(get(), id, clusters.place()));
+    return clusters;
+}
+inline Span<const tree_plastic_cluster> PlasticClusters::view() const & {
+    const tree_plastic_cluster *rows = nullptr;
+    size_t n_rows = 0;
+    detail::done(tree_plastic_clusters_view(get(), &rows, &n_rows));
+    return Span<const tree_plastic_cluster>(rows, n_rows);
+}
+inline uint64_t PlasticScene::add_tree(const Plastic &plastic, const tree_pose &pose) const {
+    uint64_t id{};
+    detail::done(tree_plastic_scene_add_tree(get(), plastic.get(), &pose, &id));
+    return id;
+}
+inline bool PlasticScene::move_tree(uint64_t id, const tree_pose &pose) const {
+    return detail::done(tree_plastic_scene_move_tree(get(), id, &pose));
+}
+inline bool PlasticScene::remove_tree(uint64_t id) const {
+    return detail::done(tree_plastic_scene_remove_tree(get(), id));
+}
+inline uint64_t PlasticScene::add_obstacle(const Volume &volume, const tree_pose &pose) const {
+    uint64_t id{};
+    detail::done(tree_plastic_scene_add_obstacle(get(), volume.get(), &pose, &id));
+    return id;
+}
+inline bool PlasticScene::move_obstacle(uint64_t id, const tree_pose &pose) const {
+    return detail::done(tree_plastic_scene_move_obstacle(get(), id, &pose));
+}
+inline bool PlasticScene::remove_obstacle(uint64_t id) const {
+    return detail::done(tree_plastic_scene_remove_obstacle(get(), id));
+}
+inline bool PlasticParams::check() const {
+    return detail::done(tree_plastic_params_check(this));
+}
+inline PlasticSky PlasticScene::get_sky() const {
+    PlasticSky sky;
+    if (!(detail::done(tree_plastic_scene_get_sky(get(), &sky)))) { sky.struct_size = 0; }
+    return sky;
+}
+inline PlasticResponse PlasticScene::get_response() const {
+    PlasticResponse response;
+    if (!(detail::done(tree_plastic_scene_get_response(get(), &response)))) { response.struct_size = 0; }
+    return response;
+}
+inline Span<const uint64_t> PlasticScene::trees() const & {
+    const uint64_t *ids = nullptr;
+    size_t n_ids = 0;
+    detail::done(tree_plastic_scene_trees(get(), &ids, &n_ids));
+    return Span<const uint64_t>(ids, n_ids);
+}
+inline Span<const uint64_t> PlasticScene::obstacles() const & {
+    const uint64_t *ids = nullptr;
+    size_t n_ids = 0;
+    detail::done(tree_plastic_scene_obstacles(get(), &ids, &n_ids));
+    return Span<const uint64_t>(ids, n_ids);
+}
+inline Span<const uint64_t> PlasticScene::changed() const & {
+    const uint64_t *ids = nullptr;
+    size_t n_ids = 0;
+    detail::done(tree_plastic_scene_changed(get(), &ids, &n_ids));
+    return Span<const uint64_t>(ids, n_ids);
+}
+inline tree_pose PlasticScene::pose(uint64_t id) const {
+    tree_pose pose{};
+    detail::done(tree_plastic_scene_pose(get(), id, &pose));
+    return pose;
+}
+inline Plastic PlasticScene::model(uint64_t id) const {
+    Plastic plastic;
+    detail::done(tree_plastic_scene_model(get(), id, plastic.place()));
+    return plastic;
+}
+inline PlasticScene PlasticScene::make(Ref<tree_plastic_sky> sky, Ref<tree_plastic_response> response) {
+    PlasticScene scene;
+    detail::done(tree_plastic_scene_new(sky, response, scene.place()));
+    return scene;
+}
+inline PlasticScene PlasticScene::copy() const {
+    PlasticScene copy;
+    detail::done(tree_plastic_scene_copy(get(), copy.place()));
+    return copy;
+}
+inline bool PlasticScene::set_sky(Ref<tree_plastic_sky> sky) const {
+    return detail::done(tree_plastic_scene_set_sky(get(), sky));
+}
+inline bool PlasticScene::set_response(Ref<tree_plastic_response> response) const {
+    return detail::done(tree_plastic_scene_set_response(get(), response));
+}
+inline PlasticUpdate PlasticScene::update(Ref<tree_control> control) const {
+    PlasticUpdate update;
+    if (!(detail::done(tree_plastic_scene_update(get(), control, &update), control))) { update.struct_size = 0; }
+    return update;
+}
+inline std::tuple<std::vector<uint16_t>, std::vector<float>, size_t> Skeleton::ages(float internode, uint32_t most) const {
+    std::vector<uint16_t> seasons(view().n_nodes);
+    std::vector<float> rates(view().n_nodes);
+    size_t n_seasons{};
+    if (!(detail::done(tree_skeleton_ages(get(), internode, most, seasons.data(), rates.data(), detail::shortest({{seasons.data(), seasons.size()}, {rates.data(), rates.size()}}), &n_seasons)))) { seasons.clear(); rates.clear(); }
+    return {std::move(seasons), std::move(rates), std::move(n_seasons)};
+}
+inline size_t Skeleton::ages(float internode, uint32_t most, Span<uint16_t> seasons, Span<float> rates) const {
+    size_t n_seasons{};
+    detail::done(tree_skeleton_ages(get(), internode, most, seasons.data(), rates.data(), detail::shortest({{seasons.data(), seasons.size()}, {rates.data(), rates.size()}}), &n_seasons));
+    return n_seasons;
+}
+inline PlasticSky PlasticSky::towards(float azimuth, float elevation) {
+    PlasticSky sky;
+    if (!(detail::done(tree_plastic_sky_towards(&sky, sizeof(tree_plastic_sky), azimuth, elevation)))) { sky.struct_size = 0; }
+    return sky;
+}
 inline Pool Pool::make(Ref<tree_pool_options> options) {
     Pool pool;
     detail::done(tree_pool_new(options, pool.place()));
@@ -6797,6 +7334,41 @@ inline Bytes Skeleton::to_swc(Ref<tree_swc_options> options) const {
     Bytes text;
     detail::done(tree_skeleton_to_swc(get(), options, text.place()));
     return text;
+}
+inline bool ScanParams::check() const {
+    return detail::done(tree_scan_params_check(this));
+}
+inline Scanned skeletonize_scan(Span<const double> points, Ref<tree_scan_params> params, Ref<tree_control> control, tree_scan_report *report) {
+    Scanned scanned;
+    static_cast<void>(detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
+        && detail::done(tree_skeletonize_scan(points.data(), points.size() / 3, params, control, report, scanned.place()), control));
+    return scanned;
+}
+inline Scanned Cloud::skeletonize_cloud(Ref<tree_scan_params> params, Ref<tree_control> control, tree_scan_report *report) const {
+    Scanned scanned;
+    detail::done(tree_skeletonize_cloud(get(), params, control, report, scanned.place()), control);
+    return scanned;
+}
+inline size_t Scanned::count() const {
+    size_t n_trees{};
+    detail::done(tree_scanned_count(get(), &n_trees));
+    return n_trees;
+}
+inline Skeleton Scanned::skeleton(size_t index) const {
+    Skeleton skeleton;
+    detail::done(tree_scanned_skeleton(get(), index, skeleton.place()));
+    return skeleton;
+}
+inline ScannedColumns Scanned::view(size_t index) const & {
+    ScannedColumns columns;
+    if (!(detail::done(tree_scanned_view(get(), index, &columns)))) { columns.struct_size = 0; }
+    return columns;
+}
+inline std::tuple<float, size_t> Scanned::bridge(size_t index) const {
+    float length{};
+    size_t n_points{};
+    detail::done(tree_scanned_bridge(get(), index, &length, &n_points));
+    return {std::move(length), std::move(n_points)};
 }
 inline FoundLeaves Separation::leaves(const Skeleton &skeleton, Ref<tree_control> control) const {
     FoundLeaves leaves;

@@ -15,6 +15,11 @@ using System.Runtime.InteropServices;
 namespace TreeFamily.Native
 {
     /// <summary>
+    /// A tree of a scene as it was when it was asked for, with branchlets and leaves, and what became of the input's nodes.
+    /// </summary>
+    public struct tree_adapted { }
+
+    /// <summary>
     /// The branches of a chain of modules or of a skeleton, with their modules, lengths and children (the paper's *tree
     /// abstract data type*). Branch 0 is the root, and parents come before their children.
     /// </summary>
@@ -86,6 +91,11 @@ namespace TreeFamily.Native
     public struct tree_carved { }
 
     /// <summary>
+    /// A cloud of points, as laser scanners give it.
+    /// </summary>
+    public struct tree_cloud { }
+
+    /// <summary>
     /// Triangles of a surface that cross each other.
     /// </summary>
     public struct tree_crossings { }
@@ -110,6 +120,17 @@ namespace TreeFamily.Native
     /// Drawings of one file.
     /// </summary>
     public struct tree_drawings { }
+
+    /// <summary>
+    /// Pairs of nodes that are changed into one another: all others are deleted or inserted.
+    /// </summary>
+    public struct tree_edit_pairs { }
+
+    /// <summary>
+    /// A rooted tree with a weight for every node, to be compared with many others: a skeleton, perhaps with runs or axes
+    /// as one node each, or any tree of your own.
+    /// </summary>
+    public struct tree_edit_tree { }
 
     /// <summary>
     /// The elements of a mesh: what is dropped and scaled as one, such as a leaf or a card. There is always at
@@ -165,6 +186,19 @@ namespace TreeFamily.Native
     /// optical depth per metre: looking through d metres of density x shows a matte of 1 - exp(-x d).
     /// </summary>
     public struct tree_grid { }
+
+    /// <summary>
+    /// A grown tree, the ages of its nodes, and what happened in each iteration.
+    /// </summary>
+    public struct tree_grown { }
+
+    /// <summary>
+    /// Trees that compete for the same light or space, in the middle of their growth.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work on it,
+    /// from a progress callback too, is `TREE_ERROR_ORDER`. The trees it hands out do not change with it.
+    /// </summary>
+    public struct tree_growth { }
 
     /// <summary>
     /// A surface around a plant: closed, facing outwards, in several pieces where points are far apart.
@@ -342,6 +376,31 @@ namespace TreeFamily.Native
     public struct tree_plan { }
 
     /// <summary>
+    /// A tree, read so that it can react: its main branches with the seasons in which they grew, its leaf clusters in every
+    /// season and the light they had, what its branches would be without tropisms, and on how little light they live. Made
+    /// once, and planted as often as you like.
+    /// </summary>
+    public struct tree_plastic { }
+
+    /// <summary>
+    /// The leaf clusters of a tree at one time: a copy.
+    /// </summary>
+    public struct tree_plastic_clusters { }
+
+    /// <summary>
+    /// Trees, obstacles and a sky. Edits are checked at once, and leave the scene as it was where they are refused;
+    /// `tree_plastic_scene_update` works out what all edits since the last one mean, and no more than that.
+    ///
+    /// What the trees look like depends on the scene alone, not on how it came about: an obstacle that is moved away leaves
+    /// no trace. Trees and obstacles are named by ids, which are not used again after they are removed.
+    ///
+    /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work on it,
+    /// from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it, and outlives
+    /// it; ids that are viewed stay until the next edit or update.
+    /// </summary>
+    public struct tree_plastic_scene { }
+
+    /// <summary>
     /// Threads that do the work of the calls it is given to (`tree_control.pool`). What calls make does not
     /// depend on it. A plug-in that may be unloaded gives every call a pool and frees it before that: the
     /// threads of calls without a pool never end.
@@ -369,6 +428,11 @@ namespace TreeFamily.Native
     /// or the tips of a graph; for each row of a tree with levels the row of the tree it was made of.
     /// </summary>
     public struct tree_rows { }
+
+    /// <summary>
+    /// The trees of a cloud of points.
+    /// </summary>
+    public struct tree_scanned { }
 
     /// <summary>
     /// Tree models, and where they stand (Neubert 2012, 7.2.5 and 7.4). Make one `tree_scene_state` for each view of it.
@@ -543,6 +607,14 @@ namespace TreeFamily.Native
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int tree_progress_fn(void* user, byte* stage, float fraction);
+
+    /// <summary>
+    /// What an edit costs, finite and 0 or more: changing node `first` of the first tree into node `second` of the second;
+    /// deleting `first` where `second` is `TREE_NO_PARENT`; inserting `second` where `first` is. Called from one thread at
+    /// a time, once for each pair; must not unwind.
+    /// </summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate double tree_edit_cost_fn(void* user, uint first, uint second);
 
     /// <summary>
     /// How densely leaves or twigs stand at `position`, three floats in metres: 0 none, 1 as the parameters
@@ -751,6 +823,122 @@ namespace TreeFamily.Native
         /// Threads that do the work. Default NULL: one for each core, shared by all calls.
         /// </summary>
         public tree_pool* pool;
+    }
+
+    /// <summary>
+    /// What edits cost. Begin with `tree_edit_costs_init`. For a metric, changing costs at most deleting plus inserting, is
+    /// symmetric, and obeys the triangle inequality.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_edit_costs
+    {
+        /// <summary>
+        /// `sizeof(tree_edit_costs)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Costs of single edits. Default NULL: deleting and inserting cost the weight, changing the difference of the
+        /// weights.
+        /// </summary>
+        public IntPtr cost;
+        /// <summary>
+        /// Handed to `cost`.
+        /// </summary>
+        public void* user;
+    }
+
+    /// <summary>
+    /// Two nodes that are changed into one another.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_edit_pair
+    {
+        /// <summary>
+        /// A node of the first tree.
+        /// </summary>
+        public uint first;
+        /// <summary>
+        /// A node of the second tree.
+        /// </summary>
+        public uint second;
+    }
+
+    /// <summary>
+    /// How trees are compared. Begin with `tree_edit_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_edit_params
+    {
+        /// <summary>
+        /// `sizeof(tree_edit_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// What a node weighs. Default `TREE_EDIT_WEIGHT_RADIUS`.
+        /// </summary>
+        public uint weight; // tree_edit_weight
+        /// <summary>
+        /// What becomes one node. Default `TREE_EDIT_REDUCTION_RUNS`.
+        /// </summary>
+        public uint reduction; // tree_edit_reduction
+    }
+
+    /// <summary>
+    /// How far apart two trees are.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_edit_distance
+    {
+        /// <summary>
+        /// `sizeof(tree_edit_distance)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The least cost, in the unit of the weights or of your own costs.
+        /// </summary>
+        public double value;
+        /// <summary>
+        /// 2 d / (a + b + d) for the weights a and b of the trees and the cost d, 0 to 1: 0 for equal trees, 1 where nothing
+        /// of one is left in the other. A metric, too.
+        /// </summary>
+        public double normalised;
+        /// <summary>
+        /// What deleting the first tree and what inserting the second costs.
+        /// </summary>
+        public fixed double weights[2];
+        /// <summary>
+        /// Nodes compared, after the reduction.
+        /// </summary>
+        public fixed ulong n_nodes[2];
+    }
+
+    /// <summary>
+    /// A tree that is compared, in columns: as input, or as a view.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_edit_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_edit_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes, at least 1.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// One for each node: its parent, which comes before it; `TREE_NO_PARENT` for node 0 alone.
+        /// </summary>
+        public uint* parents;
+        /// <summary>
+        /// One for each node: its weight, finite and 0 or more.
+        /// </summary>
+        public double* weights;
+        /// <summary>
+        /// One for each node: the uppermost of the skeleton's nodes that it stands for; of a tree of columns, the node itself.
+        /// Not looked at as input.
+        /// </summary>
+        public uint* nodes;
     }
 
     /// <summary>
@@ -1799,6 +1987,410 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// Where trees grow. Nothing grows below the lowest base. Begin with `tree_growth_world_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_growth_world
+    {
+        /// <summary>
+        /// `sizeof(tree_growth_world)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// By space: where there are markers, the crown. Default NULL: everywhere.
+        /// </summary>
+        public tree_volume* crown;
+        /// <summary>
+        /// What no branch may enter, and what hides the sky. Default NULL.
+        /// </summary>
+        public tree_volume* obstacle;
+        /// <summary>
+        /// How buds sense. Default `TREE_GROWTH_BY_LIGHT`.
+        /// </summary>
+        public uint environment; // tree_growth_environment
+        /// <summary>
+        /// By light: edge of a voxel in metres, 0.001 to 100; about one and a half internodes. Default 0.2.
+        /// </summary>
+        public float shadow_voxel;
+        /// <summary>
+        /// By light: shadow in the voxel of the one who casts it, 0 to 4; the open sky gives a light of 1. Default 0.12.
+        /// </summary>
+        public float shadow_strength;
+        /// <summary>
+        /// By light: what divides the shadow with each layer down, 1 to 10. Default 1.4.
+        /// </summary>
+        public float shadow_falloff;
+        /// <summary>
+        /// By light: layers below its own that a metamer shades, 0 to 32; cost grows with the cube. Default 7.
+        /// </summary>
+        public uint shadow_depth;
+        /// <summary>
+        /// By light: how many voxels a bud looks around for the brighter side, 1 to 8; cost grows with the cube. Default 3.
+        /// </summary>
+        public uint shadow_reach;
+        /// <summary>
+        /// By space: radius in metres within which a node leaves no marker, 0.001 to 100; about two internodes. Default 0.24.
+        /// </summary>
+        public float space_occupancy;
+        /// <summary>
+        /// By space: how far a bud sees in metres, 0.001 to 100; four to six internodes. Default 0.6.
+        /// </summary>
+        public float space_perception;
+        /// <summary>
+        /// By space: half the angle of a bud's view in radians, 0.01 to π. Default π/4.
+        /// </summary>
+        public float space_angle;
+        /// <summary>
+        /// By space: markers in a cube of the perception radius, 0.1 to 4096. Default 50.
+        /// </summary>
+        public float space_density;
+        /// <summary>
+        /// Towards the brightest point of the sky; any length but 0. Default 0, 1, 0.
+        /// </summary>
+        public fixed float light[3];
+        /// <summary>
+        /// Light of the open sky, 0 (nothing grows) to 10. Default 1.
+        /// </summary>
+        public float brightness;
+        /// <summary>
+        /// Distance to keep from the obstacle in metres, 0 or more. Default 0.
+        /// </summary>
+        public float clearance;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
+    /// `tree_leaf_names`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_species
+    {
+        /// <summary>
+        /// `sizeof(tree_species)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Name for people and files.
+        /// </summary>
+        public tree_str name;
+        /// <summary>
+        /// Name of the bark.
+        /// </summary>
+        public tree_str bark;
+        /// <summary>
+        /// Names of the leaf kinds.
+        /// </summary>
+        public tree_str* leaf_kinds;
+        /// <summary>
+        /// Number of leaf kinds.
+        /// </summary>
+        public UIntPtr n_leaf_kinds;
+    }
+
+    /// <summary>
+    /// Which way axes turn: weights against the direction in which an axis would go on by itself, which has 1. Each metamer
+    /// turns by them.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_growth_tropisms
+    {
+        /// <summary>
+        /// Towards most light or space, -10 to 10. Default 0.25.
+        /// </summary>
+        public float photo;
+        /// <summary>
+        /// Upwards, -10 to 10; negative: hanging. Default 0.12.
+        /// </summary>
+        public float gravi;
+        /// <summary>
+        /// Towards the horizontal, 0 to 10. Default 0.
+        /// </summary>
+        public float plagio;
+    }
+
+    /// <summary>
+    /// The species' part of a growing tree. Lengths in metres, angles in radians, times in iterations (years, usually). Begin
+    /// with `tree_growth_habit_init`, or with a copy of a preset's own. What those point at belongs to the library, lives
+    /// for ever and is not to be written.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_growth_habit
+    {
+        /// <summary>
+        /// `sizeof(tree_growth_habit)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Leaves; NULL for a bare tree. Default: those of `tree_leaf_params_init`.
+        /// </summary>
+        public tree_leaf_params* leaves;
+        /// <summary>
+        /// Name, bark, and the kinds that `leaves-&gt;kind` counts; NULL for an oak's. Default: an oak's.
+        /// </summary>
+        public tree_species* species;
+        /// <summary>
+        /// Length of an internode at whole vigour, 0.001 to 100; one of vigour v in a shoot of n metamers is v / n times as
+        /// long. Default 0.12.
+        /// </summary>
+        public float internode;
+        /// <summary>
+        /// How axillary buds stand. Default `TREE_PHYLLOTAXIS_SPIRAL`.
+        /// </summary>
+        public uint buds; // tree_phyllotaxis
+        /// <summary>
+        /// Spiral: angle from one bud to the next, -2π to 2π. Default the golden angle, 2.39996.
+        /// </summary>
+        public float divergence;
+        /// <summary>
+        /// Whorled: buds at a node, 3 to 64. No default: 0, which is refused.
+        /// </summary>
+        public uint whorl;
+        /// <summary>
+        /// Only so many of a shoot's topmost metamers bear axillary buds, 1 to 64; 1 with whorled buds makes tiers of branches.
+        /// Default 64: all.
+        /// </summary>
+        public uint bud_zone;
+        /// <summary>
+        /// Iterations after which an axillary bud that has not grown is dead, 0 to 10,000. Default 6.
+        /// </summary>
+        public uint bud_life;
+        /// <summary>
+        /// Angle between an internode and the buds at its end, 0 to π. Default 0.8.
+        /// </summary>
+        public float angle;
+        /// <summary>
+        /// Standard deviation of branching and divergence angles, 0 to 1. Default 0.12.
+        /// </summary>
+        public float jitter;
+        /// <summary>
+        /// Highest order of an axis, 0 (only the trunk) to 255. Default 12.
+        /// </summary>
+        public uint max_order;
+        /// <summary>
+        /// Most metamers a bud makes in one iteration, 1 to 64. Default 6.
+        /// </summary>
+        public uint max_shoot;
+        /// <summary>
+        /// How vigour is shared out. Default `TREE_ALLOCATION_BORCHERT_HONDA`.
+        /// </summary>
+        public uint allocation; // tree_allocation
+        /// <summary>
+        /// Borchert-Honda: λ of a seedling, 0 to 1; above 0.5 the main axis is favoured, below the laterals. 0.46 to 0.54 span
+        /// shrubs to poplars. Default 0.5.
+        /// </summary>
+        public float lambda;
+        /// <summary>
+        /// Borchert-Honda: λ of an old tree, 0 to 1; lower than `lambda` for a crown that opens with age. Default 0.5.
+        /// </summary>
+        public float lambda_late;
+        /// <summary>
+        /// Borchert-Honda: iterations in which λ goes from one to the other, 0 to 10,000. Default 0.
+        /// </summary>
+        public uint lambda_turning;
+        /// <summary>
+        /// Priority: weight of the first rank, 0 to 1000. Default 0.
+        /// </summary>
+        public float priority_first;
+        /// <summary>
+        /// Priority: weight of the last ranks, 0 to 1000. Default 0.
+        /// </summary>
+        public float priority_last;
+        /// <summary>
+        /// Priority: share of the ranks over which the weight falls from one to the other, 0 to 1. Default 0.
+        /// </summary>
+        public float priority_fall;
+        /// <summary>
+        /// Vigour at the base per light that all buds found, 0 to 100. Default 2.
+        /// </summary>
+        public float vigour;
+        /// <summary>
+        /// Which way the trunk turns.
+        /// </summary>
+        public tree_growth_tropisms trunk;
+        /// <summary>
+        /// Which way all other axes turn.
+        /// </summary>
+        public tree_growth_tropisms branches;
+        /// <summary>
+        /// A branch with less light per metamer than this is shed, 0 (never) to 100. Default 0.12.
+        /// </summary>
+        public float shedding;
+        /// <summary>
+        /// Youngest age at which a branch can be shed, 0 to 10,000. Default 2.
+        /// </summary>
+        public uint shedding_age;
+        /// <summary>
+        /// For how long a metamer has leaves and casts shadow, 1 to 10,000. Default 3.
+        /// </summary>
+        public uint leaf_life;
+        /// <summary>
+        /// Radii, by the pipe model: Δ in r₀^Δ = Σ rᵢ^Δ, 1 to 10. Default 2.49.
+        /// </summary>
+        public float radii_exponent;
+        /// <summary>
+        /// Radii: that of every tip in metres, 1e-6 to 100. Default 0.002.
+        /// </summary>
+        public float radii_tip;
+        /// <summary>
+        /// Radii: how much they grow per metre towards the base, 0 to 1. Default 0.002.
+        /// </summary>
+        public float radii_taper;
+        /// <summary>
+        /// Radii: that of the root node in metres, 1e-6 to 100. Default 0: the tips decide.
+        /// </summary>
+        public float radii_trunk;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// Everything that shapes a tree that grows alone. Begin with `tree_growth_params_init`, or with `tree_growth_preset`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_growth_params
+    {
+        /// <summary>
+        /// `sizeof(tree_growth_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where it grows. Default NULL: as `tree_growth_world_init` has it.
+        /// </summary>
+        public tree_growth_world* world;
+        /// <summary>
+        /// What kind of tree it is. Default NULL: as `tree_growth_habit_init` has it.
+        /// </summary>
+        public tree_growth_habit* habit;
+        /// <summary>
+        /// Where it stands, in metres. Default the origin.
+        /// </summary>
+        public fixed float @base[3];
+        /// <summary>
+        /// Iterations, usually years, 0 to 10,000; after 0 there is the seedling's one internode. Default 18.
+        /// </summary>
+        public uint iterations;
+    }
+
+    /// <summary>
+    /// One iteration of one tree.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_growth_year
+    {
+        /// <summary>
+        /// Light that all buds found together.
+        /// </summary>
+        public float light;
+        /// <summary>
+        /// Living buds before it grew.
+        /// </summary>
+        public uint n_buds;
+        /// <summary>
+        /// Buds that grew.
+        /// </summary>
+        public uint n_shoots;
+        /// <summary>
+        /// Shoots cut short by an obstacle or the ground.
+        /// </summary>
+        public uint n_blocked;
+        /// <summary>
+        /// Nodes shed.
+        /// </summary>
+        public uint n_shed;
+        /// <summary>
+        /// Nodes afterwards.
+        /// </summary>
+        public uint n_nodes;
+    }
+
+    /// <summary>
+    /// A view of how a tree grew.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_grown_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_grown_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes of the tree's skeleton.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// One for each node: iterations since its segment grew, 0 for this year's. That of the base is its first
+        /// internode's.
+        /// </summary>
+        public uint* ages;
+        /// <summary>
+        /// One for each node: the Gravelius order of the axis it grew on, 0 for the trunk.
+        /// </summary>
+        public byte* orders;
+        /// <summary>
+        /// Number of iterations.
+        /// </summary>
+        public UIntPtr n_years;
+        /// <summary>
+        /// What happened in each iteration.
+        /// </summary>
+        public tree_growth_year* years;
+    }
+
+    /// <summary>
+    /// A tree to be, and where it stands. Begin with `tree_growth_plant_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_growth_plant
+    {
+        /// <summary>
+        /// `sizeof(tree_growth_plant)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Its kind. Default NULL: as `tree_growth_habit_init` has it.
+        /// </summary>
+        public tree_growth_habit* habit;
+        /// <summary>
+        /// Where it stands, in metres, at most 1,000 km from the origin. Default the origin.
+        /// </summary>
+        public fixed float @base[3];
+        /// <summary>
+        /// Direction of its first internode; any length but 0. Default 0, 1, 0.
+        /// </summary>
+        public fixed float direction[3];
+    }
+
+    /// <summary>
+    /// How far trees have grown.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_growth_counts
+    {
+        /// <summary>
+        /// `sizeof(tree_growth_counts)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Iterations done.
+        /// </summary>
+        public UIntPtr n_iterations;
+        /// <summary>
+        /// Number of trees.
+        /// </summary>
+        public UIntPtr n_plants;
+        /// <summary>
+        /// Nodes of all trees, bases included.
+        /// </summary>
+        public UIntPtr n_nodes;
+    }
+
+    /// <summary>
     /// How much is drawn.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -2754,6 +3346,30 @@ namespace TreeFamily.Native
         /// One for each instance: the branch of the base mesh that bears it.
         /// </summary>
         public uint* branches;
+    }
+
+    /// <summary>
+    /// A view of a cloud of points.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_cloud_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_cloud_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of points.
+        /// </summary>
+        public UIntPtr n_points;
+        /// <summary>
+        /// Three doubles for each point, in the file's own axes and unit. They need not be finite.
+        /// </summary>
+        public double* positions;
+        /// <summary>
+        /// Lines of text that are no points: names, counts and comments.
+        /// </summary>
+        public ulong n_other_lines;
     }
 
     /// <summary>
@@ -4047,35 +4663,6 @@ namespace TreeFamily.Native
         /// Number of triangles.
         /// </summary>
         public UIntPtr n_triangles;
-    }
-
-    /// <summary>
-    /// What kind of tree it is. Built-in looks go by these names; see `tree_bark_names` and
-    /// `tree_leaf_names`.
-    /// </summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_species
-    {
-        /// <summary>
-        /// `sizeof(tree_species)`.
-        /// </summary>
-        public UIntPtr struct_size;
-        /// <summary>
-        /// Name for people and files.
-        /// </summary>
-        public tree_str name;
-        /// <summary>
-        /// Name of the bark.
-        /// </summary>
-        public tree_str bark;
-        /// <summary>
-        /// Names of the leaf kinds.
-        /// </summary>
-        public tree_str* leaf_kinds;
-        /// <summary>
-        /// Number of leaf kinds.
-        /// </summary>
-        public UIntPtr n_leaf_kinds;
     }
 
     /// <summary>
@@ -8198,6 +8785,330 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// What happened to a tree.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_adapted_report
+    {
+        /// <summary>
+        /// `sizeof(tree_adapted_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Main nodes that died.
+        /// </summary>
+        public ulong n_pruned;
+        /// <summary>
+        /// Nodes of branchlets left out, with their branch, in the dark, or in a solid.
+        /// </summary>
+        public ulong n_branchlets_dropped;
+        /// <summary>
+        /// Nodes of branchlets set once more in the light.
+        /// </summary>
+        public ulong n_branchlets_added;
+        /// <summary>
+        /// Leaves left out.
+        /// </summary>
+        public ulong n_leaves_dropped;
+        /// <summary>
+        /// Leaves set once more.
+        /// </summary>
+        public ulong n_leaves_added;
+        /// <summary>
+        /// Farthest that a living node moved, in metres.
+        /// </summary>
+        public float farthest;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of what became of the nodes of the input.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_adapted_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_adapted_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes of the tree.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// One for each node of the tree: the node of the input that it comes from.
+        /// </summary>
+        public uint* source;
+        /// <summary>
+        /// Number of nodes of the input.
+        /// </summary>
+        public UIntPtr n_input_nodes;
+        /// <summary>
+        /// One for each node of the input: how far it moved, in metres; for those that are gone, how far they would have.
+        /// </summary>
+        public float* moved;
+        /// <summary>
+        /// One for each node of the input: the season in which its branch died, or `TREE_PLASTIC_ALIVE`.
+        /// </summary>
+        public uint* died;
+    }
+
+    /// <summary>
+    /// How a tree is analysed. Begin with `tree_plastic_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_params
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Branches at least this share of the trunk's radius are bent and pruned one by one; thinner ones follow them as
+        /// branchlets, 0 to 1. Default 0.04. At 0 every node takes part.
+        /// </summary>
+        public float main;
+        /// <summary>
+        /// Length of an internode in metres, above 0 to 1e6. Default 0: the commonest distance between forks.
+        /// </summary>
+        public float internode;
+        /// <summary>
+        /// Most seasons that are told apart, 1 to 200. Default 40. A tree that has more is told them several at a time.
+        /// </summary>
+        public uint seasons;
+        /// <summary>
+        /// Extent of a leaf cluster along the branches, as a share of the longest way from the root to a tip, 0.02 to 1.
+        /// Default 0.2. Smaller ones follow the light more finely; the cost grows with the square of their number.
+        /// </summary>
+        public float lobe;
+        /// <summary>
+        /// Share of the light that one metre of leaf cluster lets through, 0 to 1. Default 0.5.
+        /// </summary>
+        public float translucency;
+        /// <summary>
+        /// Strength of phototropism over one internode, 0 to 0.9. Default 0.25.
+        /// </summary>
+        public float phototropism;
+        /// <summary>
+        /// Strength of gravitropism over one internode, -0.9 (down) to 0.9 (up). Default 0.12. The two strengths together stay
+        /// under 0.95.
+        /// </summary>
+        public float gravitropism;
+        /// <summary>
+        /// The sky the tree grew under: direction to its brightest point, as in `tree_plastic_sky`. Default 0, 1, 0.
+        /// </summary>
+        public fixed float sky_brightest[3];
+        /// <summary>
+        /// Factor on all its light, 0 to 10. Default 1.
+        /// </summary>
+        public float sky_brightness;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What was found in a tree.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_report
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Nodes of the main branches.
+        /// </summary>
+        public ulong n_main_nodes;
+        /// <summary>
+        /// Nodes that follow them.
+        /// </summary>
+        public ulong n_branchlet_nodes;
+        /// <summary>
+        /// Leaf clusters of the last season.
+        /// </summary>
+        public ulong n_clusters;
+        /// <summary>
+        /// Seasons the tree lived.
+        /// </summary>
+        public uint n_seasons;
+        /// <summary>
+        /// Length of an internode in metres.
+        /// </summary>
+        public float internode;
+        /// <summary>
+        /// How far the middle of the crown leans from above the base, in radians.
+        /// </summary>
+        public float lean;
+        /// <summary>
+        /// 1 where it leans so far that it cannot have grown alone in the open: a warning. The analysis takes a tree for one
+        /// that did, and so this one keeps its lean whatever it reacts to. Else 0.
+        /// </summary>
+        public uint already_bent;
+    }
+
+    /// <summary>
+    /// A view of what is known of each node of a tree that can react.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Number of nodes of the tree's skeleton.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// A byte for each node: 1 for main branches, 0 for branchlets, which follow the main branch below.
+        /// </summary>
+        public byte* is_main;
+        /// <summary>
+        /// One for each node: the season in which it grew, from 0; that of the main branch below for branchlets.
+        /// </summary>
+        public ushort* seasons;
+        /// <summary>
+        /// Three floats for each node: the direction in which its segment would have grown without tropisms, of length 1 or
+        /// more; that of the main branch below for branchlets.
+        /// </summary>
+        public float* own_directions;
+        /// <summary>
+        /// One for each node: the least light per metre on which the branch that starts there is known to live; -1 where no
+        /// branch starts that could be pruned.
+        /// </summary>
+        public float* pruning_factors;
+    }
+
+    /// <summary>
+    /// A leaf cluster: a ball that lets a share of the light through, and the light at its middle.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_cluster
+    {
+        /// <summary>
+        /// Its middle in metres, in the tree's own frame.
+        /// </summary>
+        public fixed float center[3];
+        /// <summary>
+        /// In metres.
+        /// </summary>
+        public float radius;
+        /// <summary>
+        /// Share of the light that comes through, 0 to 1.
+        /// </summary>
+        public float translucency;
+        /// <summary>
+        /// Light at its middle, as a share of the open sky's, 0 to 1 times the brightness.
+        /// </summary>
+        public float light;
+        /// <summary>
+        /// Unit vector towards where the light comes from on average; 0 where there is none.
+        /// </summary>
+        public fixed float towards[3];
+        /// <summary>
+        /// Tips of main branches that it is made of; 0 in a scene, where that is not told.
+        /// </summary>
+        public uint n_tips;
+    }
+
+    /// <summary>
+    /// Where something stands and how it is turned: a point p of its own frame is at rotation · p + position in the world.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_pose
+    {
+        /// <summary>
+        /// In metres, at most 1,000 km from the origin along each axis.
+        /// </summary>
+        public fixed float position[3];
+        /// <summary>
+        /// A quaternion, x, y, z, w, of any length but 0. 0, 0, 0, 1 is not turned.
+        /// </summary>
+        public fixed float rotation[4];
+    }
+
+    /// <summary>
+    /// The light of the sky: cos² of the angle to its brightest point, 0 beyond a right angle and below the horizon. Begin
+    /// with `tree_plastic_sky_init` or `tree_plastic_sky_towards`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_sky
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_sky)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Direction to the brightest point, of any length but 0, not below the horizon. Default 0, 1, 0.
+        /// </summary>
+        public fixed float brightest[3];
+        /// <summary>
+        /// Factor on all light, 0 to 10. Default 1. At 0 every branch starves but the trunk.
+        /// </summary>
+        public float brightness;
+    }
+
+    /// <summary>
+    /// How much trees react. Begin with `tree_plastic_response_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_response
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_response)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Share of the bending that tropisms ask for, 0 (none) to 1 (all of it). Default 1.
+        /// </summary>
+        public float bending;
+        /// <summary>
+        /// Strength of pruning, 0 (none) to 1. Default 0.8: a branch dies when it has less than 0.8 of the light per length on
+        /// which it is known to have lived.
+        /// </summary>
+        public float pruning;
+        /// <summary>
+        /// How strongly the foliage follows the light, 0 (not at all) to 4. Default 1: half the light, half the branchlets.
+        /// </summary>
+        public float density;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What an update did.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_update
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_update)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Trees that are not what they were, or get another light: `tree_plastic_scene_changed` tells which.
+        /// </summary>
+        public ulong n_changed;
+        /// <summary>
+        /// Trees that were looked at.
+        /// </summary>
+        public ulong n_touched;
+        /// <summary>
+        /// Seasons of trees whose light was worked out anew.
+        /// </summary>
+        public ulong n_seasons;
+    }
+
+    /// <summary>
     /// Which threads a pool has. Begin with `tree_pool_options_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -9905,6 +10816,163 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How a cloud of points is read. Lengths are metres; "spacings" are the median distance of a point to its fourth
+    /// neighbour. Begin with `tree_scan_params_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scan_params
+    {
+        /// <summary>
+        /// `sizeof(tree_scan_params)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Metres for a unit of the cloud, 1e-6 to 1e6. Default 1.
+        /// </summary>
+        public double unit;
+        /// <summary>
+        /// The axis that points up. Default `TREE_UP_Z`.
+        /// </summary>
+        public uint up; // tree_up
+        /// <summary>
+        /// Edge of the voxels that become one point each, 0 to 10 m. Default 0: half a spacing.
+        /// </summary>
+        public float voxel;
+        /// <summary>
+        /// Nearest points that each one is joined with, 4 to 32. Default 8. More bridge thin gaps and run branches together.
+        /// </summary>
+        public uint neighbours;
+        /// <summary>
+        /// Widest gap that is bridged, as a share of the cloud's size, 0 to 1. Default 0.1. What is farther away is left out
+        /// and reported.
+        /// </summary>
+        public float bridge;
+        /// <summary>
+        /// Distance between nodes in spacings, 1 to 20. Default 2.5.
+        /// </summary>
+        public float step;
+        /// <summary>
+        /// Reach within which an axis takes in what runs beside it, in its widths (mean distances of its points from its
+        /// middle), 1 to 10. Default 2.
+        /// </summary>
+        public float merge;
+        /// <summary>
+        /// Length in spacings by which a branch must leave the reach of its parent, 0 to 100. Default 4.
+        /// </summary>
+        public float prune;
+        /// <summary>
+        /// Whether the ground is taken away where the scan shows some. Default 1.
+        /// </summary>
+        public uint ground;
+        /// <summary>
+        /// Whether every trunk becomes a tree. Default 0: the cloud is one tree, and the report tells how many trunks it may
+        /// have.
+        /// </summary>
+        public uint several;
+        /// <summary>
+        /// Whether branches through foliage, which are guessed, are kept. Default 1.
+        /// </summary>
+        public uint foliage;
+    }
+
+    /// <summary>
+    /// What was found in a cloud of points, and what was left out.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scan_report
+    {
+        /// <summary>
+        /// `sizeof(tree_scan_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Points that came in.
+        /// </summary>
+        public ulong n_points;
+        /// <summary>
+        /// Points that were no numbers.
+        /// </summary>
+        public ulong n_not_finite;
+        /// <summary>
+        /// Second points at one place.
+        /// </summary>
+        public ulong n_doubles;
+        /// <summary>
+        /// Points that became one with others in their voxel.
+        /// </summary>
+        public ulong n_thinned;
+        /// <summary>
+        /// Points of the ground.
+        /// </summary>
+        public ulong n_ground;
+        /// <summary>
+        /// Points of pieces that no bridge reached.
+        /// </summary>
+        public ulong n_left_out;
+        /// <summary>
+        /// Gaps bridged: `tree_scanned_bridge` tells of each.
+        /// </summary>
+        public ulong n_bridges;
+        /// <summary>
+        /// Places where a tree may stand.
+        /// </summary>
+        public ulong n_bases;
+        /// <summary>
+        /// Clusters of points that the levels fell into.
+        /// </summary>
+        public ulong n_clusters;
+        /// <summary>
+        /// Side shoots too short for an axis.
+        /// </summary>
+        public ulong n_short;
+        /// <summary>
+        /// Nodes of all trees.
+        /// </summary>
+        public ulong n_nodes;
+        /// <summary>
+        /// Nodes whose radius and centre come from a circle fitted to the points; the radii of all others are guessed from
+        /// the wood beyond.
+        /// </summary>
+        public ulong n_fitted;
+        /// <summary>
+        /// Nodes in foliage, kept or not.
+        /// </summary>
+        public ulong n_in_foliage;
+        /// <summary>
+        /// Median distance to the fourth neighbour in metres.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// A view of a tree of a cloud.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_scanned_columns
+    {
+        /// <summary>
+        /// `sizeof(tree_scanned_columns)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Where the tree's base, the origin of its skeleton, is in the cloud, in its axes and unit.
+        /// </summary>
+        public fixed double @base[3];
+        /// <summary>
+        /// Number of nodes of its skeleton.
+        /// </summary>
+        public UIntPtr n_nodes;
+        /// <summary>
+        /// A byte for each node: 1 where it runs through foliage, guessed and not seen; else 0.
+        /// </summary>
+        public byte* in_foliage;
+    }
+
+    /// <summary>
     /// A view of the kinds of leaves that were found.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -11500,6 +12568,17 @@ namespace TreeFamily.Native
         /// is uploaded; in each frame `tree_hybrid_choice_update` says how much of the wood, which boxes and which leaves are drawn.
         /// `tree_hybrid_write_glb_levels` writes it for programs without shaders of ours.
         ///
+        /// Scans: `tree_cloud_read` takes a file of points, `tree_skeletonize_scan` or `tree_skeletonize_cloud` finds the trees in it.
+        ///
+        /// Growing: `tree_growth_preset` and `tree_growth_grow` for a tree that stands alone; `tree_growth_new` plants several that compete,
+        /// `tree_growth_step` lets years pass, `tree_growth_grown` hands out a tree. `tree_grown_view` has the ages of its nodes.
+        ///
+        /// Reacting: `tree_plastic_new` reads a tree; in a `tree_plastic_scene` trees, obstacles and the sky are put and moved,
+        /// `tree_plastic_scene_update` works out what that means, `tree_plastic_scene_adapted` hands out a tree as it is then.
+        /// `examples/c/wall.c` does this.
+        ///
+        /// Comparing: `tree_skeleton_distance` says how different two trees are, `tree_skeleton_distance_pairs` which branch is which.
+        ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
         /// where, and what would be right is in `tree_error_text`, thread by thread. Nothing unwinds into the
         /// caller: a defect is `TREE_ERROR_PANIC`. Only memory that the system refuses ends the process; a budget
@@ -11509,7 +12588,7 @@ namespace TreeFamily.Native
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
         /// its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
         /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
-        /// `tree_hybrid_choice` and `tree_stream_reader`: one thread at a time.
+        /// `tree_hybrid_choice`, `tree_growth`, `tree_plastic_scene` and `tree_stream_reader`: one thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
         /// * Views (`tree_surface` and so on) point into the object they were asked of: tightly packed,
@@ -11631,7 +12710,7 @@ namespace TreeFamily.Native
         public const int TREE_ERROR_MEMORY = 10;
 
         /// <summary>
-        /// The caller cancelled. Nothing was changed and nothing was written.
+        /// The caller cancelled. Nothing was written, and nothing was changed but where a function says so.
         /// </summary>
         public const int TREE_ERROR_CANCELLED = 11;
 
@@ -11664,6 +12743,42 @@ namespace TreeFamily.Native
         /// A defect in the library. Please report it with the text.
         /// </summary>
         public const int TREE_ERROR_PANIC = 17;
+
+        /// <summary>
+        /// Its radius in metres; of a run or an axis, the mean over its length. The default.
+        /// </summary>
+        public const int TREE_EDIT_WEIGHT_RADIUS = 0;
+
+        /// <summary>
+        /// Radius times length of its segment in square metres, which goes with the bark, however finely a shoot is divided.
+        /// </summary>
+        public const int TREE_EDIT_WEIGHT_RADIUS_TIMES_LENGTH = 1;
+
+        /// <summary>
+        /// Radius squared times length in cubic metres, which goes with the wood.
+        /// </summary>
+        public const int TREE_EDIT_WEIGHT_RADIUS_SQUARED_TIMES_LENGTH = 2;
+
+        /// <summary>
+        /// 1 each: structure only.
+        /// </summary>
+        public const int TREE_EDIT_WEIGHT_UNIT = 3;
+
+        /// <summary>
+        /// Every node stays one.
+        /// </summary>
+        public const int TREE_EDIT_REDUCTION_NONE = 0;
+
+        /// <summary>
+        /// An unbranched run, from above a fork up to the next fork or a tip: how finely shoots are divided does not matter.
+        /// The default.
+        /// </summary>
+        public const int TREE_EDIT_REDUCTION_RUNS = 1;
+
+        /// <summary>
+        /// An axis with all its nodes; its laterals are its children, wherever they leave it.
+        /// </summary>
+        public const int TREE_EDIT_REDUCTION_AXES = 2;
 
         /// <summary>
         /// Ours: glTF, also Bevy and three.js.
@@ -11861,6 +12976,28 @@ namespace TreeFamily.Native
         public const int TREE_BRANCHING_SYMPODIAL = 1;
 
         /// <summary>
+        /// The extended Borchert-Honda model: main axis and laterals get shares λ Qₘ : (1 - λ) Qₗ for the light Q behind each.
+        /// The default.
+        /// </summary>
+        public const int TREE_ALLOCATION_BORCHERT_HONDA = 0;
+
+        /// <summary>
+        /// The priority model: buds and branches of each axis are ranked by mean light, the terminal bud first, and get shares by
+        /// light times weight.
+        /// </summary>
+        public const int TREE_ALLOCATION_PRIORITY = 1;
+
+        /// <summary>
+        /// By light: leaves shade what is below them. Crowns fill from the outside and self-prune within. The default.
+        /// </summary>
+        public const int TREE_GROWTH_BY_LIGHT = 0;
+
+        /// <summary>
+        /// By space: buds compete for markers of free space. Branches keep apart, and a crown can be prescribed.
+        /// </summary>
+        public const int TREE_GROWTH_BY_SPACE = 1;
+
+        /// <summary>
         /// Parent of the box of the whole tree: no box.
         /// </summary>
         public const uint TREE_NO_BOX = 4294967295;
@@ -11880,6 +13017,17 @@ namespace TreeFamily.Native
         /// Planes of a box.
         /// </summary>
         public const int TREE_CARD_PLANES = 6;
+
+        /// <summary>
+        /// PLY, text or binary, of either order of bytes: the vertices; other properties and elements are passed over.
+        /// </summary>
+        public const int TREE_CLOUD_FORMAT_PLY = 1;
+
+        /// <summary>
+        /// XYZ, TXT, CSV, ASC, PTS: a point on each line, columns parted by blanks, commas, semicolons or tabs. A line of names
+        /// may say which columns are x, y and z; else they are the first three. Lines behind `#`, `//` and `;` are comments.
+        /// </summary>
+        public const int TREE_CLOUD_FORMAT_TEXT = 2;
 
         /// <summary>
         /// As the attribute `_OCCLUSION`, which only shaders that know it use.
@@ -12536,6 +13684,11 @@ namespace TreeFamily.Native
         public const int TREE_LEVEL_FOREGROUND = 2;
 
         /// <summary>
+        /// In `tree_adapted_columns.died`: the node's branch lives.
+        /// </summary>
+        public const uint TREE_PLASTIC_ALIVE = 4294967295;
+
+        /// <summary>
         /// A clear sky.
         /// </summary>
         public const int TREE_BACKDROP_SKY = 0;
@@ -12856,6 +14009,16 @@ namespace TreeFamily.Native
         /// Leaf widths in a report: those of the first kinds.
         /// </summary>
         public const int TREE_SKELETONIZE_LEAF_WIDTHS = 256;
+
+        /// <summary>
+        /// Z, as in most scanners' files: (x, y, z) becomes (x, z, -y). The default.
+        /// </summary>
+        public const int TREE_UP_Z = 0;
+
+        /// <summary>
+        /// Y, as here.
+        /// </summary>
+        public const int TREE_UP_Y = 1;
 
         /// <summary>
         /// Bark.
@@ -13399,6 +14562,91 @@ namespace TreeFamily.Native
         public static extern int tree_cancel_free(tree_cancel* cancel);
 
         /// <summary>
+        /// Makes `costs`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_costs_init(tree_edit_costs* costs, UIntPtr size);
+
+        /// <summary>
+        /// Views the pairs, rising by the node of the first tree: where they begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_pairs_view(tree_edit_pairs* pairs, tree_edit_pair** rows, UIntPtr* n_pairs);
+
+        /// <summary>
+        /// Frees pairs of nodes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_pairs_free(tree_edit_pairs* pairs);
+
+        /// <summary>
+        /// The constrained edit distance between two skeletons (Zhang 1996): the least cost of deleting, inserting and changing
+        /// nodes that turns one tree into the other, where disjoint subtrees go to disjoint subtrees. The order of siblings and
+        /// where nodes are do not matter. `params` and `control` may be NULL; set `distance-&gt;struct_size` first.
+        ///
+        /// The time goes with the product of the numbers of nodes and of children after the reduction. `TREE_ERROR_LIMIT` where
+        /// more pairs of nodes would be kept than `tree_limits.pairs`, 16 bytes each: here those of the nodes of the first tree
+        /// that wait for a sibling.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_distance(tree_skeleton* first, tree_skeleton* second, tree_edit_params* @params, tree_control* control, tree_edit_distance* distance);
+
+        /// <summary>
+        /// As `tree_skeleton_distance`, and hands out which node of the skeletons is changed into which; of runs and axes their
+        /// uppermost nodes. All pairs of nodes are kept for it. `distance` may be NULL. Free the pairs with
+        /// `tree_edit_pairs_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_distance_pairs(tree_skeleton* first, tree_skeleton* second, tree_edit_params* @params, tree_control* control, tree_edit_distance* distance, tree_edit_pairs** pairs);
+
+        /// <summary>
+        /// As `tree_skeleton_distance`, of trees prepared for it: for many comparisons with the same tree, for trees that are no
+        /// skeletons, and for costs of your own. `costs` and `control` may be NULL. `TREE_ERROR_PARAMETER` where `costs` gives
+        /// what is no cost.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_tree_distance(tree_edit_tree* first, tree_edit_tree* second, tree_edit_costs* costs, tree_control* control, tree_edit_distance* distance);
+
+        /// <summary>
+        /// As `tree_edit_tree_distance`, and hands out which node of the two trees is changed into which, as
+        /// `tree_skeleton_distance_pairs` does.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_tree_distance_pairs(tree_edit_tree* first, tree_edit_tree* second, tree_edit_costs* costs, tree_control* control, tree_edit_distance* distance, tree_edit_pairs** pairs);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_params_init(tree_edit_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Reduces and weighs a skeleton, which is not kept. `params` may be NULL. Free the tree with `tree_edit_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_tree_of_skeleton(tree_skeleton* skeleton, tree_edit_params* @params, tree_edit_tree** tree);
+
+        /// <summary>
+        /// Makes a tree of columns, which are copied. `control` may be NULL; only its limits matter. `TREE_ERROR_INVALID` for a
+        /// second root or parents that do not come first, `TREE_ERROR_PARAMETER` for weights below 0 or not finite. Free the
+        /// tree with `tree_edit_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_tree_from_columns(tree_edit_columns* columns, tree_control* control, tree_edit_tree** tree);
+
+        /// <summary>
+        /// Views the tree. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_tree_view(tree_edit_tree* tree, tree_edit_columns* columns);
+
+        /// <summary>
+        /// Frees a tree that is compared.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_edit_tree_free(tree_edit_tree* tree);
+
+        /// <summary>
         /// What a branch of a mesh does in the wind. Set `motion-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -13696,6 +14944,138 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_twig_params_check(tree_twig_params* @params);
+
+        /// <summary>
+        /// Grows a tree that stands alone; for several that compete there is `tree_growth_stand`. The same parameters and `seed`
+        /// give the same bits for any number of threads. `params` and `control` may be NULL. Free it with `tree_grown_free`.
+        /// `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` where the base or the first internode is in
+        /// the obstacle; `TREE_ERROR_LIMIT` comes before more nodes, voxels or leaves are made than allowed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_grow(tree_growth_params* @params, ulong seed, tree_control* control, tree_grown** grown);
+
+        /// <summary>
+        /// The tree, not copied. Free it with `tree_tree_free`; it may outlive what it was asked of.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grown_tree(tree_grown* grown, tree_tree** tree);
+
+        /// <summary>
+        /// Views ages, orders and years. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grown_view(tree_grown* grown, tree_grown_columns* columns);
+
+        /// <summary>
+        /// Frees a grown tree. Trees handed out live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_grown_free(tree_grown* grown);
+
+        /// <summary>
+        /// Makes `habit`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_habit_init(tree_growth_habit* habit, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_params_init(tree_growth_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields, those of world and habit too, are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_params_check(tree_growth_params* @params);
+
+        /// <summary>
+        /// Makes `plant`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_plant_init(tree_growth_plant* plant, UIntPtr size);
+
+        /// <summary>
+        /// Number of presets of growing trees.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr tree_growth_preset_count();
+
+        /// <summary>
+        /// Name of a preset, such as `oak`; valid for ever. `index` is below `tree_growth_preset_count`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_preset_name(UIntPtr index, tree_str* name);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the preset called `name` (`len` bytes, or `TREE_NUL_TERMINATED`). World and habit, and
+        /// what they point at, belong to the library and live for ever: to alter one, copy it and point at the copy. The habit is
+        /// for `tree_growth_plant` too. `TREE_ERROR_UNKNOWN_NAME` lists the names there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_preset(byte* name, UIntPtr len, tree_growth_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Plants seedlings: a base and one internode each, 1 to 100,000 of them. `world` and `control` may be NULL. Free it with
+        /// `tree_growth_free`. `TREE_ERROR_PARAMETER` names what is out of range; `TREE_ERROR_NO_RESULT` for a seedling in the
+        /// obstacle.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_new(tree_growth_world* world, tree_growth_plant* plants, UIntPtr n_plants, ulong seed, tree_control* control, tree_growth** growth);
+
+        /// <summary>
+        /// As `tree_growth_new`, and grows them for `iterations`, 0 to 10,000. `tree_growth_grown` hands out the trees.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_stand(tree_growth_world* world, tree_growth_plant* plants, UIntPtr n_plants, uint iterations, ulong seed, tree_control* control, tree_growth** growth);
+
+        /// <summary>
+        /// Goes on for `iterations`: in each, buds sense, vigour is shared out, shoots grow, weak branches are shed. `control` may
+        /// be NULL. After an error all is as it was: the iterations are done on a copy, which takes as much memory again.
+        /// `TREE_ERROR_PARAMETER` beyond 10,000 iterations in all; `TREE_ERROR_LIMIT` comes before more nodes or voxels are made
+        /// than allowed.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_step(tree_growth* growth, uint iterations, tree_control* control);
+
+        /// <summary>
+        /// Counts iterations, trees and nodes. Set `counts-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_measure(tree_growth* growth, tree_growth_counts* counts);
+
+        /// <summary>
+        /// The light as it is now at `n_points` points, three floats each in metres: 0 to the world's brightness, into `light`,
+        /// which has room for as many. `control` may be NULL; `nodes` of its limits caps the points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_light(tree_growth* growth, float* points, UIntPtr n_points, tree_control* control, float* light);
+
+        /// <summary>
+        /// A tree as it is now, with radii, leaves and ages. `index` is its place among the plants. `control` may be NULL. Free it
+        /// with `tree_grown_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_grown(tree_growth* growth, UIntPtr index, tree_control* control, tree_grown** grown);
+
+        /// <summary>
+        /// A second one in the state of the first, to try something. Free it too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_copy(tree_growth* growth, tree_growth** copy);
+
+        /// <summary>
+        /// Frees growing trees. Trees handed out live on. `TREE_ERROR_ORDER` while a call is at work on them.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_free(tree_growth* growth);
+
+        /// <summary>
+        /// Makes `world`, of `size` bytes, the default: open and lit from above.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_growth_world_init(tree_growth_world* world, UIntPtr size);
 
         /// <summary>
         /// Makes a choice for one instance of a model, with room for all there can ever be; level 1 and no leaves until it is
@@ -14375,6 +15755,33 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_bytes_free(tree_bytes* bytes);
+
+        /// <summary>
+        /// Reads a cloud from a file whose extension is `ply`, `xyz`, `txt`, `csv`, `asc` or `pts`, in letters of any case; the
+        /// path is as in `tree_mesh_read`. `TREE_ERROR_FORMAT` for others, and for broken files, with the line or row;
+        /// `TREE_ERROR_LIMIT` for more points than `tree_limits.graph_nodes`. `control` may be NULL. Free the cloud with
+        /// `tree_cloud_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cloud_read(byte* path, UIntPtr path_len, tree_control* control, tree_cloud** cloud);
+
+        /// <summary>
+        /// As `tree_cloud_read`, from a file in memory, whose `format` must be stated. The bytes are needed during the call only.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cloud_from_bytes(uint format, byte* data, UIntPtr len, tree_control* control, tree_cloud** cloud);
+
+        /// <summary>
+        /// Views a cloud. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cloud_view(tree_cloud* cloud, tree_cloud_columns* columns);
+
+        /// <summary>
+        /// Frees a cloud of points.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cloud_free(tree_cloud* cloud);
 
         /// <summary>
         /// Makes `options`, of `size` bytes, the default.
@@ -18037,6 +19444,259 @@ namespace TreeFamily.Native
         public static extern int tree_trimap_free(tree_trimap* trimap);
 
         /// <summary>
+        /// A tree of a scene as of the last update. In the surroundings that it grew in it is the input, bit for bit. `control` and
+        /// `report` may be NULL. Free it with `tree_adapted_free`. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_adapted(tree_plastic_scene* scene, ulong id, tree_control* control, tree_adapted_report* report, tree_adapted** adapted);
+
+        /// <summary>
+        /// The tree, in its own frame, not copied: `tree_plastic_scene_pose` says where it stands. Free it with `tree_tree_free`; it
+        /// may outlive what it was asked of.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adapted_tree(tree_adapted* adapted, tree_tree** tree);
+
+        /// <summary>
+        /// Views what became of the input's nodes. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adapted_view(tree_adapted* adapted, tree_adapted_columns* columns);
+
+        /// <summary>
+        /// Frees an adapted tree. Trees handed out live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_adapted_free(tree_adapted* adapted);
+
+        /// <summary>
+        /// Analyses a tree, which should have grown alone in the open, and is copied. `params`, `control` and `report` may be
+        /// NULL; see `already_bent` of the report. A few milliseconds for ten thousand nodes; the time grows with the square of
+        /// the number of leaf clusters. Free it with `tree_plastic_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_new(tree_tree* tree, tree_plastic_params* @params, tree_control* control, tree_plastic_report* report, tree_plastic** plastic);
+
+        /// <summary>
+        /// What was found in the tree. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_measure(tree_plastic* plastic, tree_plastic_report* report);
+
+        /// <summary>
+        /// How the tree was analysed. Set `params-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_get_params(tree_plastic* plastic, tree_plastic_params* @params);
+
+        /// <summary>
+        /// A copy of the tree as it came in. Free it with `tree_tree_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_tree(tree_plastic* plastic, tree_tree** tree);
+
+        /// <summary>
+        /// Views what is known of each node. Set `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_view(tree_plastic* plastic, tree_plastic_columns* columns);
+
+        /// <summary>
+        /// Frees a tree that can react. Scenes in which it is planted go on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_free(tree_plastic* plastic);
+
+        /// <summary>
+        /// The leaf clusters that a tree had in a season of its life in the open. `season` is below
+        /// `tree_plastic_report.n_seasons`. Free them with `tree_plastic_clusters_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_clusters_of_season(tree_plastic* plastic, uint season, tree_plastic_clusters** clusters);
+
+        /// <summary>
+        /// The leaf clusters of a tree of a scene today, as of the last update; those that are gone are left out. Free them with
+        /// `tree_plastic_clusters_free`. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_clusters(tree_plastic_scene* scene, ulong id, tree_plastic_clusters** clusters);
+
+        /// <summary>
+        /// Views clusters: where the rows begin and how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_clusters_view(tree_plastic_clusters* clusters, tree_plastic_cluster** rows, UIntPtr* n_rows);
+
+        /// <summary>
+        /// Frees clusters.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_clusters_free(tree_plastic_clusters* clusters);
+
+        /// <summary>
+        /// Plants a tree; the analysis is shared, not copied. `pose` may be NULL for the origin, not turned. `TREE_ERROR_INVALID`
+        /// for a pose that is not finite, and where its base lies in an obstacle.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_add_tree(tree_plastic_scene* scene, tree_plastic* plastic, tree_pose* pose, ulong* id);
+
+        /// <summary>
+        /// Moves a tree. Errors are those of `tree_plastic_scene_add_tree`, and `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_move_tree(tree_plastic_scene* scene, ulong id, tree_pose* pose);
+
+        /// <summary>
+        /// Takes a tree away. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_remove_tree(tree_plastic_scene* scene, ulong id);
+
+        /// <summary>
+        /// Puts an obstacle into the scene; `volume` may be freed. Spheres, boxes and half-spaces, moved, turned and united, cast
+        /// their exact shadow; any other volume, closed meshes too, that of boxes a sixteenth of its size. It is prepared once:
+        /// moving it is cheap. `pose` may be NULL for the origin, not turned. `TREE_ERROR_INVALID` for a pose that is not finite, a
+        /// volume that has no end and is no half-space (nor a union with them), and where it would hold the base of a tree.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_add_obstacle(tree_plastic_scene* scene, tree_volume* volume, tree_pose* pose, ulong* id);
+
+        /// <summary>
+        /// Moves an obstacle. Errors are those of `tree_plastic_scene_add_obstacle`, and `TREE_ERROR_INVALID` for an id that is not
+        /// there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_move_obstacle(tree_plastic_scene* scene, ulong id, tree_pose* pose);
+
+        /// <summary>
+        /// Takes an obstacle away. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_remove_obstacle(tree_plastic_scene* scene, ulong id);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_params_init(tree_plastic_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_params_check(tree_plastic_params* @params);
+
+        /// <summary>
+        /// The sky. Set `sky-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_get_sky(tree_plastic_scene* scene, tree_plastic_sky* sky);
+
+        /// <summary>
+        /// How much trees react. Set `response-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_get_response(tree_plastic_scene* scene, tree_plastic_response* response);
+
+        /// <summary>
+        /// The trees' ids, in the order they were planted. Valid until the next edit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_trees(tree_plastic_scene* scene, ulong** ids, UIntPtr* n_ids);
+
+        /// <summary>
+        /// The obstacles' ids, in the order they were put there. Valid until the next edit.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_obstacles(tree_plastic_scene* scene, ulong** ids, UIntPtr* n_ids);
+
+        /// <summary>
+        /// Ids of the trees that the last update changed. Valid until the next update.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_changed(tree_plastic_scene* scene, ulong** ids, UIntPtr* n_ids);
+
+        /// <summary>
+        /// Where a tree stands. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_pose(tree_plastic_scene* scene, ulong id, tree_pose* pose);
+
+        /// <summary>
+        /// The analysis that a tree was planted from, not copied. Free it with `tree_plastic_free`. `TREE_ERROR_INVALID` for an id
+        /// that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_model(tree_plastic_scene* scene, ulong id, tree_plastic** plastic);
+
+        /// <summary>
+        /// Makes an empty scene. `sky` and `response` may be NULL for the defaults. Free it with `tree_plastic_scene_free`.
+        /// `TREE_ERROR_PARAMETER` names what is out of range.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_new(tree_plastic_sky* sky, tree_plastic_response* response, tree_plastic_scene** scene);
+
+        /// <summary>
+        /// A second one in the state of the first. Free it too.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_copy(tree_plastic_scene* scene, tree_plastic_scene** copy);
+
+        /// <summary>
+        /// Changes the sky. It is as it was where it is refused.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_set_sky(tree_plastic_scene* scene, tree_plastic_sky* sky);
+
+        /// <summary>
+        /// Changes how much trees react. It is as it was where it is refused.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_set_response(tree_plastic_scene* scene, tree_plastic_response* response);
+
+        /// <summary>
+        /// Works out what the edits since the last update mean. `control` and `update` may be NULL. Where it is cancelled trees
+        /// are half way, and the next update works all of them out anew. For each tree that is touched it takes time in proportion to
+        /// its nodes and seasons, and to the clusters and obstacles around each of its clusters.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_update(tree_plastic_scene* scene, tree_control* control, tree_plastic_update* update);
+
+        /// <summary>
+        /// Frees a scene. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_free(tree_plastic_scene* scene);
+
+        /// <summary>
+        /// Estimates the season in which the segment that ends at each node grew, from 0 at the base, and how many internodes it
+        /// made in a season, at least 1. `internode` is the length of one in metres; 0 takes the commonest distance between
+        /// forks. `most`, 1 to 10,000, is how many seasons are told apart; a tree that has more is told them several at a time.
+        /// `seasons` and `rates` have room for `capacity` numbers, at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_ages(tree_skeleton* skeleton, float internode, uint most, ushort* seasons, float* rates, UIntPtr capacity, UIntPtr* n_seasons);
+
+        /// <summary>
+        /// Makes `sky`, of `size` bytes, the default: brightest above.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_sky_init(tree_plastic_sky* sky, UIntPtr size);
+
+        /// <summary>
+        /// Makes `sky`, of `size` bytes, one that is brightest `elevation` radians above the horizon, 0 to π/2, in the direction
+        /// `azimuth`, in radians from +Z towards +X.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_sky_towards(tree_plastic_sky* sky, UIntPtr size, float azimuth, float elevation);
+
+        /// <summary>
+        /// Makes `response`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_response_init(tree_plastic_response* response, UIntPtr size);
+
+        /// <summary>
         /// Makes `options`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -19284,6 +20944,67 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_part_init(tree_mesh_part* part, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scan_params_init(tree_scan_params* @params, UIntPtr size);
+
+        /// <summary>
+        /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scan_params_check(tree_scan_params* @params);
+
+        /// <summary>
+        /// Makes skeletons of a laser scan: `points` is three doubles for each of `n_points`, which are not kept; those that are
+        /// not finite are left out. Leaves are not made. `params`, `control` and `report` may be NULL. Free the result with
+        /// `tree_scanned_free`. `TREE_ERROR_INVALID` for fewer than 16 points that differ, or points on one line;
+        /// `TREE_ERROR_NO_RESULT` where no tree stands; `TREE_ERROR_LIMIT` for more than `graph_nodes`, `graph_arcs` or `nodes`.
+        /// It takes some four microseconds a point.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize_scan(double* points, UIntPtr n_points, tree_scan_params* @params, tree_control* control, tree_scan_report* report, tree_scanned** scanned);
+
+        /// <summary>
+        /// As `tree_skeletonize_scan`, of a cloud from a file.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeletonize_cloud(tree_cloud* cloud, tree_scan_params* @params, tree_control* control, tree_scan_report* report, tree_scanned** scanned);
+
+        /// <summary>
+        /// Number of trees: one, or as many as were found where all were asked for.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scanned_count(tree_scanned* scanned, UIntPtr* n_trees);
+
+        /// <summary>
+        /// The skeleton of a tree, in metres, +Y up, its base at the origin; not copied. `index` is below `tree_scanned_count`.
+        /// Free it with `tree_skeleton_free`; it may outlive the scan.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scanned_skeleton(tree_scanned* scanned, UIntPtr index, tree_skeleton** skeleton);
+
+        /// <summary>
+        /// Views a tree: where it stands and what of it was guessed. `index` is below `tree_scanned_count`. Set
+        /// `columns-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scanned_view(tree_scanned* scanned, UIntPtr index, tree_scanned_columns* columns);
+
+        /// <summary>
+        /// A gap that was bridged: its length in metres, and the points of the smaller one of the two pieces it joins. `index` is
+        /// below `tree_scan_report.n_bridges`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scanned_bridge(tree_scanned* scanned, UIntPtr index, float* length, UIntPtr* n_points);
+
+        /// <summary>
+        /// Frees the trees of a cloud. Skeletons handed out live on.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_scanned_free(tree_scanned* scanned);
 
         /// <summary>
         /// The fourth stage: makes a leaf of each leaf component, on the nearest wood of a skeleton as

@@ -101,6 +101,22 @@ fn c_cpp_and_rust_make_the_same_oak() {
     }
 }
 
+#[test]
+fn a_wall_moves_a_tree_and_leaves_no_trace() {
+    let source = root().join("examples/c/wall.c");
+    let program = compile::compile("cc", C11, &[source], "wall");
+    let said = compile::run(compile::command(&program).args(["birch", "7"]));
+    let rows = said.lines().skip_while(|line| !line.contains("farthest")).skip(1);
+    let rows: Vec<Vec<&str>> = rows.map(|line| line.split_whitespace().collect()).collect();
+    assert_eq!(rows.len(), 8, "{said}");
+    let number = |row: usize, column: usize| rows[row][column].parse::<f32>().unwrap();
+    for row in 0..7 {
+        assert!(number(row, 2) <= number(row, 0) + 0.01, "through the wall: {said}");
+    }
+    assert!(number(6, 4) > 0.0 && number(6, 6) > number(0, 6), "{said}");
+    assert_eq!(rows[7], ["without:", "moved", "0.000", "m,", "0", "pruned"], "{said}");
+}
+
 const FNV_BEGIN: u64 = 0xcbf2_9ce4_8422_2325;
 
 fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {

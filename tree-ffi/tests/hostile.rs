@@ -208,6 +208,33 @@ const MAKERS: &[(&str, &str)] = &[
     ),
     ("tree_hybrid_choice", "tree_hybrid_choice_new(live_tree_hybrid(), &made)"),
     ("tree_bytes", "tree_mesh_to_ply(live_tree_mesh(), NULL, NULL, &made)"),
+    ("tree_edit_tree", "tree_edit_tree_of_skeleton(live_tree_skeleton(), NULL, &made)"),
+    (
+        "tree_edit_pairs",
+        "tree_skeleton_distance_pairs(live_tree_skeleton(), live_tree_skeleton(), NULL, NULL, NULL, &made)",
+    ),
+    (
+        "tree_cloud",
+        "tree_cloud_from_bytes(TREE_CLOUD_FORMAT_TEXT, (const uint8_t *)a_pole(), TREE_NUL_TERMINATED, NULL, \
+         &made)",
+    ),
+    ("tree_scanned", "tree_skeletonize_cloud(live_tree_cloud(), NULL, NULL, NULL, &made)"),
+    ("tree_grown", "tree_growth_grow(few_years(), 1, NULL, &made)"),
+    ("tree_growth", "tree_growth_new(NULL, &a_seedling, 1, 1, NULL, &made)"),
+    ("tree_plastic", "tree_plastic_new(live_tree_tree(), NULL, NULL, NULL, &made)"),
+    (
+        "tree_plastic_scene",
+        "(tree_plastic_scene_new(NULL, NULL, &made), \
+         tree_plastic_scene_add_tree(made, live_tree_plastic(), NULL, &some_id))",
+    ),
+    ("tree_plastic_clusters", "tree_plastic_clusters_of_season(live_tree_plastic(), 0, &made)"),
+    (
+        "tree_adapted",
+        // Other calls may have taken its trees away.
+        "(tree_plastic_scene_add_tree(live_tree_plastic_scene(), live_tree_plastic(), a_far_pose, &some_id), \
+         tree_plastic_scene_update(live_tree_plastic_scene(), NULL, NULL), \
+         tree_plastic_scene_adapted(live_tree_plastic_scene(), some_id, NULL, NULL, &made))",
+    ),
 ];
 
 #[test]

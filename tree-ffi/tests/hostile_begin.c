@@ -147,6 +147,7 @@ static void calm(tree_control *control) {
         small_limits.nodes = small_limits.leaves = 2000;
         small_limits.graph_nodes = small_limits.graph_arcs = small_limits.modules = 20000;
         small_limits.triangles = small_limits.voxels = small_limits.pixels = 40000;
+        small_limits.pairs = 20000;
     }
     must(tree_control_init(control, sizeof *control));
     control->progress = patience;
@@ -363,6 +364,28 @@ static const tree_octahedral_params *few_frames(void) {
     params.samples = 1;
     return &params;
 }
+
+/* A pole as a laser scanner sees it, z up. */
+static const char *a_pole(void) {
+    static char text[1 << 14];
+    size_t length = 0;
+    for (int i = 0; i < 400; i++)
+        length += (size_t)snprintf(text + length, sizeof text - length, "%.4f %.4f %.4f\n",
+                                   0.05 * cos(0.7 * i), 0.05 * sin(0.7 * i), 0.003 * i);
+    return text;
+}
+
+static const tree_growth_params *few_years(void) {
+    static tree_growth_params params;
+    must(tree_growth_params_init(&params, sizeof params));
+    params.iterations = 2;
+    return &params;
+}
+static const tree_growth_plant a_seedling = {sizeof a_seedling, NULL, {0, 0, 0}, {0, 1, 0}};
+
+/* Where no obstacle of other calls is. */
+static const tree_pose a_far_pose[] = {{{1000, 0, 1000}, {0, 0, 0, 1}}};
+static uint64_t some_id;
 
 /* Foreign kinds. */
 static tree_cancel *a_switch;

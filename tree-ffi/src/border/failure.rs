@@ -75,7 +75,8 @@ impl From<ModelError> for Failure {
             | ModelError::Sketch { .. }
             | ModelError::Stroke { .. }
             | ModelError::Template { .. }
-            | ModelError::Silhouette { .. } => TREE_ERROR_INVALID,
+            | ModelError::Silhouette { .. }
+            | ModelError::Scene { .. } => TREE_ERROR_INVALID,
             ModelError::UnknownPreset { .. } => TREE_ERROR_UNKNOWN_NAME,
             ModelError::Svg(_) => TREE_ERROR_FORMAT,
             ModelError::Limit(_) => TREE_ERROR_LIMIT,

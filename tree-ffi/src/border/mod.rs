@@ -3,6 +3,7 @@
 //! * [`call`] runs a body, keeps panics inside and remembers the error for [`tree_error_text`].
 //! * `status`, `failure`: error codes, and how the family's errors become codes.
 //! * `handle`: opaque objects, and the register of those alive.
+//! * `lock`: objects that change, one call at a time.
 //! * `shared`: parts of larger objects, which keep these alive.
 //! * `sized`: structs that begin with their own size.
 //! * `slice`, `text`: what callers point at.
@@ -12,6 +13,7 @@
 mod failure;
 mod handle;
 mod last_error;
+mod lock;
 mod shared;
 mod sized;
 mod slice;
@@ -23,6 +25,7 @@ pub(crate) use handle::{
     Handle, free, free_owned, get, get_opt, n_live, out, out_opt, out2, register_for_ever,
     register_owned,
 };
+pub(crate) use lock::lock_now;
 pub(crate) use shared::Shared;
 pub(crate) use sized::{Versioned, foresee, init, read, read_or_default, read_rows, view, write};
 pub(crate) use slice::{fill, floats, out_value, slice, vec2s, vec3s};

@@ -28,7 +28,7 @@ pub const TREE_ERROR_UNKNOWN_NAME: i32 = 8;
 pub const TREE_ERROR_LIMIT: i32 = 9;
 /// The memory budget does not allow it.
 pub const TREE_ERROR_MEMORY: i32 = 10;
-/// The caller cancelled. Nothing was changed and nothing was written.
+/// The caller cancelled. Nothing was written, and nothing was changed but where a function says so.
 pub const TREE_ERROR_CANCELLED: i32 = 11;
 /// A file could not be read or written.
 pub const TREE_ERROR_IO: i32 = 12;

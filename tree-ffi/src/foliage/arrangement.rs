@@ -18,17 +18,17 @@ pub const TREE_PHYLLOTAXIS_WHORLED: u32 = 4;
 
 /// A [`Phyllotaxis`] as fields of a struct.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Arrangement {
-    pub(super) kind: tree_phyllotaxis,
+pub(crate) struct Arrangement {
+    pub(crate) kind: tree_phyllotaxis,
     /// Of a spiral.
-    pub(super) divergence: f32,
+    pub(crate) divergence: f32,
     /// Of whorls.
-    pub(super) whorl: u32,
+    pub(crate) whorl: u32,
 }
 
 impl Arrangement {
     /// As fields; those of other kinds have their defaults.
-    pub(super) fn of(arrangement: Phyllotaxis) -> Self {
+    pub(crate) fn of(arrangement: Phyllotaxis) -> Self {
         let default = Self {
             kind: TREE_PHYLLOTAXIS_SPIRAL,
             divergence: Phyllotaxis::GOLDEN.divergence(),
@@ -46,7 +46,7 @@ impl Arrangement {
     }
 
     /// `name` is the field that holds the kind.
-    pub(super) fn rust(self, name: &str) -> Result<Phyllotaxis> {
+    pub(crate) fn rust(self, name: &str) -> Result<Phyllotaxis> {
         match self.kind {
             TREE_PHYLLOTAXIS_SPIRAL => Ok(Phyllotaxis::Spiral { divergence: self.divergence }),
             TREE_PHYLLOTAXIS_DISTICHOUS => Ok(Phyllotaxis::Distichous),

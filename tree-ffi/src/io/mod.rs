@@ -1,6 +1,7 @@
-//! Meshes to and from files, on disk and in memory.
+//! Meshes to and from files, on disk and in memory; clouds of points from files.
 
 mod bytes;
+mod cloud;
 mod gltf;
 mod gltf_instanced;
 mod gltf_rows;
@@ -12,6 +13,7 @@ mod read;
 mod report;
 
 pub use bytes::*;
+pub use cloud::*;
 pub use gltf::*;
 pub use gltf_instanced::*;
 pub use gltf_rows::*;

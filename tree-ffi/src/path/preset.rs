@@ -124,7 +124,8 @@ fn keep_volume(volume: &Volume) -> *const tree_volume {
     register_for_ever(tree_volume::new(volume.clone()))
 }
 
-fn keep_one<T>(value: T) -> *const T {
+/// A value that lives for ever.
+pub(crate) fn keep_one<T>(value: T) -> *const T {
     Box::leak(Box::new(value))
 }
 
@@ -134,7 +135,8 @@ fn keep_all<T>(values: impl Iterator<Item = T>) -> *const T {
     if values.is_empty() { null() } else { Box::leak(values.into_boxed_slice()).as_ptr() }
 }
 
-fn keep_species(species: &Species) -> *const tree_species {
+/// Names that live for ever.
+pub(crate) fn keep_species(species: &Species) -> *const tree_species {
     let keep = |name: &String| tree_str::of(Box::leak(name.clone().into_boxed_str()));
     keep_one(tree_species {
         name: keep(&species.name),

@@ -72,7 +72,7 @@ pub(super) unsafe fn paints(first: *const tree_paint, n: usize, name: &str) -> R
 }
 
 /// NULL is none.
-pub(super) unsafe fn obstacle(
+pub(crate) unsafe fn obstacle(
     volume: *const tree_volume,
     clearance: f32,
     name: &str,

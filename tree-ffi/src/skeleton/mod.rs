@@ -42,6 +42,11 @@ impl tree_skeleton {
         Self(Shared::of(tree).part(Tree::skeleton))
     }
 
+    /// A skeleton that is part of something.
+    pub(crate) fn part(held: Shared<Skeleton>) -> Self {
+        Self(held)
+    }
+
     pub(crate) fn rust(&self) -> &Skeleton {
         self.0.get()
     }

@@ -25,8 +25,12 @@ impl Handle for tree_tree {
 
 impl tree_tree {
     pub(crate) fn new(tree: Tree) -> Self {
+        Self::shared(Arc::new(tree))
+    }
+
+    pub(crate) fn shared(tree: Arc<Tree>) -> Self {
         let names = SpeciesNames::of(tree.species());
-        Self { tree: Arc::new(tree), names }
+        Self { tree, names }
     }
 
     pub(crate) fn rust(&self) -> &Tree {

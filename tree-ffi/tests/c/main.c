@@ -36,6 +36,10 @@ int main(void) {
     test_volume();
     test_path();
     test_skeletonize();
+    test_scan();
+    test_distance();
+    test_growth();
+    test_plastic();
     test_particle();
     test_look();
     test_mesh();

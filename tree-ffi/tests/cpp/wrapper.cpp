@@ -367,7 +367,42 @@ static void errors_are_told() {
     CHECK(tree::status() == TREE_OK && tree::error_text().empty());
 }
 
+/* Trees grow together, one of them is planted and meets a wall, and both are compared. */
+static void trees_grow_and_react() {
+    tree::GrowthParams birch = tree::Growth::preset("birch");
+    tree::GrowthPlant plants[2];
+    plants[0].habit = plants[1].habit = birch.habit;
+    plants[1].base[0] = 2;
+    tree::Growth stand = tree::Growth::make(nullptr, {plants, 2}, 1);
+    CHECK(stand.step(5) && stand.measure().n_iterations == 5);
+    const float points[] = {0, 50, 0};
+    CHECK(stand.light(points).size() == 1);
+    tree::Grown grown = stand.grown(0);
+    CHECK(grown.view().n_nodes > 5);
+
+    tree::Plastic plastic = tree::Plastic::make(grown.tree());
+    tree::PlasticScene scene = tree::PlasticScene::make();
+    tree_pose pose = {{0, 0, 0}, {0, 0, 0, 1}};
+    uint64_t id = scene.add_tree(plastic, pose);
+    pose.position[0] = 0.2f;
+    uint64_t wall = scene.add_obstacle(tree::Volume::box({0, -1, -9}, {1, 9, 9}), pose);
+    CHECK(scene.update().n_touched == 1);
+    CHECK(scene.trees().size() == 1 && scene.trees()[0] == id && scene.obstacles()[0] == wall);
+    CHECK(scene.pose(id).rotation[3] == 1);
+    tree::AdaptedReport report;
+    tree::Adapted adapted = scene.adapted(id, nullptr, &report);
+    CHECK(report.farthest > 0 && adapted.view().n_input_nodes == grown.view().n_nodes);
+    tree::PlasticClusters clusters = scene.clusters(id);
+    CHECK(clusters.view().size() > 0);
+
+    tree::Skeleton before = grown.tree().skeleton(), after = adapted.tree().skeleton();
+    CHECK(before.distance(before).value == 0);
+    auto [distance, pairs] = before.distance_pairs(after);
+    CHECK(distance.normalised >= 0 && distance.normalised < 1 && pairs.view().size() > 0);
+}
+
 int main() {
+    trees_grow_and_react();
     objects_move_and_end();
     meshes_come_of_trees();
     arrays_of_objects_are_taken();
