@@ -11,8 +11,9 @@ use tree_core::{Control, Resource};
 use tree_mesh::Mesh;
 
 impl Octahedral {
-    /// What a placed camera sees: sRGB colour without light, and alpha, to be tested against one half or
-    /// blended. This is the reference for the shaders.
+    /// What a placed camera sees: sRGB colour without light, and alpha, to be tested against one half:
+    /// that gives the outline. Where views disagree it lies between, so that trees that are blended by it are
+    /// paler inside. This is the reference for the shaders.
     ///
     /// # Errors
     /// [`LodError::Parameter`] or [`LodError::Camera`] for a bad camera or a side outside 1 to 16,384;
