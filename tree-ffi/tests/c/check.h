@@ -73,6 +73,7 @@ void test_silhouette_in(void);
 void test_lod(void);
 void test_lod_select(void);
 void test_prune(void);
+void test_multires_chain(void);
 void test_multires(void);
 void test_lsystem(void);
 void test_impostor(void);

@@ -55,6 +55,7 @@ int main(void) {
     test_lod();
     test_lod_select();
     test_prune();
+    test_multires_chain();
     test_multires();
     test_lsystem();
     test_impostor();

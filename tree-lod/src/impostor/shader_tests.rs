@@ -81,5 +81,11 @@ fn every_statement_is_the_same_in_all_languages() {
 fn the_numbers_of_the_reference_are_those_of_the_shaders() {
     let steps = format!("for (int i = 0; i < {}; i = i + 1)", octahedral::STEPS);
     assert!(octahedral::GLSL.contains(&steps));
-    assert!(octahedral::GLSL.contains(&format!("-slab - {} * size.x", octahedral::THICKNESS)));
+    for number in [
+        format!("-slab - {} * size.x", octahedral::THICKNESS),
+        format!("slab + {} * size.x", octahedral::SLACK),
+        format!("seen + {} * hidden", octahedral::HIDDEN),
+    ] {
+        assert!(octahedral::GLSL.contains(&number), "{number}");
+    }
 }

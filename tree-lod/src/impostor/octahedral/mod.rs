@@ -7,18 +7,22 @@
 //! 1. [`OctahedralParams`] and [`Octahedral::bake`]: grid × grid views in parallel projection, each into a
 //!    square of two pictures: sRGB colour + alpha, and normal + depth ([`super::texel`]).
 //! 2. `map`: which views lie around a direction ([`frames`]), and where each was taken from ([`axes`]).
-//! 3. `trace`: a ray of a pixel is followed through the depths of a view to the first leaf it meets.
+//! 3. `trace`: a ray of a pixel is followed through the depths of three views at once.
 //! 4. [`Octahedral::view`]: the picture of a camera, as the shaders ([`WGSL`], [`GLSL`], [`HLSL`]) draw it.
 //!
 //! Departures: the three views are chosen for each pixel by its own ray, not once for the tree, and depth is
-//! searched, not guessed in one step: near trees are right as well. A ray only ends on what is as deep
-//! as a leaf layer ([`THICKNESS`]), so silhouettes do not grow; what is seen there is read where the ray
-//! crosses its depth. Weights are taken to the power of 1.5: near views count more, outlines stay sharper. A
+//! searched, not guessed in one step: near trees are right as well. The views are not blended after each has found its
+//! own leaf: at each step all three are asked about one point. One sees it, where the point is on the leaf layer
+//! ([`THICKNESS`], [`SLACK`]); one has it hidden behind what it sees, and counts for not quite a half
+//! ([`HIDDEN`]); one sees through it, and counts against it. So leaves that one view misses are found by the others, and the
+//! layer need not be thick, which would blur outlines (it is the voting of space carving, Kutulakos, Seitz 2000, with
+//! three pictures and no voxels). Alpha is the most that is found along the ray. A
 //! view is as wide and high as an upright cylinder around the tree looks, not as the ball: slender trees get
 //! more texels.
 //!
 //! Cost: see [`Octahedral::bake`]. At the default size both pictures are 33.6 MB in memory (21 MB with
-//! [`OctahedralParams::half_detail`]) and 11 to 15 MB as PNG files. Drawing takes up to 3 × [`STEPS`] texels of depth a pixel.
+//! [`OctahedralParams::half_detail`]) and 11 to 15 MB as PNG files. Drawing takes up to 3 × [`STEPS`] texels
+//! of depth and of alpha a pixel.
 
 mod make;
 mod map;
@@ -31,7 +35,7 @@ pub use make::OctahedralParams;
 pub use map::{axes, decode, encode, frames};
 pub use meta::Meta;
 pub use shader::{GLSL, HLSL, WGSL};
-pub use trace::{STEPS, THICKNESS};
+pub use trace::{HIDDEN, SLACK, STEPS, THICKNESS};
 
 use crate::preview::Picture;
 

@@ -11,8 +11,9 @@ use tree_core::{Control, Resource};
 use tree_mesh::Mesh;
 
 impl Octahedral {
-    /// What a placed camera sees: sRGB colour without light, and alpha, to be tested against one half or
-    /// blended. This is the reference for the shaders.
+    /// What a placed camera sees: sRGB colour without light, and alpha, to be tested against one half:
+    /// that gives the outline. Where views disagree it lies between, so that trees that are blended by it are
+    /// paler inside. This is the reference for the shaders.
     ///
     /// # Errors
     /// [`LodError::Parameter`] or [`LodError::Camera`] for a bad camera or a side outside 1 to 16,384;
@@ -95,29 +96,8 @@ impl Octahedral {
             return Met::default();
         }
         let ends = [(middle - inside.sqrt()).max(0.0), middle + inside.sqrt()];
-        let (mut sum, mut most) = (Met::default(), 0.0);
-        for (frame, weight) in frames(-direction, self.meta.grid, self.meta.hemi) {
-            if weight <= 0.0 {
-                continue;
-            }
-            // Nearer views count more than in proportion: outlines stay sharper.
-            let weight = weight * weight.sqrt();
-            most += weight;
-            let met = self.trace(frame, from, direction, ends, srgb);
-            let share = weight * met.alpha;
-            sum.alpha += share;
-            sum.color += share * met.color;
-            sum.normal += share * met.normal;
-            sum.distance += share * met.distance;
-        }
-        if sum.alpha > 0.0 {
-            let by = 1.0 / sum.alpha;
-            sum.color *= by;
-            sum.normal = sum.normal.normalize_or(Vec3::Y);
-            sum.distance *= by;
-            sum.alpha /= most;
-        }
-        sum
+        let frames = frames(-direction, self.meta.grid, self.meta.hemi);
+        self.trace(&frames.map(|frame| self.line(frame, from, direction)), ends, srgb)
     }
 
     /// Checks that pictures and numbers fit, as they do after baking.

@@ -75,58 +75,87 @@ float2 tree_octa_place(float2 frame, float2 at, float tile) {
     return frame * tile + clamp(inside, float2(0.5, 0.5), float2(tile - 0.5, tile - 0.5));
 }
 
-// Follows a ray through the depths of a view: place, distance, 1 where it met something.
-float4 tree_octa_trace(float2 frame, float3 origin, float3 direction, float2 ends, float4 shape, float4 size) {
-    float3 toward = tree_octa_decode(frame / (shape.x - 1.0), shape.y);
+// Towards the viewer of a view.
+float3 tree_octa_toward(float2 frame, float4 shape) {
+    return tree_octa_decode(frame / (shape.x - 1.0), shape.y);
+}
+
+// A point or direction in a view: right and up, -1 to 1, and metres towards the viewer.
+float3 tree_octa_seen(float3 toward, float3 v, float4 size) {
     float3 right = float3(1.0, 0.0, 0.0);
     float level = toward.x * toward.x + toward.z * toward.z;
     if (level >= 1e-6) {
         right = float3(toward.z, 0.0, -toward.x) / sqrt(level);
     }
     float3 up = cross(toward, right);
-    float sink = -dot(toward, direction);
-    float4 met = float4(0.0, 0.0, 0.0, 0.0);
-    if (sink < 0.1) {
-        return met;
-    }
     level = sqrt(max(1.0 - toward.y * toward.y, 0.0));
-    float2 half_size = float2(size.y, size.z * level + size.y * abs(toward.y));
+    float high = size.z * level + size.y * abs(toward.y);
+    return float3(dot(right, v) / size.y, dot(up, v) / high, dot(toward, v));
+}
+
+// The part of a ray that is within the depth of the tree, seen from a view.
+float2 tree_octa_ends(float3 frame, float3 origin, float3 direction, float2 ends, float4 shape, float4 size) {
+    float3 toward = tree_octa_toward(frame.xy, shape);
+    float sink = -dot(toward, direction);
+    if (frame.z <= 0.0 || sink < 0.1) {
+        return ends;
+    }
+    float level = sqrt(max(1.0 - toward.y * toward.y, 0.0));
     float deep = size.y * level + size.z * abs(toward.y);
-    float2 start = float2(dot(right, origin), dot(up, origin)) / half_size;
-    float2 along = float2(dot(right, direction), dot(up, direction)) / half_size;
     float height = dot(toward, origin);
-    float nigh = max(ends.x, (height - deep) / sink);
-    float afar = min(ends.y, (height + deep) / sink);
-    if (nigh >= afar) {
-        return met;
+    return float2(max(ends.x, (height - deep) / sink), min(ends.y, (height + deep) / sink));
+}
+
+// The weight of a view; nothing for one too far aside.
+float tree_octa_weight(float3 frame, float3 direction, float4 shape) {
+    float weight = frame.z;
+    if (-dot(tree_octa_toward(frame.xy, shape), direction) < 0.1) {
+        weight = 0.0;
     }
-    float stride = (afar - nigh) / 32.0;
-    float slab = 0.5 * stride * sink;
-    float s = nigh + 0.5 * stride;
-    for (int i = 0; i < 32; i = i + 1) {
-        float2 here = tree_octa_place(frame, start + along * s, shape.z);
-        float depth = (2.0 * tree_octa_detail(here).w - 1.0) * size.x;
-        float above = height - sink * s - depth;
-        if (above <= slab && above >= -slab - 0.17 * size.x) {
-            float alpha = tree_octa_color(here).w;
-            if (alpha >= 0.25) {
-                // To where the ray crosses the depth that was found.
-                float crossing = clamp(s + above / sink, nigh, afar);
-                float2 there = tree_octa_place(frame, start + along * crossing, shape.z);
-                met = float4(there.x, there.y, crossing, 1.0);
-                return met;
-            }
+    return weight;
+}
+
+// What a view, of column, row and weight, knows of a point of a ray. `start` and `along` are the ray as the view sees it.
+// Where the ray crosses the depth that is there: place and distance; and weight times alpha, less than 0 where the point
+// is hidden, 0 where the view sees through it.
+float4 tree_octa_look(float3 frame, float3 start, float3 along, float s, float stride, float4 shape, float4 size) {
+    float4 look = float4(0.0, 0.0, 0.0, 0.0);
+    if (frame.z <= 0.0) {
+        return look;
+    }
+    float2 here = tree_octa_place(frame.xy, start.xy + along.xy * s, shape.z);
+    float depth = (2.0 * tree_octa_detail(here).w - 1.0) * size.x;
+    float above = start.z + along.z * s - depth;
+    float slab = -0.5 * stride * along.z;
+    if (above > slab + 0.005 * size.x) {
+        return look;
+    }
+    look.w = frame.z * tree_octa_color(here).w;
+    if (above < -slab - 0.05 * size.x) {
+        look.w = -look.w;
+        return look;
+    }
+    look.z = s - above / along.z;
+    float2 there = tree_octa_place(frame.xy, start.xy + along.xy * look.z, shape.z);
+    return float4(there.x, there.y, look.z, look.w);
+}
+
+// What a view sees, times its share: linear colour, or with `detail` of 1 normal and distance.
+float4 tree_octa_share(float4 look, float detail) {
+    float4 texel = float4(0.0, 0.0, 0.0, 0.0);
+    if (look.w > 0.0) {
+        texel = tree_octa_color(look.xy);
+        if (detail > 0.5) {
+            texel = 2.0 * tree_octa_detail(look.xy) - float4(1.0, 1.0, 1.0, 1.0);
         }
-        s = s + stride;
+        texel = look.w * float4(texel.x, texel.y, texel.z, look.z);
     }
-    return met;
+    return texel;
 }
 
 // What a ray sees: linear colour and alpha, or with `detail` of 1 normal and distance.
 float4 tree_octa_view(float3 origin, float3 direction, float4 shape, float4 size, float detail) {
     float4 sum = float4(0.0, 0.0, 0.0, 0.0);
-    float total = 0.0;
-    float most = 0.0;
     // The part of the ray within the ball, in front of the eye.
     float middle = -dot(origin, direction);
     float3 nearest = origin + direction * middle;
@@ -139,33 +168,54 @@ float4 tree_octa_view(float3 origin, float3 direction, float4 shape, float4 size
         return sum;
     }
     float2 ends = float2(max(middle - reach, 0.0), middle + reach);
-    for (int i = 0; i < 3; i = i + 1) {
-        float3 frame = tree_octa_frame(-direction, shape, i);
-        if (frame.z > 0.0) {
-            // Nearer views count more than in proportion: outlines stay sharper.
-            float weight = frame.z * sqrt(frame.z);
-            most = most + weight;
-            float4 met = tree_octa_trace(frame.xy, origin, direction, ends, shape, size);
-            if (met.w > 0.5) {
-                float4 texel = tree_octa_color(met.xy);
-                float share = weight * texel.w;
-                if (detail > 0.5) {
-                    float4 found = 2.0 * tree_octa_detail(met.xy) - float4(1.0, 1.0, 1.0, 1.0);
-                    texel = float4(found.x, found.y, found.z, met.z);
-                }
-                sum = sum + share * float4(texel.x, texel.y, texel.z, 0.0);
-                sum.w = sum.w + share * met.z;
-                total = total + share;
+    // Three views around the ray, and the ray as each of them sees it.
+    float3 frame_a = tree_octa_frame(-direction, shape, 0);
+    float3 frame_b = tree_octa_frame(-direction, shape, 1);
+    float3 frame_c = tree_octa_frame(-direction, shape, 2);
+    ends = tree_octa_ends(frame_a, origin, direction, ends, shape, size);
+    ends = tree_octa_ends(frame_b, origin, direction, ends, shape, size);
+    ends = tree_octa_ends(frame_c, origin, direction, ends, shape, size);
+    frame_a.z = tree_octa_weight(frame_a, direction, shape);
+    frame_b.z = tree_octa_weight(frame_b, direction, shape);
+    frame_c.z = tree_octa_weight(frame_c, direction, shape);
+    float total = frame_a.z + frame_b.z + frame_c.z;
+    if (ends.x >= ends.y || total <= 0.0) {
+        return sum;
+    }
+    float3 start_a = tree_octa_seen(tree_octa_toward(frame_a.xy, shape), origin, size);
+    float3 along_a = tree_octa_seen(tree_octa_toward(frame_a.xy, shape), direction, size);
+    float3 start_b = tree_octa_seen(tree_octa_toward(frame_b.xy, shape), origin, size);
+    float3 along_b = tree_octa_seen(tree_octa_toward(frame_b.xy, shape), direction, size);
+    float3 start_c = tree_octa_seen(tree_octa_toward(frame_c.xy, shape), origin, size);
+    float3 along_c = tree_octa_seen(tree_octa_toward(frame_c.xy, shape), direction, size);
+    float most = 0.0;
+    float stride = (ends.y - ends.x) / 32.0;
+    float s = ends.x + 0.5 * stride;
+    for (int i = 0; i < 32; i = i + 1) {
+        float4 a = tree_octa_look(frame_a, start_a, along_a, s, stride, shape, size);
+        float4 b = tree_octa_look(frame_b, start_b, along_b, s, stride, shape, size);
+        float4 c = tree_octa_look(frame_c, start_c, along_c, s, stride, shape, size);
+        float seen = max(a.w, 0.0) + max(b.w, 0.0) + max(c.w, 0.0);
+        float hidden = max(-a.w, 0.0) + max(-b.w, 0.0) + max(-c.w, 0.0);
+        float alpha = (seen + 0.49 * hidden) / total;
+        if (seen > 0.0 && alpha > most) {
+            // What is nearer hides what comes after as far as it is there.
+            float4 found = tree_octa_share(a, detail) + tree_octa_share(b, detail) + tree_octa_share(c, detail);
+            sum = sum + (alpha - most) / seen * found;
+            most = alpha;
+            if (alpha >= 0.995) {
+                break;
             }
         }
+        s = s + stride;
     }
-    if (total <= 0.0) {
+    if (most <= 0.0) {
         return float4(0.0, 0.0, 0.0, 0.0);
     }
-    sum = sum / total;
+    sum = sum / most;
     if (detail > 0.5) {
         float3 normal = normalize(float3(sum.x, sum.y, sum.z));
         return float4(normal.x, normal.y, normal.z, sum.w);
     }
-    return float4(sum.x, sum.y, sum.z, total / most);
+    return float4(sum.x, sum.y, sum.z, most);
 }

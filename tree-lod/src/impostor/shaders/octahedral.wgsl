@@ -74,58 +74,87 @@ fn tree_octa_place(frame: vec2<f32>, at: vec2<f32>, tile: f32) -> vec2<f32> {
     return frame * tile + clamp(inside, vec2(0.5, 0.5), vec2(tile - 0.5, tile - 0.5));
 }
 
-// Follows a ray through the depths of a view: place, distance, 1 where it met something.
-fn tree_octa_trace(frame: vec2<f32>, origin: vec3<f32>, direction: vec3<f32>, ends: vec2<f32>, shape: vec4<f32>, size: vec4<f32>) -> vec4<f32> {
-    var toward: vec3<f32> = tree_octa_decode(frame / (shape.x - 1.0), shape.y);
+// Towards the viewer of a view.
+fn tree_octa_toward(frame: vec2<f32>, shape: vec4<f32>) -> vec3<f32> {
+    return tree_octa_decode(frame / (shape.x - 1.0), shape.y);
+}
+
+// A point or direction in a view: right and up, -1 to 1, and metres towards the viewer.
+fn tree_octa_seen(toward: vec3<f32>, v: vec3<f32>, size: vec4<f32>) -> vec3<f32> {
     var right: vec3<f32> = vec3(1.0, 0.0, 0.0);
     var level: f32 = toward.x * toward.x + toward.z * toward.z;
     if (level >= 1e-6) {
         right = vec3(toward.z, 0.0, -toward.x) / sqrt(level);
     }
     var up: vec3<f32> = cross(toward, right);
-    var sink: f32 = -dot(toward, direction);
-    var met: vec4<f32> = vec4(0.0, 0.0, 0.0, 0.0);
-    if (sink < 0.1) {
-        return met;
-    }
     level = sqrt(max(1.0 - toward.y * toward.y, 0.0));
-    var half_size: vec2<f32> = vec2(size.y, size.z * level + size.y * abs(toward.y));
+    var high: f32 = size.z * level + size.y * abs(toward.y);
+    return vec3(dot(right, v) / size.y, dot(up, v) / high, dot(toward, v));
+}
+
+// The part of a ray that is within the depth of the tree, seen from a view.
+fn tree_octa_ends(frame: vec3<f32>, origin: vec3<f32>, direction: vec3<f32>, ends: vec2<f32>, shape: vec4<f32>, size: vec4<f32>) -> vec2<f32> {
+    var toward: vec3<f32> = tree_octa_toward(frame.xy, shape);
+    var sink: f32 = -dot(toward, direction);
+    if (frame.z <= 0.0 || sink < 0.1) {
+        return ends;
+    }
+    var level: f32 = sqrt(max(1.0 - toward.y * toward.y, 0.0));
     var deep: f32 = size.y * level + size.z * abs(toward.y);
-    var start: vec2<f32> = vec2(dot(right, origin), dot(up, origin)) / half_size;
-    var along: vec2<f32> = vec2(dot(right, direction), dot(up, direction)) / half_size;
     var height: f32 = dot(toward, origin);
-    var nigh: f32 = max(ends.x, (height - deep) / sink);
-    var afar: f32 = min(ends.y, (height + deep) / sink);
-    if (nigh >= afar) {
-        return met;
+    return vec2(max(ends.x, (height - deep) / sink), min(ends.y, (height + deep) / sink));
+}
+
+// The weight of a view; nothing for one too far aside.
+fn tree_octa_weight(frame: vec3<f32>, direction: vec3<f32>, shape: vec4<f32>) -> f32 {
+    var weight: f32 = frame.z;
+    if (-dot(tree_octa_toward(frame.xy, shape), direction) < 0.1) {
+        weight = 0.0;
     }
-    var stride: f32 = (afar - nigh) / 32.0;
-    var slab: f32 = 0.5 * stride * sink;
-    var s: f32 = nigh + 0.5 * stride;
-    for (var i: i32 = 0; i < 32; i = i + 1) {
-        var here: vec2<f32> = tree_octa_place(frame, start + along * s, shape.z);
-        var depth: f32 = (2.0 * tree_octa_detail(here).w - 1.0) * size.x;
-        var above: f32 = height - sink * s - depth;
-        if (above <= slab && above >= -slab - 0.17 * size.x) {
-            var alpha: f32 = tree_octa_color(here).w;
-            if (alpha >= 0.25) {
-                // To where the ray crosses the depth that was found.
-                var crossing: f32 = clamp(s + above / sink, nigh, afar);
-                var there: vec2<f32> = tree_octa_place(frame, start + along * crossing, shape.z);
-                met = vec4(there.x, there.y, crossing, 1.0);
-                return met;
-            }
+    return weight;
+}
+
+// What a view, of column, row and weight, knows of a point of a ray. `start` and `along` are the ray as the view sees it.
+// Where the ray crosses the depth that is there: place and distance; and weight times alpha, less than 0 where the point
+// is hidden, 0 where the view sees through it.
+fn tree_octa_look(frame: vec3<f32>, start: vec3<f32>, along: vec3<f32>, s: f32, stride: f32, shape: vec4<f32>, size: vec4<f32>) -> vec4<f32> {
+    var look: vec4<f32> = vec4(0.0, 0.0, 0.0, 0.0);
+    if (frame.z <= 0.0) {
+        return look;
+    }
+    var here: vec2<f32> = tree_octa_place(frame.xy, start.xy + along.xy * s, shape.z);
+    var depth: f32 = (2.0 * tree_octa_detail(here).w - 1.0) * size.x;
+    var above: f32 = start.z + along.z * s - depth;
+    var slab: f32 = -0.5 * stride * along.z;
+    if (above > slab + 0.005 * size.x) {
+        return look;
+    }
+    look.w = frame.z * tree_octa_color(here).w;
+    if (above < -slab - 0.05 * size.x) {
+        look.w = -look.w;
+        return look;
+    }
+    look.z = s - above / along.z;
+    var there: vec2<f32> = tree_octa_place(frame.xy, start.xy + along.xy * look.z, shape.z);
+    return vec4(there.x, there.y, look.z, look.w);
+}
+
+// What a view sees, times its share: linear colour, or with `detail` of 1 normal and distance.
+fn tree_octa_share(look: vec4<f32>, detail: f32) -> vec4<f32> {
+    var texel: vec4<f32> = vec4(0.0, 0.0, 0.0, 0.0);
+    if (look.w > 0.0) {
+        texel = tree_octa_color(look.xy);
+        if (detail > 0.5) {
+            texel = 2.0 * tree_octa_detail(look.xy) - vec4(1.0, 1.0, 1.0, 1.0);
         }
-        s = s + stride;
+        texel = look.w * vec4(texel.x, texel.y, texel.z, look.z);
     }
-    return met;
+    return texel;
 }
 
 // What a ray sees: linear colour and alpha, or with `detail` of 1 normal and distance.
 fn tree_octa_view(origin: vec3<f32>, direction: vec3<f32>, shape: vec4<f32>, size: vec4<f32>, detail: f32) -> vec4<f32> {
     var sum: vec4<f32> = vec4(0.0, 0.0, 0.0, 0.0);
-    var total: f32 = 0.0;
-    var most: f32 = 0.0;
     // The part of the ray within the ball, in front of the eye.
     var middle: f32 = -dot(origin, direction);
     var nearest: vec3<f32> = origin + direction * middle;
@@ -138,33 +167,54 @@ fn tree_octa_view(origin: vec3<f32>, direction: vec3<f32>, shape: vec4<f32>, siz
         return sum;
     }
     var ends: vec2<f32> = vec2(max(middle - reach, 0.0), middle + reach);
-    for (var i: i32 = 0; i < 3; i = i + 1) {
-        var frame: vec3<f32> = tree_octa_frame(-direction, shape, i);
-        if (frame.z > 0.0) {
-            // Nearer views count more than in proportion: outlines stay sharper.
-            var weight: f32 = frame.z * sqrt(frame.z);
-            most = most + weight;
-            var met: vec4<f32> = tree_octa_trace(frame.xy, origin, direction, ends, shape, size);
-            if (met.w > 0.5) {
-                var texel: vec4<f32> = tree_octa_color(met.xy);
-                var share: f32 = weight * texel.w;
-                if (detail > 0.5) {
-                    var found: vec4<f32> = 2.0 * tree_octa_detail(met.xy) - vec4(1.0, 1.0, 1.0, 1.0);
-                    texel = vec4(found.x, found.y, found.z, met.z);
-                }
-                sum = sum + share * vec4(texel.x, texel.y, texel.z, 0.0);
-                sum.w = sum.w + share * met.z;
-                total = total + share;
+    // Three views around the ray, and the ray as each of them sees it.
+    var frame_a: vec3<f32> = tree_octa_frame(-direction, shape, 0);
+    var frame_b: vec3<f32> = tree_octa_frame(-direction, shape, 1);
+    var frame_c: vec3<f32> = tree_octa_frame(-direction, shape, 2);
+    ends = tree_octa_ends(frame_a, origin, direction, ends, shape, size);
+    ends = tree_octa_ends(frame_b, origin, direction, ends, shape, size);
+    ends = tree_octa_ends(frame_c, origin, direction, ends, shape, size);
+    frame_a.z = tree_octa_weight(frame_a, direction, shape);
+    frame_b.z = tree_octa_weight(frame_b, direction, shape);
+    frame_c.z = tree_octa_weight(frame_c, direction, shape);
+    var total: f32 = frame_a.z + frame_b.z + frame_c.z;
+    if (ends.x >= ends.y || total <= 0.0) {
+        return sum;
+    }
+    var start_a: vec3<f32> = tree_octa_seen(tree_octa_toward(frame_a.xy, shape), origin, size);
+    var along_a: vec3<f32> = tree_octa_seen(tree_octa_toward(frame_a.xy, shape), direction, size);
+    var start_b: vec3<f32> = tree_octa_seen(tree_octa_toward(frame_b.xy, shape), origin, size);
+    var along_b: vec3<f32> = tree_octa_seen(tree_octa_toward(frame_b.xy, shape), direction, size);
+    var start_c: vec3<f32> = tree_octa_seen(tree_octa_toward(frame_c.xy, shape), origin, size);
+    var along_c: vec3<f32> = tree_octa_seen(tree_octa_toward(frame_c.xy, shape), direction, size);
+    var most: f32 = 0.0;
+    var stride: f32 = (ends.y - ends.x) / 32.0;
+    var s: f32 = ends.x + 0.5 * stride;
+    for (var i: i32 = 0; i < 32; i = i + 1) {
+        var a: vec4<f32> = tree_octa_look(frame_a, start_a, along_a, s, stride, shape, size);
+        var b: vec4<f32> = tree_octa_look(frame_b, start_b, along_b, s, stride, shape, size);
+        var c: vec4<f32> = tree_octa_look(frame_c, start_c, along_c, s, stride, shape, size);
+        var seen: f32 = max(a.w, 0.0) + max(b.w, 0.0) + max(c.w, 0.0);
+        var hidden: f32 = max(-a.w, 0.0) + max(-b.w, 0.0) + max(-c.w, 0.0);
+        var alpha: f32 = (seen + 0.49 * hidden) / total;
+        if (seen > 0.0 && alpha > most) {
+            // What is nearer hides what comes after as far as it is there.
+            var found: vec4<f32> = tree_octa_share(a, detail) + tree_octa_share(b, detail) + tree_octa_share(c, detail);
+            sum = sum + (alpha - most) / seen * found;
+            most = alpha;
+            if (alpha >= 0.995) {
+                break;
             }
         }
+        s = s + stride;
     }
-    if (total <= 0.0) {
+    if (most <= 0.0) {
         return vec4(0.0, 0.0, 0.0, 0.0);
     }
-    sum = sum / total;
+    sum = sum / most;
     if (detail > 0.5) {
         var normal: vec3<f32> = normalize(vec3(sum.x, sum.y, sum.z));
         return vec4(normal.x, normal.y, normal.z, sum.w);
     }
-    return vec4(sum.x, sum.y, sum.z, total / most);
+    return vec4(sum.x, sum.y, sum.z, most);
 }
