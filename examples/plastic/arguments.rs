@@ -8,7 +8,7 @@ use tree_model::lsystem::LSystem;
 use tree_model::path::Preset;
 
 pub(crate) const USAGE: &str = "plastic [PRESET|FILE.swc|FILE.glb] [--scene wall|pair|sun] [--frames N] [--distance METRES] \
-                                [--species NAME] [--colours] [--out FOLDER]";
+                                [--species NAME] [--colours] [--regrow] [--out FOLDER]";
 
 /// What happens.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -35,6 +35,7 @@ pub(crate) struct Request {
     pub(crate) distance: Option<f32>,
     pub(crate) species: Option<String>,
     pub(crate) colours: bool,
+    pub(crate) regrow: bool,
     pub(crate) out: PathBuf,
 }
 
@@ -49,6 +50,7 @@ impl Request {
             distance: None,
             species: None,
             colours: false,
+            regrow: false,
             out: "out".into(),
         };
         while let Some(name) = arguments.next() {
@@ -70,6 +72,7 @@ impl Request {
                 "--distance" => request.distance = Some(number(&name, &value()?)?),
                 "--species" => request.species = Some(value()?),
                 "--colours" => request.colours = true,
+                "--regrow" => request.regrow = true,
                 "--out" => request.out = value()?.into(),
                 flag if flag.starts_with("--") => {
                     return Err(format!("unknown option {flag}").into());

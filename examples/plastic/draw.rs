@@ -45,7 +45,7 @@ pub(crate) fn frame(
     Ok(all)
 }
 
-fn leafy(tree: &Tree, control: &Control) -> Result<Mesh, Box<dyn Error>> {
+pub(crate) fn leafy(tree: &Tree, control: &Control) -> Result<Mesh, Box<dyn Error>> {
     let size = tree.skeleton().bounds().size().max_element();
     let look = Look::built_in(tree.species()).unwrap_or_else(|_| Look::plain(tree.species()));
     let params = MeshParams {
@@ -78,7 +78,7 @@ pub(crate) fn imported(path: &Path, control: &Control) -> Result<Tree, Box<dyn E
     Ok(skeletonize(&parts, &SkeletonizeParams::default(), control)?.tree)
 }
 
-fn append(all: &mut Mesh, mesh: Mesh, place: impl Fn(Vec3) -> Vec3) {
+pub(crate) fn append(all: &mut Mesh, mesh: Mesh, place: impl Fn(Vec3) -> Vec3) {
     let first = all.materials.len() as u32;
     all.materials.extend(mesh.materials);
     for mut surface in mesh.surfaces {
@@ -147,7 +147,7 @@ fn tube(surface: &mut Surface, [from, to]: [Vec3; 2], radius: f32) {
 }
 
 /// A box.
-fn block(low: Vec3, high: Vec3) -> Mesh {
+pub(crate) fn block(low: Vec3, high: Vec3) -> Mesh {
     let mut surface = Surface::default();
     for axis in 0..3 {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);

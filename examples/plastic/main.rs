@@ -1,25 +1,29 @@
 //! Trees that react (Pirk et al. 2012): a wall approaches, two trees meet, the sun turns.
 //!
 //! `cargo run --release --example plastic -- [PRESET|FILE.swc|FILE.glb] [--scene wall|pair|sun] [--frames N] [--distance METRES]
-//! [--species NAME] [--colours] [--out FOLDER]`
+//! [--species NAME] [--colours] [--regrow] [--out FOLDER]`
 //!
-//! Writes a picture a frame, `NAME_SCENE_000.png` and so on, and the trees of the last frame as `NAME_SCENE.glb`. With `--colours`
-//! the main branches are drawn instead of the tree: red as they bend, blue what is pruned (the paper's Fig. 6).
+//! Writes a picture a frame, `NAME_SCENE_000.png` and so on, the trees of the last frame as `NAME_SCENE.glb`, and with more than one
+//! frame the whole act as `NAME_SCENE_moving.glb`, which every viewer of glTF plays. With `--colours` the main branches are drawn
+//! instead of the tree: red as they bend, blue what is pruned (the paper's Fig. 6). With `--regrow` the first tree of the last
+//! frame grows new branches where it lost old ones and there is light: `NAME_SCENE_regrown.png` and `.glb`.
 
 mod arguments;
 mod draw;
+mod film;
 
 use arguments::{Act, Request};
 use std::error::Error;
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Instant;
 use tree_core::glam::Vec3;
-use tree_core::{Control, Volume};
+use tree_core::{Control, Seed, Volume};
 use tree_lod::preview::{self, Style};
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
 use tree_model::plastic::{
-    ObstacleId, PlasticParams, PlasticTree, Pose, Response, Scene, Sky, TreeId,
+    ObstacleId, PlasticParams, PlasticTree, Pose, Regrowth, Response, Scene, Sky, TreeId,
 };
 
 fn main() -> ExitCode {
@@ -59,6 +63,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&request.out)
         .map_err(|error| format!("cannot make folder {}: {error}", request.out.display()))?;
     let act = request.act.name();
+    let mut film = film::Film::new(&stage.scene, &stage.trees, stage.wall, &control)?;
     for frame in 0..request.frames {
         let progress =
             if request.frames > 1 { frame as f32 / (request.frames - 1) as f32 } else { 1.0 };
@@ -66,6 +71,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         let started = Instant::now();
         stage.scene.update(&control)?;
         let took = 1e3 * started.elapsed().as_secs_f64();
+        film.take(&stage.scene, stage.at)?;
         let mesh =
             draw::frame(&stage.scene, &stage.trees, stage.wall(), request.colours, &control)?;
         let path = request.out.join(format!("{name}_{act}_{frame:03}.png"));
@@ -85,6 +91,37 @@ fn run() -> Result<(), Box<dyn Error>> {
             )?;
         }
     }
+    if request.frames > 1 {
+        let path = request.out.join(format!("{name}_{act}_moving.glb"));
+        film.write(&path)?;
+        println!("{}: {} frames", path.display(), request.frames);
+    }
+    if request.regrow {
+        regrow(&stage, &request.out.join(format!("{name}_{act}_regrown")), &control)?;
+    }
+    Ok(())
+}
+
+/// Lets the first tree grow new branches, and draws it.
+fn regrow(stage: &Stage, path: &Path, control: &Control) -> Result<(), Box<dyn Error>> {
+    let id = stage.trees[0];
+    let params = Regrowth::of(stage.scene.model(id)?);
+    let new = stage.scene.regrown(id, &params, Seed(1), control)?;
+    let mut mesh = draw::leafy(&new.tree, control)?;
+    if let Some((low, high)) = stage.wall() {
+        draw::append(&mut mesh, draw::block(low, high), |point| point);
+    }
+    let picture = path.with_extension("png");
+    preview::render(&mesh, &stage.view, &Style::default(), control)?.save_png(&picture)?;
+    write_glb(&mesh, path.with_extension("glb"), &GlbOptions::default())?;
+    println!(
+        "{}: {} new branches with {} nodes; {} of {} stumps have light and room",
+        picture.display(),
+        new.branches.len(),
+        new.tree.skeleton().len() - new.n_adapted as usize,
+        new.n_open,
+        new.n_stumps
+    );
     Ok(())
 }
 

@@ -125,6 +125,7 @@ impl tree_growth_world {
             light: Vec3::from(self.light),
             brightness: self.brightness,
             obstacle: unsafe { obstacle(self.obstacle, self.clearance, &part("obstacle")) }?,
+            standing: Vec::new(),
         })
     }
 }

@@ -71,6 +71,41 @@ impl Scene {
     }
 }
 
+/// How a node of the input stands today: what belonged to it at p is at `p + moved + (rotation * (p - node) - (p - node))`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct NodeMotion {
+    /// How far it moved, in the tree's own frame.
+    pub moved: Vec3,
+    /// How far its segment turned.
+    pub rotation: Quat,
+    /// Whether the branch that carries it lives.
+    pub alive: bool,
+}
+
+impl Scene {
+    /// How each node of the input stands as of the last update: the skin of a mesh of the input follows it, without meshing the
+    /// adapted tree. Branchlets follow their main branch. O(nodes).
+    ///
+    /// # Errors
+    /// [`ModelError::Scene`](crate::ModelError::Scene) for an id that is not there.
+    pub fn motions(&self, id: TreeId) -> Result<Vec<NodeMotion>> {
+        let tree = self.planted(id)?;
+        let positions = tree.model.tree.skeleton().positions();
+        let of = |(&row, &at): (&u32, &Vec3)| {
+            let row = row as usize;
+            let rotation = tree.state.turned[row];
+            let offset = at - tree.model.plan.position[row];
+            NodeMotion {
+                moved: tree.state.moved[row] + (rotation * offset - offset),
+                rotation,
+                alive: tree.lives(row),
+            }
+        };
+        Ok(tree.model.row_of.iter().zip(positions).map(of).collect())
+    }
+}
+
 struct Filling<'a> {
     planted: &'a Planted,
     plan: &'a Plan,

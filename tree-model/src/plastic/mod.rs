@@ -38,7 +38,7 @@ pub mod scene;
 mod shade;
 mod tropism;
 
-pub use adapted::{Adapted, AdaptedReport};
+pub use adapted::{Adapted, AdaptedReport, NodeMotion};
 pub use age::{Ages, ages, commonest};
 pub use analysis::{LeafCluster, PlasticReport, PlasticTree};
 pub use light::{Ball, Light, Sky};

@@ -85,6 +85,32 @@ fn a_wall_bends_the_tree_away_and_prunes_its_side() {
 }
 
 #[test]
+fn motions_lead_every_living_main_node_to_where_it_is() {
+    let model = model("oak");
+    let mut scene = scene();
+    let id = scene.add_tree(model.clone(), Pose::default()).unwrap();
+    let far = 0.3 * size(&model).x;
+    scene.add_obstacle(wall(2.0 * size(&model).y), Pose::at(Vec3::X * far)).unwrap();
+    update(&mut scene);
+    let (motions, adapted) = (scene.motions(id).unwrap(), trees(&scene).remove(0));
+    let old = model.tree().skeleton().positions();
+    assert_eq!(motions.len(), old.len());
+    let mut n_moved = 0;
+    for (&source, &at) in adapted.source.iter().zip(adapted.tree.skeleton().positions()) {
+        let node = source as usize;
+        assert!(motions[node].alive);
+        if model.is_main()[node] {
+            assert!((old[node] + motions[node].moved).distance(at) < 1e-4);
+            n_moved += u32::from(motions[node].moved.length() > 0.01);
+        }
+    }
+    assert!(n_moved > 10);
+    for (motion, died) in motions.iter().zip(&adapted.died) {
+        assert_eq!(motion.alive, died.is_none());
+    }
+}
+
+#[test]
 fn an_obstacle_that_goes_away_leaves_no_trace() {
     let model = model("oak");
     let mut scene = scene();
