@@ -2358,6 +2358,11 @@ typedef struct tree_growth_world {
     const struct tree_volume *crown;
     // What no branch may enter, and what hides the sky. Default NULL.
     const struct tree_volume *obstacle;
+    // `n_standing` points: metamers that stand there already and shade, or take up space, as those of the plants do:
+    // neighbours, or a tree on which the plants are new branches. Default NULL.
+    const float *standing;
+    // Default 0.
+    size_t n_standing;
     // How buds sense. Default `TREE_GROWTH_BY_LIGHT`.
     tree_growth_environment environment;
     // By light: edge of a voxel in metres, 0.001 to 100; about one and a half internodes. Default 0.2.
@@ -3151,6 +3156,30 @@ typedef struct tree_gltf_level {
     // 0.
     uint32_t reserved;
 } tree_gltf_level;
+
+// How a mesh moves: each vertex with one joint, each joint from frame to frame. Begin with `tree_glb_motion_init`.
+typedef struct tree_glb_motion {
+    // `sizeof(tree_glb_motion)`.
+    size_t struct_size;
+    // `n_joints` points: where each joint is in the mesh as it stands, in metres.
+    const float *joints;
+    // 1 to 65,536.
+    size_t n_joints;
+    // `n_vertices` numbers: the joint of each vertex, of all surfaces one after the other.
+    const uint16_t *vertex_joints;
+    // Vertices of all surfaces of the mesh.
+    size_t n_vertices;
+    // `n_frames` seconds, from 0 on, ascending.
+    const float *times;
+    // At least 1.
+    size_t n_frames;
+    // `n_frames` times `n_joints` points: where each joint is then.
+    const float *positions;
+    // As many unit quaternions x, y, z, w; NULL for none turned.
+    const float *rotations;
+    // As many factors, 0 or more; NULL for 1.
+    const float *scales;
+} tree_glb_motion;
 
 // Something a reader left out or changed: one of the `TREE_NOTE_` constants.
 typedef uint32_t tree_note;
@@ -6133,6 +6162,50 @@ typedef struct tree_plastic_response {
     uint32_t reserved;
 } tree_plastic_response;
 
+// How new branches grow. Begin with `tree_plastic_regrowth_init`, or `tree_plastic_regrowth_of` for the measure of a tree.
+typedef struct tree_plastic_regrowth {
+    // `sizeof(tree_plastic_regrowth)`.
+    size_t struct_size;
+    // Their kind; NULL for that of `tree_growth_habit_init` with the internode below. Default NULL.
+    const struct tree_growth_habit *habit;
+    // Without `habit`: length of an internode in metres, 0.001 to 100. Default 0.12.
+    float internode;
+    // Without `habit`: whether new branches are bare. Default 0: they bear leaves.
+    uint32_t bare;
+    // Edge of a voxel of shadow in metres, 0.001 to 100. Default 0.2.
+    float shadow_voxel;
+    // Shadow in the voxel of the one who casts it, 0 to 4. Default 0.12.
+    float shadow_strength;
+    // What divides the shadow with each layer down, 1 to 10. Default 1.4.
+    float shadow_falloff;
+    // Layers below its own that a metamer shades, 0 to 32. Default 7.
+    uint32_t shadow_depth;
+    // How many voxels a bud looks around for the brighter side, 1 to 8. Default 3.
+    uint32_t shadow_reach;
+    // Iterations they grow for, 0 to 100. Default 6.
+    uint32_t years;
+    // Least light where the old branch stood, as a share of the open sky's, 0 to 1. Default 0.4.
+    float light;
+    // Least distance between two new branches in metres, 0 to 1000. Default 0.4.
+    float spacing;
+    // Most new branches, 0 to 10,000. Default 64.
+    uint32_t most;
+    // 0.
+    uint32_t reserved;
+} tree_plastic_regrowth;
+
+// What has grown.
+typedef struct tree_plastic_regrown {
+    // `sizeof(tree_plastic_regrown)`.
+    size_t struct_size;
+    // Nodes of the adapted tree, which come first; all others are new.
+    uint64_t n_adapted;
+    // New branches.
+    uint64_t n_branches;
+    // Living main nodes that had lost a branch.
+    uint64_t n_stumps;
+} tree_plastic_regrown;
+
 // What an update did.
 typedef struct tree_plastic_update {
     // `sizeof(tree_plastic_update)`.
@@ -8745,6 +8818,12 @@ tree_status tree_cards_picture(const struct tree_cards *cards,
                                const struct tree_control *control,
                                struct tree_picture **picture);
 
+// A copy of the atlas of colours with light: the share of the sky that is seen through the leaves around, and softly by the
+// normal. `control` may be NULL. Free the picture with `tree_picture_free`.
+tree_status tree_cards_lit(const struct tree_cards *cards,
+                           const struct tree_control *control,
+                           struct tree_picture **picture);
+
 // Frees cards, and with them all views of their pixels. Boxes and meshes made of them stay.
 tree_status tree_cards_free(struct tree_cards *cards);
 
@@ -8757,6 +8836,15 @@ tree_status tree_cards_mesh(const struct tree_cards *cards,
                             size_t n_boxes,
                             const struct tree_control *control,
                             struct tree_mesh **mesh);
+
+// The planes of `n_boxes` boxes for programs without the shader: of each box those that together look best from around and a
+// little above, both sides as squares of their own, lit (`tree_cards_lit`) and with the normals of a rounded crown. As
+// `tree_cards_mesh` in all else.
+tree_status tree_cards_plain(const struct tree_cards *cards,
+                             const uint32_t *boxes,
+                             size_t n_boxes,
+                             const struct tree_control *control,
+                             struct tree_mesh **mesh);
 
 // As `tree_cards_mesh`, of some planes of each box only: `n_planes` numbers, 0 to 5, as `tree_leaf_boxes_planes` counts
 // them, at most six. For programs without the shader: 0, 2 and 4, one for each axis, cover about as much as the leaves
@@ -9170,6 +9258,26 @@ tree_status tree_gltf_leaves_view(const struct tree_gltf_leaves *leaves,
 
 // Frees leaves, and their meshes.
 tree_status tree_gltf_leaves_free(struct tree_gltf_leaves *leaves);
+
+// Makes `motion`, of `size` bytes, one without joints and frames.
+tree_status tree_glb_motion_init(struct tree_glb_motion *motion, size_t size);
+
+// Writes a mesh that moves to a GLB file, whole or not at all: a skin and one animation, linear between frames; joints that stay
+// have no channels. Path, `options` and `control` as in `tree_mesh_write_glb`; positions are not quantised. `TREE_ERROR_INVALID` where
+// motion and mesh do not fit together.
+tree_status tree_mesh_write_glb_moving(const struct tree_mesh *mesh,
+                                       const struct tree_glb_motion *motion,
+                                       const char *path,
+                                       size_t path_len,
+                                       const struct tree_glb_options *options,
+                                       const struct tree_control *control);
+
+// A mesh that moves as a GLB file in memory, as `tree_mesh_write_glb_moving` writes it. Free it with `tree_bytes_free`.
+tree_status tree_mesh_to_glb_moving(const struct tree_mesh *mesh,
+                                    const struct tree_glb_motion *motion,
+                                    const struct tree_glb_options *options,
+                                    const struct tree_control *control,
+                                    struct tree_bytes **bytes);
 
 // The attributes `_WIND*` of all surfaces of a mesh, for a level of a glTF file: the streams of
 // `TREE_LAYOUT_GLTF_WIND` that are not glTF's own, four floats each, the missing ones 0, which every
@@ -12428,6 +12536,17 @@ tree_status tree_plastic_scene_move_obstacle(struct tree_plastic_scene *scene,
 // Takes an obstacle away. `TREE_ERROR_INVALID` for an id that is not there.
 tree_status tree_plastic_scene_remove_obstacle(struct tree_plastic_scene *scene, uint64_t id);
 
+// How each node of the input of tree `id` stands as of the last update: what belonged to a node at p is at p + moved +
+// (rotation (p - node) - (p - node)), in the tree's own frame. Branchlets follow their main branch. `moved` has room for 3 floats
+// a node, `rotations` for 4 (x, y, z, w), `alive` for one byte (1 where the branch lives, else 0); each may be NULL when it is not wanted.
+// `n_nodes` is the number of nodes of the input, or nothing is written and `TREE_ERROR_INVALID` says how many there are.
+tree_status tree_plastic_scene_motions(const struct tree_plastic_scene *scene,
+                                       uint64_t id,
+                                       float *moved,
+                                       float *rotations,
+                                       uint8_t *alive,
+                                       size_t n_nodes);
+
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_plastic_params_init(struct tree_plastic_params *params, size_t size);
 
@@ -12467,6 +12586,25 @@ tree_status tree_plastic_scene_pose(const struct tree_plastic_scene *scene,
 tree_status tree_plastic_scene_model(const struct tree_plastic_scene *scene,
                                      uint64_t id,
                                      struct tree_plastic **plastic);
+
+// Makes `params`, of `size` bytes, the default.
+tree_status tree_plastic_regrowth_init(struct tree_plastic_regrowth *params, size_t size);
+
+// Makes `params`, of `size` bytes, the default to the measure of a tree: internodes, voxels and distances by the length of its
+// internodes, and bare where it is.
+tree_status tree_plastic_regrowth_of(const struct tree_plastic *plastic,
+                                     struct tree_plastic_regrowth *params,
+                                     size_t size);
+
+// A tree of a scene as of the last update, and new branches where old ones died and there is light. The scene does not change.
+// `params`, `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_INVALID` for an id that is not there.
+tree_status tree_plastic_scene_regrown(const struct tree_plastic_scene *scene,
+                                       uint64_t id,
+                                       const struct tree_plastic_regrowth *params,
+                                       uint64_t seed,
+                                       const struct tree_control *control,
+                                       struct tree_plastic_regrown *report,
+                                       struct tree_tree **tree);
 
 // Makes an empty scene. `sky` and `response` may be NULL for the defaults. Free it with `tree_plastic_scene_free`.
 // `TREE_ERROR_PARAMETER` names what is out of range.

@@ -2005,6 +2005,15 @@ namespace TreeFamily.Native
         /// </summary>
         public tree_volume* obstacle;
         /// <summary>
+        /// `n_standing` points: metamers that stand there already and shade, or take up space, as those of the plants do:
+        /// neighbours, or a tree on which the plants are new branches. Default NULL.
+        /// </summary>
+        public float* standing;
+        /// <summary>
+        /// Default 0.
+        /// </summary>
+        public UIntPtr n_standing;
+        /// <summary>
         /// How buds sense. Default `TREE_GROWTH_BY_LIGHT`.
         /// </summary>
         public uint environment; // tree_growth_environment
@@ -3483,6 +3492,54 @@ namespace TreeFamily.Native
         /// 0.
         /// </summary>
         public uint reserved;
+    }
+
+    /// <summary>
+    /// How a mesh moves: each vertex with one joint, each joint from frame to frame. Begin with `tree_glb_motion_init`.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_glb_motion
+    {
+        /// <summary>
+        /// `sizeof(tree_glb_motion)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// `n_joints` points: where each joint is in the mesh as it stands, in metres.
+        /// </summary>
+        public float* joints;
+        /// <summary>
+        /// 1 to 65,536.
+        /// </summary>
+        public UIntPtr n_joints;
+        /// <summary>
+        /// `n_vertices` numbers: the joint of each vertex, of all surfaces one after the other.
+        /// </summary>
+        public ushort* vertex_joints;
+        /// <summary>
+        /// Vertices of all surfaces of the mesh.
+        /// </summary>
+        public UIntPtr n_vertices;
+        /// <summary>
+        /// `n_frames` seconds, from 0 on, ascending.
+        /// </summary>
+        public float* times;
+        /// <summary>
+        /// At least 1.
+        /// </summary>
+        public UIntPtr n_frames;
+        /// <summary>
+        /// `n_frames` times `n_joints` points: where each joint is then.
+        /// </summary>
+        public float* positions;
+        /// <summary>
+        /// As many unit quaternions x, y, z, w; NULL for none turned.
+        /// </summary>
+        public float* rotations;
+        /// <summary>
+        /// As many factors, 0 or more; NULL for 1.
+        /// </summary>
+        public float* scales;
     }
 
     /// <summary>
@@ -9082,6 +9139,94 @@ namespace TreeFamily.Native
         /// 0.
         /// </summary>
         public uint reserved;
+    }
+
+    /// <summary>
+    /// How new branches grow. Begin with `tree_plastic_regrowth_init`, or `tree_plastic_regrowth_of` for the measure of a tree.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_regrowth
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_regrowth)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Their kind; NULL for that of `tree_growth_habit_init` with the internode below. Default NULL.
+        /// </summary>
+        public tree_growth_habit* habit;
+        /// <summary>
+        /// Without `habit`: length of an internode in metres, 0.001 to 100. Default 0.12.
+        /// </summary>
+        public float internode;
+        /// <summary>
+        /// Without `habit`: whether new branches are bare. Default 0: they bear leaves.
+        /// </summary>
+        public uint bare;
+        /// <summary>
+        /// Edge of a voxel of shadow in metres, 0.001 to 100. Default 0.2.
+        /// </summary>
+        public float shadow_voxel;
+        /// <summary>
+        /// Shadow in the voxel of the one who casts it, 0 to 4. Default 0.12.
+        /// </summary>
+        public float shadow_strength;
+        /// <summary>
+        /// What divides the shadow with each layer down, 1 to 10. Default 1.4.
+        /// </summary>
+        public float shadow_falloff;
+        /// <summary>
+        /// Layers below its own that a metamer shades, 0 to 32. Default 7.
+        /// </summary>
+        public uint shadow_depth;
+        /// <summary>
+        /// How many voxels a bud looks around for the brighter side, 1 to 8. Default 3.
+        /// </summary>
+        public uint shadow_reach;
+        /// <summary>
+        /// Iterations they grow for, 0 to 100. Default 6.
+        /// </summary>
+        public uint years;
+        /// <summary>
+        /// Least light where the old branch stood, as a share of the open sky's, 0 to 1. Default 0.4.
+        /// </summary>
+        public float light;
+        /// <summary>
+        /// Least distance between two new branches in metres, 0 to 1000. Default 0.4.
+        /// </summary>
+        public float spacing;
+        /// <summary>
+        /// Most new branches, 0 to 10,000. Default 64.
+        /// </summary>
+        public uint most;
+        /// <summary>
+        /// 0.
+        /// </summary>
+        public uint reserved;
+    }
+
+    /// <summary>
+    /// What has grown.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_regrown
+    {
+        /// <summary>
+        /// `sizeof(tree_plastic_regrown)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// Nodes of the adapted tree, which come first; all others are new.
+        /// </summary>
+        public ulong n_adapted;
+        /// <summary>
+        /// New branches.
+        /// </summary>
+        public ulong n_branches;
+        /// <summary>
+        /// Living main nodes that had lost a branch.
+        /// </summary>
+        public ulong n_stumps;
     }
 
     /// <summary>
@@ -15369,6 +15514,13 @@ namespace TreeFamily.Native
         public static extern int tree_cards_picture(tree_cards* cards, uint map, tree_control* control, tree_picture** picture);
 
         /// <summary>
+        /// A copy of the atlas of colours with light: the share of the sky that is seen through the leaves around, and softly by the
+        /// normal. `control` may be NULL. Free the picture with `tree_picture_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_lit(tree_cards* cards, tree_control* control, tree_picture** picture);
+
+        /// <summary>
         /// Frees cards, and with them all views of their pixels. Boxes and meshes made of them stay.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -15382,6 +15534,14 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_cards_mesh(tree_cards* cards, uint* boxes, UIntPtr n_boxes, tree_control* control, tree_mesh** mesh);
+
+        /// <summary>
+        /// The planes of `n_boxes` boxes for programs without the shader: of each box those that together look best from around and a
+        /// little above, both sides as squares of their own, lit (`tree_cards_lit`) and with the normals of a rounded crown. As
+        /// `tree_cards_mesh` in all else.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_cards_plain(tree_cards* cards, uint* boxes, UIntPtr n_boxes, tree_control* control, tree_mesh** mesh);
 
         /// <summary>
         /// As `tree_cards_mesh`, of some planes of each box only: `n_planes` numbers, 0 to 5, as `tree_leaf_boxes_planes` counts
@@ -15850,6 +16010,26 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_gltf_leaves_free(tree_gltf_leaves* leaves);
+
+        /// <summary>
+        /// Makes `motion`, of `size` bytes, one without joints and frames.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_glb_motion_init(tree_glb_motion* motion, UIntPtr size);
+
+        /// <summary>
+        /// Writes a mesh that moves to a GLB file, whole or not at all: a skin and one animation, linear between frames; joints that stay
+        /// have no channels. Path, `options` and `control` as in `tree_mesh_write_glb`; positions are not quantised. `TREE_ERROR_INVALID` where
+        /// motion and mesh do not fit together.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_write_glb_moving(tree_mesh* mesh, tree_glb_motion* motion, byte* path, UIntPtr path_len, tree_glb_options* options, tree_control* control);
+
+        /// <summary>
+        /// A mesh that moves as a GLB file in memory, as `tree_mesh_write_glb_moving` writes it. Free it with `tree_bytes_free`.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_to_glb_moving(tree_mesh* mesh, tree_glb_motion* motion, tree_glb_options* options, tree_control* control, tree_bytes** bytes);
 
         /// <summary>
         /// The attributes `_WIND*` of all surfaces of a mesh, for a level of a glTF file: the streams of
@@ -19575,6 +19755,15 @@ namespace TreeFamily.Native
         public static extern int tree_plastic_scene_remove_obstacle(tree_plastic_scene* scene, ulong id);
 
         /// <summary>
+        /// How each node of the input of tree `id` stands as of the last update: what belonged to a node at p is at p + moved +
+        /// (rotation (p - node) - (p - node)), in the tree's own frame. Branchlets follow their main branch. `moved` has room for 3 floats
+        /// a node, `rotations` for 4 (x, y, z, w), `alive` for one byte (1 where the branch lives, else 0); each may be NULL when it is not wanted.
+        /// `n_nodes` is the number of nodes of the input, or nothing is written and `TREE_ERROR_INVALID` says how many there are.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_motions(tree_plastic_scene* scene, ulong id, float* moved, float* rotations, byte* alive, UIntPtr n_nodes);
+
+        /// <summary>
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -19628,6 +19817,26 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_plastic_scene_model(tree_plastic_scene* scene, ulong id, tree_plastic** plastic);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_regrowth_init(tree_plastic_regrowth* @params, UIntPtr size);
+
+        /// <summary>
+        /// Makes `params`, of `size` bytes, the default to the measure of a tree: internodes, voxels and distances by the length of its
+        /// internodes, and bare where it is.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_regrowth_of(tree_plastic* plastic, tree_plastic_regrowth* @params, UIntPtr size);
+
+        /// <summary>
+        /// A tree of a scene as of the last update, and new branches where old ones died and there is light. The scene does not change.
+        /// `params`, `control` and `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_INVALID` for an id that is not there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_plastic_scene_regrown(tree_plastic_scene* scene, ulong id, tree_plastic_regrowth* @params, ulong seed, tree_control* control, tree_plastic_regrown* report, tree_tree** tree);
 
         /// <summary>
         /// Makes an empty scene. `sky` and `response` may be NULL for the defaults. Free it with `tree_plastic_scene_free`.

@@ -206,6 +206,10 @@ pub enum MeshError {
     #[cfg(feature = "gltf")]
     #[error("glTF: {0}")]
     Gltf(String),
+    /// A motion that does not fit its mesh.
+    #[cfg(feature = "gltf")]
+    #[error("motion: {0}")]
+    Motion(String),
     /// A file that is read is not what its format asks for.
     #[error("{format}, {place}: {problem}")]
     Malformed {

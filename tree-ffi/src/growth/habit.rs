@@ -174,7 +174,7 @@ impl tree_growth_habit {
     }
 
     /// The habit in Rust's form, not yet checked against its ranges; `name` is what it is called by.
-    pub(super) unsafe fn rust(&self, name: &str) -> Result<Habit> {
+    pub(crate) unsafe fn rust(&self, name: &str) -> Result<Habit> {
         let part = |field: &str| format!("{name}.{field}");
         let buds = Arrangement { kind: self.buds, divergence: self.divergence, whorl: self.whorl };
         let leaves = if self.leaves.is_null() {

@@ -1,10 +1,11 @@
 //! Where trees grow, and how their buds sense it.
 
-use crate::border::{Failure, Result, Versioned, call, get_opt, init, tree_status};
+use crate::border::{Failure, Result, Versioned, call, get_opt, init, tree_status, vec3s};
 use crate::path::obstacle;
 use crate::volume::tree_volume;
 use glam::Vec3;
 use tree_model::growth::{Environment, Shadow, Space, World};
+use tree_model::tree_core::{Limits, Resource};
 
 /// How buds sense their surroundings: one of the `TREE_GROWTH_BY_` constants.
 pub type tree_growth_environment = u32;
@@ -23,6 +24,11 @@ pub struct tree_growth_world {
     pub crown: *const tree_volume,
     /// What no branch may enter, and what hides the sky. Default NULL.
     pub obstacle: *const tree_volume,
+    /// `n_standing` points: metamers that stand there already and shade, or take up space, as those of the plants do:
+    /// neighbours, or a tree on which the plants are new branches. Default NULL.
+    pub standing: *const f32,
+    /// Default 0.
+    pub n_standing: usize,
     /// How buds sense. Default `TREE_GROWTH_BY_LIGHT`.
     pub environment: tree_growth_environment,
     /// By light: edge of a voxel in metres, 0.001 to 100; about one and a half internodes. Default 0.2.
@@ -92,6 +98,8 @@ impl tree_growth_world {
             space_density: space.density,
             light: world.light.to_array(),
             brightness: world.brightness,
+            standing: std::ptr::null(),
+            n_standing: 0,
             clearance: 0.0,
             reserved: 0,
         }
@@ -125,7 +133,10 @@ impl tree_growth_world {
             light: Vec3::from(self.light),
             brightness: self.brightness,
             obstacle: unsafe { obstacle(self.obstacle, self.clearance, &part("obstacle")) }?,
-            standing: Vec::new(),
+            standing: unsafe {
+                let (limits, name) = (Limits::default(), part("standing"));
+                vec3s(self.standing, self.n_standing, &limits, Resource::Nodes, &name)?.to_vec()
+            },
         })
     }
 }

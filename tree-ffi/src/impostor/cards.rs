@@ -12,6 +12,7 @@ use crate::lod::tree_elements;
 use crate::mesh::tree_mesh;
 use crate::preview::{tree_picture, tree_pixels};
 use tree_lod::impostor::cards::Cards;
+use tree_lod::preview::Picture;
 
 /// Six diagonal planes for each box, with pictures of its leaves, in two atlases (Lluch et al. 2010, 4.2.2).
 pub struct tree_cards(Shared<Cards>);
@@ -133,6 +134,23 @@ pub unsafe extern "C" fn tree_cards_picture(
         let cards = unsafe { get(cards, "cards") }?.rust();
         let found = chosen(map, &cards.color, &cards.detail)?;
         place.put(unsafe { copied(found, control) }?);
+        Ok(())
+    })
+}
+
+/// A copy of the atlas of colours with light: the share of the sky that is seen through the leaves around, and softly by the
+/// normal. `control` may be NULL. Free the picture with `tree_picture_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_cards_lit(
+    cards: *const tree_cards,
+    control: *const tree_control,
+    picture: *mut *mut tree_picture,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(picture, "picture") }?;
+        let lit = unsafe { get(cards, "cards") }?.rust().lit();
+        let (width, height, pixels) = (lit.width, lit.height, lit.pixels.clone());
+        place.put(unsafe { copied(&Picture { width, height, pixels }, control) }?);
         Ok(())
     })
 }

@@ -49,6 +49,32 @@ pub unsafe extern "C" fn tree_cards_mesh(
     })
 }
 
+/// The planes of `n_boxes` boxes for programs without the shader: of each box those that together look best from around and a
+/// little above, both sides as squares of their own, lit (`tree_cards_lit`) and with the normals of a rounded crown. As
+/// `tree_cards_mesh` in all else.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_cards_plain(
+    cards: *const tree_cards,
+    boxes: *const u32,
+    n_boxes: usize,
+    control: *const tree_control,
+    mesh: *mut *mut tree_mesh,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(mesh, "mesh") }?;
+        let cards = unsafe { get(cards, "cards") }?.rust();
+        let boxes = unsafe { few(boxes, n_boxes, BOXES_MAX, "boxes") }?;
+        let made = unsafe {
+            run(control, |control| {
+                foreseen(cards, boxes, control)?;
+                Ok(cards.plain(boxes)?)
+            })
+        }?;
+        place.put(tree_mesh::new(made));
+        Ok(())
+    })
+}
+
 /// As `tree_cards_mesh`, of some planes of each box only: `n_planes` numbers, 0 to 5, as `tree_leaf_boxes_planes` counts
 /// them, at most six. For programs without the shader: 0, 2 and 4, one for each axis, cover about as much as the leaves
 /// do. `TREE_ERROR_INVALID` when there is no such box or plane.

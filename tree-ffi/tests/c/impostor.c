@@ -137,6 +137,20 @@ static void atlases(const tree_cards *cards) {
     OK(tree_cards_picture(cards, TREE_IMPOSTOR_COLOR, NULL, &picture));
     OK(tree_picture_view(picture, &copy));
     CHECK(copy.pixels != color.pixels && memcmp(copy.pixels, color.pixels, color.n_bytes) == 0);
+    tree_picture *lit = NULL;
+    tree_pixels shone = {.struct_size = sizeof shone};
+    OK(tree_cards_lit(cards, NULL, &lit));
+    OK(tree_picture_view(lit, &shone));
+    CHECK(shone.width == color.width && memcmp(shone.pixels, color.pixels, color.n_bytes) != 0);
+    OK(tree_picture_free(lit));
+    const uint32_t box = 0, no_box = 1u << 30;
+    tree_mesh *planes = NULL;
+    OK(tree_cards_plain(cards, &box, 1, NULL, &planes));
+    tree_mesh_totals totals = {.struct_size = sizeof totals};
+    OK(tree_mesh_count(planes, &totals));
+    CHECK(totals.n_triangles == 12);
+    OK(tree_mesh_free(planes));
+    FAILS(TREE_ERROR_INVALID, "box", tree_cards_plain(cards, &no_box, 1, NULL, &planes));
 
     tree_mips *mips = NULL;
     size_t n_levels = 0;

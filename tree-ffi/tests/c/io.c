@@ -54,6 +54,39 @@ static int has(const tree_bytes *bytes, const char *part) {
     return 0;
 }
 
+/* A mesh all of whose vertices hang on one joint that moves. */
+static void moving(void) {
+    tree_mesh *mesh = a_leafy_mesh();
+    size_t n = totals_of(mesh).n_vertices;
+    uint16_t *joints = calloc(n, sizeof *joints);
+    const float at[] = {0, 0, 0}, times[] = {0, 1}, places[] = {0, 0, 0, 0, 1, 0}, scales[] = {1, 0.5f};
+    const float turns[] = {0, 0, 0, 1, 0, 1, 0, 0};
+    tree_glb_motion motion;
+    OK(tree_glb_motion_init(&motion, sizeof motion));
+    tree_bytes *bytes = NULL;
+    FAILS(TREE_ERROR_INVALID, "0 joints", tree_mesh_to_glb_moving(mesh, &motion, NULL, NULL, &bytes));
+    motion.joints = at;
+    motion.n_joints = 1;
+    motion.vertex_joints = joints;
+    motion.n_vertices = n;
+    motion.times = times;
+    motion.n_frames = 2;
+    motion.positions = places;
+    motion.rotations = turns;
+    motion.scales = scales;
+    OK(tree_mesh_to_glb_moving(mesh, &motion, NULL, NULL, &bytes));
+    CHECK(has(bytes, "\"skins\"") && has(bytes, "\"animations\"") && has(bytes, "JOINTS_0"));
+    OK(tree_bytes_free(bytes));
+    motion.n_vertices--;
+    FAILS(TREE_ERROR_INVALID, "vertices", tree_mesh_to_glb_moving(mesh, &motion, NULL, NULL, &bytes));
+    motion.n_vertices++;
+    char path[4096];
+    OK(tree_mesh_write_glb_moving(mesh, &motion, in_folder(path, "m.glb"), TREE_NUL_TERMINATED, NULL, NULL));
+    gone("m.glb");
+    free(joints);
+    OK(tree_mesh_free(mesh));
+}
+
 static void reading(void) {
     tree_import_report report = {.struct_size = sizeof report};
     tree_mesh *mesh = NULL;
@@ -366,6 +399,7 @@ static void obj_and_ply(const tree_mesh *mesh) {
 }
 
 void test_io(void) {
+    moving();
     tree_mesh *mesh = a_leafy_mesh();
     reading();
     glb(mesh);

@@ -342,6 +342,69 @@ static void obstacles(void) {
     OK(tree_plastic_scene_free(scene));
 }
 
+/* Skins follow the nodes; new branches grow where old ones died. */
+static void motions_and_regrowth(const tree_plastic *plastic) {
+    tree_tree *tree, *grown = NULL;
+    tree_skeleton *skeleton;
+    tree_skeleton_columns columns = {.struct_size = sizeof columns};
+    OK(tree_plastic_tree(plastic, &tree));
+    OK(tree_tree_skeleton(tree, &skeleton));
+    OK(tree_skeleton_view(skeleton, &columns));
+    size_t n = columns.n_nodes;
+    float *moved = malloc(n * 3 * sizeof *moved), *rotations = malloc(n * 4 * sizeof *rotations);
+    uint8_t *alive = malloc(n);
+    tree_plastic_scene *scene;
+    uint64_t id, wall;
+    OK(tree_plastic_scene_new(NULL, NULL, &scene));
+    OK(tree_plastic_scene_add_tree(scene, plastic, &origin, &id));
+    OK(tree_plastic_scene_update(scene, NULL, NULL));
+    OK(tree_plastic_scene_motions(scene, id, moved, rotations, alive, n));
+    for (size_t i = 0; i < n; i++) {
+        CHECK(moved[3 * i] == 0 && rotations[4 * i + 3] == 1 && alive[i] == 1);
+    }
+    tree_plastic_regrown report = {.struct_size = sizeof report};
+    OK(tree_plastic_scene_regrown(scene, id, NULL, 1, NULL, &report, &grown));
+    CHECK(report.n_stumps == 0 && report.n_branches == 0 && report.n_adapted == n);
+    OK(tree_tree_free(grown));
+
+    const float low[] = {0, -1, -20}, high[] = {1, 20, 20};
+    tree_volume *volume;
+    OK(tree_volume_box(low, high, &volume));
+    tree_pose pose = origin;
+    float right = 0;
+    for (size_t i = 0; i < n; i++) right = fmaxf(right, columns.positions[3 * i]);
+    pose.position[0] = 0.4f * right;
+    OK(tree_plastic_scene_add_obstacle(scene, volume, &pose, &wall));
+    OK(tree_plastic_scene_update(scene, NULL, NULL));
+    OK(tree_plastic_scene_motions(scene, id, moved, NULL, alive, n));
+    size_t n_dead = 0, n_moved = 0;
+    for (size_t i = 0; i < n; i++) {
+        n_dead += !alive[i];
+        n_moved += moved[3 * i] < -0.01f;
+    }
+    CHECK(n_dead > 0 && n_moved > 0);
+    FAILS(TREE_ERROR_INVALID, "the tree has", tree_plastic_scene_motions(scene, id, NULL, NULL, NULL, n + 1));
+    tree_plastic_regrowth params;
+    OK(tree_plastic_regrowth_init(&params, sizeof params));
+    CHECK(params.years == 6 && params.light == 0.4f && params.most == 64 && params.bare == 0);
+    OK(tree_plastic_regrowth_of(plastic, &params, sizeof params));
+    params.light = 0.05f;
+    OK(tree_plastic_scene_regrown(scene, id, &params, 1, NULL, &report, &grown));
+    CHECK(report.n_stumps > 0 && report.n_adapted < n);
+    OK(tree_tree_free(grown));
+    params.light = 2;
+    FAILS(TREE_ERROR_PARAMETER, "regrowth.light",
+          tree_plastic_scene_regrown(scene, id, &params, 1, NULL, NULL, &grown));
+    CHECK(grown == NULL);
+    OK(tree_volume_free(volume));
+    OK(tree_plastic_scene_free(scene));
+    OK(tree_skeleton_free(skeleton));
+    OK(tree_tree_free(tree));
+    free(moved);
+    free(rotations);
+    free(alive);
+}
+
 void test_plastic(void) {
     tree_plastic_report report = {.struct_size = sizeof report};
     tree_plastic *plastic = a_model(&report);
@@ -349,5 +412,6 @@ void test_plastic(void) {
     wall(plastic);
     neighbours(plastic);
     obstacles();
+    motions_and_regrowth(plastic);
     OK(tree_plastic_free(plastic));
 }

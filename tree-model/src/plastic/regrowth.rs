@@ -363,8 +363,7 @@ mod tests {
         let reach = 0.5 * model.tree().skeleton().bounds().size().x;
         let mut scene = Scene::new(Sky::default(), Response::default()).unwrap();
         let id = scene.add_tree(Arc::new(model), Pose::at(Vec3::new(2.0, 0.0, 1.0))).unwrap();
-        let wall =
-            Volume::box_solid(Vec3::new(0.0, 0.0, -9.0), Vec3::new(0.2, 12.0, 9.0)).unwrap();
+        let wall = Volume::box_solid(Vec3::new(0.0, 0.0, -9.0), Vec3::new(0.2, 12.0, 9.0)).unwrap();
         let at = Vec3::new(2.0 + 0.3 * reach, 0.0, 1.0);
         let wall = scene.add_obstacle(wall, Pose::at(at)).unwrap();
         scene.update(&control).unwrap();

@@ -41,9 +41,9 @@ impl Motion {
     /// Checks that it fits the mesh.
     ///
     /// # Errors
-    /// [`MeshError::Gltf`] saying what does not fit, and where.
+    /// [`MeshError::Motion`] saying what does not fit, and where.
     pub fn check(&self, mesh: &Mesh) -> Result<()> {
-        let fail = |problem: String| Err(MeshError::Gltf(format!("motion: {problem}")));
+        let fail = |problem: String| Err(MeshError::Motion(problem));
         let n_joints = self.joints.len();
         if !(1..=JOINTS_MAX).contains(&n_joints) {
             return fail(format!("{n_joints} joints, 1 to {JOINTS_MAX} can be written"));
@@ -134,16 +134,12 @@ pub fn to_glb_moving(mesh: &Mesh, motion: &Motion, options: &GlbOptions) -> Resu
     let joints: Vec<usize> = (first..writer.nodes.len()).collect();
     let name = format!("{} joints", options.name);
     let root = push(&mut writer.nodes, json!({ "name": name, "children": joints }));
-    let inverse = writer.column(
-        Column::plain(joints.len(), FLOAT, "MAT4"),
-        None,
-        |bytes| {
-            for at in &motion.joints {
-                let matrix = glam::Mat4::from_translation(-*at);
-                push_floats(bytes, matrix.to_cols_array());
-            }
-        },
-    )?;
+    let inverse = writer.column(Column::plain(joints.len(), FLOAT, "MAT4"), None, |bytes| {
+        for at in &motion.joints {
+            let matrix = glam::Mat4::from_translation(-*at);
+            push_floats(bytes, matrix.to_cols_array());
+        }
+    })?;
     let skin = json!({ "joints": joints, "skeleton": root, "inverseBindMatrices": inverse });
     let skin = push(&mut writer.skins, skin);
     let body = json!({ "name": options.name, "mesh": number, "skin": skin });
@@ -184,8 +180,7 @@ impl Writer<'_> {
         let n = motion.times.len();
         let ends = [motion.times.first(), motion.times.last()].map(|time| json!([time]));
         let [min, max] = ends;
-        let times =
-            Column { min_max: Some((min, max)), ..Column::plain(n, FLOAT, "SCALAR") };
+        let times = Column { min_max: Some((min, max)), ..Column::plain(n, FLOAT, "SCALAR") };
         let input =
             self.column(times, None, |bytes| push_floats(bytes, motion.times.iter().copied()))?;
         let (mut samplers, mut channels) = (Vec::new(), Vec::new());

@@ -49,10 +49,7 @@ impl Light {
         let coarse = |value: f32| (value / STEP).round() * STEP;
         let towards = towards.normalize_or_zero();
         let towards = Vec3::new(coarse(towards.x), coarse(towards.y), coarse(towards.z));
-        Self {
-            amount: coarse(amount * bins.brightness),
-            direction: towards.normalize_or_zero(),
-        }
+        Self { amount: coarse(amount * bins.brightness), direction: towards.normalize_or_zero() }
     }
 }
 

@@ -115,8 +115,7 @@ fn meeting<'a>(
     let bounds = bounds.grown(1.001 * season.stretch + 1e-4);
     let turn = Mat3::from_quat(around.pose.rotation);
     let half = bounds.size() * 0.5;
-    let half =
-        turn.x_axis.abs() * half.x + turn.y_axis.abs() * half.y + turn.z_axis.abs() * half.z;
+    let half = turn.x_axis.abs() * half.x + turn.y_axis.abs() * half.y + turn.z_axis.abs() * half.z;
     let center = around.pose.to_world(bounds.center());
     let bounds = Aabb::new(center - half, center + half);
     let within = |wall: &&Placed| wall.reaches_into(&bounds);

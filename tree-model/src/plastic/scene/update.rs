@@ -188,7 +188,13 @@ fn look(
 }
 
 /// Works out the light on those clusters of season `t` for which anything has changed. Returns whether any is not what it was.
-fn shine(index: usize, tree: &mut Planted, work: &mut Work<'_>, crowd: &Crowd<'_>, t: usize) -> bool {
+fn shine(
+    index: usize,
+    tree: &mut Planted,
+    work: &mut Work<'_>,
+    crowd: &Crowd<'_>,
+    t: usize,
+) -> bool {
     let clusters = tree.model.plan.seasons[t].clusters.clone();
     let own = &crowd.balls[index][clusters.clone()];
     work.n_seasons += 1;

@@ -99,8 +99,7 @@ impl<'a> Work<'a> {
             let members = &plan.members[cluster.members.clone()];
             let rows = &self.changes.rows;
             let concerned = |carrier: u32| rows.get(carrier as usize).is_some_and(|&row| row);
-            let moved =
-                self.changes.anew || members.iter().any(|member| concerned(member.carrier));
+            let moved = self.changes.anew || members.iter().any(|member| concerned(member.carrier));
             let before = balls[index];
             let now = if moved { tree.state.placed(plan, t, cluster) } else { before };
             balls[index] = now;
