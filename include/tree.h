@@ -6136,6 +6136,17 @@ typedef struct tree_pose {
     float rotation[4];
 } tree_pose;
 
+// How a node of the input stands: what belonged to it at p is at p + moved + (rotation (p - node) - (p - node)), in the tree's
+// own frame.
+typedef struct tree_plastic_motion {
+    // How far it moved, in metres.
+    float moved[3];
+    // How far its segment turned: a unit quaternion, x, y, z, w.
+    float rotation[4];
+    // 1 where the branch that carries it lives, else 0.
+    uint32_t alive;
+} tree_plastic_motion;
+
 // The light of the sky: cos² of the angle to its brightest point, 0 beyond a right angle and below the horizon. Begin
 // with `tree_plastic_sky_init` or `tree_plastic_sky_towards`.
 typedef struct tree_plastic_sky {
@@ -12536,16 +12547,13 @@ tree_status tree_plastic_scene_move_obstacle(struct tree_plastic_scene *scene,
 // Takes an obstacle away. `TREE_ERROR_INVALID` for an id that is not there.
 tree_status tree_plastic_scene_remove_obstacle(struct tree_plastic_scene *scene, uint64_t id);
 
-// How each node of the input of tree `id` stands as of the last update: what belonged to a node at p is at p + moved +
-// (rotation (p - node) - (p - node)), in the tree's own frame. Branchlets follow their main branch. `moved` has room for 3 floats
-// a node, `rotations` for 4 (x, y, z, w), `alive` for one byte (1 where the branch lives, else 0); each may be NULL when it is not wanted.
-// `n_nodes` is the number of nodes of the input, or nothing is written and `TREE_ERROR_INVALID` says how many there are.
+// Writes for each node of the input of tree `id` how it stands as of the last update: the skin of a mesh of the input follows it.
+// Branchlets follow their main branch. `motions` has room for `capacity` rows, at least one for each node.
+// `TREE_ERROR_INVALID` for an id that is not there.
 tree_status tree_plastic_scene_motions(const struct tree_plastic_scene *scene,
                                        uint64_t id,
-                                       float *moved,
-                                       float *rotations,
-                                       uint8_t *alive,
-                                       size_t n_nodes);
+                                       struct tree_plastic_motion *motions,
+                                       size_t capacity);
 
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_plastic_params_init(struct tree_plastic_params *params, size_t size);

@@ -569,6 +569,7 @@ struct FlowReport;
 struct FlowView;
 struct Foliage;
 struct GibbsParams;
+struct GlbMotion;
 struct GlbOptions;
 struct GltfAttribute;
 struct GltfInstances;
@@ -680,7 +681,10 @@ struct Pixels;
 struct PlanColumns;
 using PlasticCluster = tree_plastic_cluster;
 struct PlasticColumns;
+using PlasticMotion = tree_plastic_motion;
 struct PlasticParams;
+struct PlasticRegrown;
+struct PlasticRegrowth;
 struct PlasticReport;
 struct PlasticResponse;
 struct PlasticSky;
@@ -1067,6 +1071,10 @@ struct Foliage : tree_foliage {
 struct GibbsParams : tree_gibbs_params {
     GibbsParams() : tree_gibbs_params{} { tree_gibbs_params_init(this, sizeof(tree_gibbs_params)); }
     bool check() const;
+};
+
+struct GlbMotion : tree_glb_motion {
+    GlbMotion() : tree_glb_motion{} { tree_glb_motion_init(this, sizeof(tree_glb_motion)); }
 };
 
 struct GlbOptions : tree_glb_options {
@@ -1480,6 +1488,14 @@ struct PlasticColumns : tree_plastic_columns {
 struct PlasticParams : tree_plastic_params {
     PlasticParams() : tree_plastic_params{} { tree_plastic_params_init(this, sizeof(tree_plastic_params)); }
     bool check() const;
+};
+
+struct PlasticRegrown : tree_plastic_regrown {
+    PlasticRegrown() : tree_plastic_regrown{} { struct_size = sizeof *this; }
+};
+
+struct PlasticRegrowth : tree_plastic_regrowth {
+    PlasticRegrowth() : tree_plastic_regrowth{} { tree_plastic_regrowth_init(this, sizeof(tree_plastic_regrowth)); }
 };
 
 struct PlasticReport : tree_plastic_report {
@@ -1978,7 +1994,9 @@ public:
     Pixels pixels(tree_impostor_map map) const &;
     Pixels pixels(tree_impostor_map map) const && = delete;
     Picture picture(tree_impostor_map map, Ref<tree_control> control = nullptr) const;
+    Picture lit(Ref<tree_control> control = nullptr) const;
     Mesh mesh(Span<const uint32_t> boxes, Ref<tree_control> control = nullptr) const;
+    Mesh plain(Span<const uint32_t> boxes, Ref<tree_control> control = nullptr) const;
     Mesh mesh_of_planes(Span<const uint32_t> boxes, Span<const uint32_t> planes, Ref<tree_control> control = nullptr) const;
     Picture view(Span<const uint32_t> boxes, Ref<tree_view> view = nullptr, Ref<tree_control> control = nullptr) const;
     Bytes to_glb(Span<const uint32_t> boxes, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
@@ -2404,6 +2422,8 @@ public:
     bool write_glb(std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     Bytes to_glb(Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     static std::tuple<Mesh, GltfLeaves> build_instanced(const Tree &tree, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr);
+    bool write_glb_moving(Ref<tree_glb_motion> motion, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    Bytes to_glb_moving(Ref<tree_glb_motion> motion = nullptr, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     GltfAttributes gltf_wind(Ref<tree_control> control = nullptr) const;
     bool write_obj(std::string_view path, Ref<tree_control> control = nullptr) const;
     std::tuple<Bytes, Bytes> to_obj(std::string_view stem, Ref<tree_control> control = nullptr) const;
@@ -2743,6 +2763,8 @@ public:
     Tree tree() const;
     PlasticColumns view() const &;
     PlasticColumns view() const && = delete;
+    PlasticRegrowth regrowth_of() const &;
+    PlasticRegrowth regrowth_of() const && = delete;
 };
 
 class PlasticClusters : public detail::Object<tree_plastic_clusters, tree_plastic_clusters_free> {
@@ -2764,6 +2786,8 @@ public:
     uint64_t add_obstacle(const Volume &volume, const tree_pose &pose) const;
     bool move_obstacle(uint64_t id, const tree_pose &pose) const;
     bool remove_obstacle(uint64_t id) const;
+    std::vector<tree_plastic_motion> motions(uint64_t id) const;
+    bool motions(uint64_t id, Span<tree_plastic_motion> motions) const;
     PlasticSky get_sky() const;
     PlasticResponse get_response() const;
     Span<const uint64_t> trees() const &;
@@ -2774,6 +2798,7 @@ public:
     Span<const uint64_t> changed() const && = delete;
     tree_pose pose(uint64_t id) const;
     Plastic model(uint64_t id) const;
+    std::tuple<PlasticRegrown, Tree> regrown(uint64_t id, Ref<tree_plastic_regrowth> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
     static PlasticScene make(Ref<tree_plastic_sky> sky = nullptr, Ref<tree_plastic_response> response = nullptr);
     PlasticScene copy() const;
     bool set_sky(Ref<tree_plastic_sky> sky = nullptr) const;
@@ -3935,9 +3960,19 @@ inline Picture Cards::picture(tree_impostor_map map, Ref<tree_control> control) 
     detail::done(tree_cards_picture(get(), map, control, picture.place()), control);
     return picture;
 }
+inline Picture Cards::lit(Ref<tree_control> control) const {
+    Picture picture;
+    detail::done(tree_cards_lit(get(), control, picture.place()), control);
+    return picture;
+}
 inline Mesh Cards::mesh(Span<const uint32_t> boxes, Ref<tree_control> control) const {
     Mesh mesh;
     detail::done(tree_cards_mesh(get(), boxes.data(), boxes.size(), control, mesh.place()), control);
+    return mesh;
+}
+inline Mesh Cards::plain(Span<const uint32_t> boxes, Ref<tree_control> control) const {
+    Mesh mesh;
+    detail::done(tree_cards_plain(get(), boxes.data(), boxes.size(), control, mesh.place()), control);
     return mesh;
 }
 inline Mesh Cards::mesh_of_planes(Span<const uint32_t> boxes, Span<const uint32_t> planes, Ref<tree_control> control) const {
@@ -4208,6 +4243,14 @@ inline Span<const tree_gltf_instances> GltfLeaves::view() const & {
     size_t n = 0;
     detail::done(tree_gltf_leaves_view(get(), &rows, &n));
     return Span<const tree_gltf_instances>(rows, n);
+}
+inline bool Mesh::write_glb_moving(Ref<tree_glb_motion> motion, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    return detail::done(tree_mesh_write_glb_moving(get(), motion, path.data() ? path.data() : "", path.size(), options, control), control);
+}
+inline Bytes Mesh::to_glb_moving(Ref<tree_glb_motion> motion, Ref<tree_glb_options> options, Ref<tree_control> control) const {
+    Bytes bytes;
+    detail::done(tree_mesh_to_glb_moving(get(), motion, options, control, bytes.place()), control);
+    return bytes;
 }
 inline GltfAttributes Mesh::gltf_wind(Ref<tree_control> control) const {
     GltfAttributes attributes;
@@ -6417,6 +6460,14 @@ inline bool PlasticScene::move_obstacle(uint64_t id, const tree_pose &pose) cons
 inline bool PlasticScene::remove_obstacle(uint64_t id) const {
     return detail::done(tree_plastic_scene_remove_obstacle(get(), id));
 }
+inline std::vector<tree_plastic_motion> PlasticScene::motions(uint64_t id) const {
+    std::vector<tree_plastic_motion> motions(this->model(id).tree().skeleton().view().n_nodes);
+    if (!(detail::done(tree_plastic_scene_motions(get(), id, motions.data(), motions.size())))) { motions.clear(); }
+    return motions;
+}
+inline bool PlasticScene::motions(uint64_t id, Span<tree_plastic_motion> motions) const {
+    return detail::done(tree_plastic_scene_motions(get(), id, motions.data(), motions.size()));
+}
 inline bool PlasticParams::check() const {
     return detail::done(tree_plastic_params_check(this));
 }
@@ -6457,6 +6508,17 @@ inline Plastic PlasticScene::model(uint64_t id) const {
     Plastic plastic;
     detail::done(tree_plastic_scene_model(get(), id, plastic.place()));
     return plastic;
+}
+inline PlasticRegrowth Plastic::regrowth_of() const & {
+    PlasticRegrowth params;
+    if (!(detail::done(tree_plastic_regrowth_of(get(), &params, sizeof(tree_plastic_regrowth))))) { params.struct_size = 0; }
+    return params;
+}
+inline std::tuple<PlasticRegrown, Tree> PlasticScene::regrown(uint64_t id, Ref<tree_plastic_regrowth> params, uint64_t seed, Ref<tree_control> control) const {
+    PlasticRegrown report;
+    Tree tree;
+    if (!(detail::done(tree_plastic_scene_regrown(get(), id, params, seed, control, &report, tree.place()), control))) { report.struct_size = 0; }
+    return {std::move(report), std::move(tree)};
 }
 inline PlasticScene PlasticScene::make(Ref<tree_plastic_sky> sky, Ref<tree_plastic_response> response) {
     PlasticScene scene;

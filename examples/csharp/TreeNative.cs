@@ -9092,6 +9092,27 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
+    /// How a node of the input stands: what belonged to it at p is at p + moved + (rotation (p - node) - (p - node)), in the tree's
+    /// own frame.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_plastic_motion
+    {
+        /// <summary>
+        /// How far it moved, in metres.
+        /// </summary>
+        public fixed float moved[3];
+        /// <summary>
+        /// How far its segment turned: a unit quaternion, x, y, z, w.
+        /// </summary>
+        public fixed float rotation[4];
+        /// <summary>
+        /// 1 where the branch that carries it lives, else 0.
+        /// </summary>
+        public uint alive;
+    }
+
+    /// <summary>
     /// The light of the sky: cos² of the angle to its brightest point, 0 beyond a right angle and below the horizon. Begin
     /// with `tree_plastic_sky_init` or `tree_plastic_sky_towards`.
     /// </summary>
@@ -19755,13 +19776,12 @@ namespace TreeFamily.Native
         public static extern int tree_plastic_scene_remove_obstacle(tree_plastic_scene* scene, ulong id);
 
         /// <summary>
-        /// How each node of the input of tree `id` stands as of the last update: what belonged to a node at p is at p + moved +
-        /// (rotation (p - node) - (p - node)), in the tree's own frame. Branchlets follow their main branch. `moved` has room for 3 floats
-        /// a node, `rotations` for 4 (x, y, z, w), `alive` for one byte (1 where the branch lives, else 0); each may be NULL when it is not wanted.
-        /// `n_nodes` is the number of nodes of the input, or nothing is written and `TREE_ERROR_INVALID` says how many there are.
+        /// Writes for each node of the input of tree `id` how it stands as of the last update: the skin of a mesh of the input follows it.
+        /// Branchlets follow their main branch. `motions` has room for `capacity` rows, at least one for each node.
+        /// `TREE_ERROR_INVALID` for an id that is not there.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_plastic_scene_motions(tree_plastic_scene* scene, ulong id, float* moved, float* rotations, byte* alive, UIntPtr n_nodes);
+        public static extern int tree_plastic_scene_motions(tree_plastic_scene* scene, ulong id, tree_plastic_motion* motions, UIntPtr capacity);
 
         /// <summary>
         /// Makes `params`, of `size` bytes, the default.

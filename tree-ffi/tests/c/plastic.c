@@ -351,16 +351,15 @@ static void motions_and_regrowth(const tree_plastic *plastic) {
     OK(tree_tree_skeleton(tree, &skeleton));
     OK(tree_skeleton_view(skeleton, &columns));
     size_t n = columns.n_nodes;
-    float *moved = malloc(n * 3 * sizeof *moved), *rotations = malloc(n * 4 * sizeof *rotations);
-    uint8_t *alive = malloc(n);
+    tree_plastic_motion *motions = malloc(n * sizeof *motions);
     tree_plastic_scene *scene;
     uint64_t id, wall;
     OK(tree_plastic_scene_new(NULL, NULL, &scene));
     OK(tree_plastic_scene_add_tree(scene, plastic, &origin, &id));
     OK(tree_plastic_scene_update(scene, NULL, NULL));
-    OK(tree_plastic_scene_motions(scene, id, moved, rotations, alive, n));
+    OK(tree_plastic_scene_motions(scene, id, motions, n));
     for (size_t i = 0; i < n; i++) {
-        CHECK(moved[3 * i] == 0 && rotations[4 * i + 3] == 1 && alive[i] == 1);
+        CHECK(motions[i].moved[0] == 0 && motions[i].rotation[3] == 1 && motions[i].alive == 1);
     }
     tree_plastic_regrown report = {.struct_size = sizeof report};
     OK(tree_plastic_scene_regrown(scene, id, NULL, 1, NULL, &report, &grown));
@@ -376,14 +375,15 @@ static void motions_and_regrowth(const tree_plastic *plastic) {
     pose.position[0] = 0.4f * right;
     OK(tree_plastic_scene_add_obstacle(scene, volume, &pose, &wall));
     OK(tree_plastic_scene_update(scene, NULL, NULL));
-    OK(tree_plastic_scene_motions(scene, id, moved, NULL, alive, n));
+    OK(tree_plastic_scene_motions(scene, id, motions, n));
     size_t n_dead = 0, n_moved = 0;
     for (size_t i = 0; i < n; i++) {
-        n_dead += !alive[i];
-        n_moved += moved[3 * i] < -0.01f;
+        n_dead += !motions[i].alive;
+        n_moved += motions[i].moved[0] < -0.01f;
     }
     CHECK(n_dead > 0 && n_moved > 0);
-    FAILS(TREE_ERROR_INVALID, "the tree has", tree_plastic_scene_motions(scene, id, NULL, NULL, NULL, n + 1));
+    FAILS(TREE_ERROR_BUFFER, "motions", tree_plastic_scene_motions(scene, id, motions, n - 1));
+    FAILS(TREE_ERROR_INVALID, "not in the scene", tree_plastic_scene_motions(scene, 99, motions, n));
     tree_plastic_regrowth params;
     OK(tree_plastic_regrowth_init(&params, sizeof params));
     CHECK(params.years == 6 && params.light == 0.4f && params.most == 64 && params.bare == 0);
@@ -400,9 +400,7 @@ static void motions_and_regrowth(const tree_plastic *plastic) {
     OK(tree_plastic_scene_free(scene));
     OK(tree_skeleton_free(skeleton));
     OK(tree_tree_free(tree));
-    free(moved);
-    free(rotations);
-    free(alive);
+    free(motions);
 }
 
 void test_plastic(void) {
