@@ -6461,7 +6461,7 @@ inline bool PlasticScene::remove_obstacle(uint64_t id) const {
     return detail::done(tree_plastic_scene_remove_obstacle(get(), id));
 }
 inline std::vector<tree_plastic_motion> PlasticScene::motions(uint64_t id) const {
-    std::vector<tree_plastic_motion> motions(this->model(id).tree().skeleton().view().n_nodes);
+    std::vector<tree_plastic_motion> motions([&] { const auto nodes = this->model(id).tree().skeleton(); return nodes.view().n_nodes; }());
     if (!(detail::done(tree_plastic_scene_motions(get(), id, motions.data(), motions.size())))) { motions.clear(); }
     return motions;
 }

@@ -128,7 +128,9 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("mask_bits", _) => "view().n_pixels",
         ("leaf_bearers_of_tree" | "leaf_bearers_nearest", _) => "elements.view().n_elements",
         ("leaf_boxes_planes", _) => "6",
-        ("plastic_scene_motions", _) => "this->model(id).tree().skeleton().view().n_nodes",
+        ("plastic_scene_motions", _) => {
+            "[&] { const auto nodes = this->model(id).tree().skeleton(); return nodes.view().n_nodes; }()"
+        }
         ("growth_light", _) => "points.size() / 3",
         ("card_choice_boxes", _) => "measure().n_boxes",
         ("card_choice_ranges", _) => "measure().n_ranges",
