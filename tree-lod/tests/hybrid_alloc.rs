@@ -1,7 +1,8 @@
 //! What is drawn of a hybrid model is chosen without allocating.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering};
+mod counting;
+
+use counting::allocations;
 use tree_lod::glam::{Quat, Vec3};
 use tree_lod::hybrid::{Hybrid, HybridParams};
 use tree_lod::impostor::boxes::BoxParams;
@@ -9,34 +10,6 @@ use tree_lod::impostor::cards::CardParams;
 use tree_lod::impostor::choose::Watcher;
 use tree_lod::tree_core::{Control, CoreError, Foliage, Leaf, Skeleton, Species, Tree};
 use tree_lod::tree_mesh::Look;
-
-/// Counts what is asked of the system's allocator.
-struct Counting;
-
-static COUNT: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call is handed on to the system's allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: as the caller's.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        COUNT.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: as the caller's.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as the caller's.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// Sixteen boughs on a trunk, leaves all along each.
 fn tree() -> Result<Tree, CoreError> {
@@ -69,7 +42,7 @@ fn a_frame_allocates_nothing() {
     let look = Look::plain(tree.species());
     let hybrid = Hybrid::make(&tree, &look, &params, &Control::default()).unwrap();
     let mut choices: Vec<_> = (0..50).map(|_| hybrid.choice().unwrap()).collect();
-    let before = COUNT.load(Ordering::Relaxed);
+    let before = allocations();
     let (mut triangles, mut fewest, mut most) = (0, u64::MAX, 0);
     for frame in 0..60 {
         for (i, choice) in choices.iter_mut().enumerate() {
@@ -81,6 +54,6 @@ fn a_frame_allocates_nothing() {
             (triangles, fewest, most) = (triangles + n, fewest.min(n), most.max(n));
         }
     }
-    assert_eq!(COUNT.load(Ordering::Relaxed), before);
+    assert_eq!(allocations(), before);
     assert!(triangles > 0 && fewest * 2 < most, "near and far differ: {fewest} {most}");
 }

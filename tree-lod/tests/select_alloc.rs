@@ -1,41 +1,13 @@
 //! A frame of scene selection allocates nothing.
 
+mod counting;
 #[allow(dead_code)]
 #[path = "../benches/forest/mod.rs"]
 mod forest;
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use counting::allocations;
 use tree_lod::select::{DepthBuffer, DrawIndexed, Frame, InstanceLod, Occlusion, Params, State};
 use tree_lod::tree_core::Control;
-
-/// Counts what is asked of the system's allocator.
-struct Counting;
-
-static COUNT: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call is handed on to the system's allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: as the caller's.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        COUNT.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: as the caller's.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as the caller's.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 #[test]
 fn a_frame_allocates_nothing() {
@@ -46,7 +18,7 @@ fn a_frame_allocates_nothing() {
     let mut rows = vec![InstanceLod::default(); scene.len()];
     let depths = forest::depths(160, 90);
     let params = Params::default();
-    let before = COUNT.load(Ordering::Relaxed);
+    let before = allocations();
     let mut drawn = 0;
     for i in 0..30 {
         let eye = forest::eye(n, 20 * i);
@@ -61,6 +33,6 @@ fn a_frame_allocates_nothing() {
         scene.draws(&state, &mut draws, &mut rows).unwrap();
         scene.batches(&mut state, &mut draws, &mut rows).unwrap();
     }
-    assert_eq!(COUNT.load(Ordering::Relaxed) - before, 0);
+    assert_eq!(allocations() - before, 0);
     assert!(drawn > 10_000, "{drawn}");
 }
