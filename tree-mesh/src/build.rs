@@ -13,7 +13,7 @@ use crate::bark::{self, Kind, Plan};
 use crate::error::{MeshError, Result};
 use crate::leaf::Leaves;
 use crate::look::Look;
-use crate::mesh::{Mesh, Surface};
+use crate::mesh::{Material, Mesh, Surface};
 use crate::params::MeshParams;
 use crate::wind;
 use bytemuck::allocation::zeroed_vec;
@@ -77,6 +77,36 @@ pub fn build(tree: &Tree, look: &Look, params: &MeshParams, control: &Control) -
     Ok(build_numbered(tree, look, params, control)?.0)
 }
 
+/// Builds the leaves alone, for those who draw the wood themselves: the mesh of [`build`], where surface 0 is empty and vertices
+/// have no wind.
+///
+/// # Errors
+/// As [`build`]; limits count what is built.
+///
+/// # Complexity
+/// O(nodes + leaves · vertices of one), parallel over leaves.
+pub fn build_leaves(
+    tree: &Tree,
+    look: &Look,
+    params: &MeshParams,
+    control: &Control,
+) -> Result<Mesh> {
+    params.validate()?;
+    look.check(tree.species())?;
+    check_extent(tree)?;
+    control.report("leaves", 0.0)?;
+    let axes = tree.skeleton().axes(params.continuation);
+    let leaves = Leaves::new(tree, look, params)?;
+    control.limits.check(Resource::Triangles, count_leaves(&leaves)?)?;
+    let mut surfaces = vec![Surface::default()];
+    leaves.fill(tree, &axes, params, control, &mut surfaces)?;
+    for surface in &mut surfaces {
+        surface.branches = Vec::new();
+    }
+    control.report("done", 1.0)?;
+    Ok(Mesh { surfaces, materials: materials(&leaves, look), branches: Vec::new() })
+}
+
 /// As [`build`]; with it the branch of each axis.
 pub(crate) fn build_numbered(
     tree: &Tree,
@@ -93,12 +123,8 @@ pub(crate) fn build_numbered(
     let plan = Plan::new(skeleton, &axes, params, control)?;
     let leaves = Leaves::new(tree, look, params)?;
 
-    let mut triangles = plan.n_triangles;
     check_vertices(0, plan.n_vertices)?;
-    for (kind, (n_vertices, n_triangles)) in leaves.sizes().enumerate() {
-        check_vertices(kind + 1, n_vertices)?;
-        triangles = triangles.saturating_add(n_triangles);
-    }
+    let triangles = plan.n_triangles.saturating_add(count_leaves(&leaves)?);
     control.limits.check(Resource::Triangles, triangles)?;
 
     control.report("bark", 0.1)?;
@@ -119,11 +145,7 @@ pub(crate) fn build_numbered(
     let mut branches = wind::branches(skeleton, &axes);
     let branch_of = wind::stand(&mut branches, &mut surfaces, &plan);
     control.report("done", 1.0)?;
-    let mesh = Mesh {
-        surfaces,
-        materials: std::iter::once(look.bark.clone()).chain(leaves.materials(look)).collect(),
-        branches,
-    };
+    let mesh = Mesh { surfaces, materials: materials(&leaves, look), branches };
     let count_kind = |kind| plan.axes.iter().filter(|axis| axis.kind == kind).count();
     let report = MeshReport {
         n_vertices: mesh.n_vertices(),
@@ -142,6 +164,18 @@ pub(crate) fn build_numbered(
         leaf_fallbacks: leaves.fallbacks(),
     };
     Ok((Built { mesh, report }, branch_of))
+}
+
+/// Triangles of all leaves; each surface is held against the most vertices there can be.
+fn count_leaves(leaves: &Leaves) -> Result<u64> {
+    leaves.sizes().enumerate().try_fold(0_u64, |sum, (kind, (n_vertices, n_triangles))| {
+        check_vertices(kind + 1, n_vertices)?;
+        Ok(sum.saturating_add(n_triangles))
+    })
+}
+
+fn materials(leaves: &Leaves, look: &Look) -> Vec<Material> {
+    std::iter::once(look.bark.clone()).chain(leaves.materials(look)).collect()
 }
 
 fn check_extent(tree: &Tree) -> Result<()> {

@@ -193,6 +193,23 @@ fn large() -> Tree {
 }
 
 #[test]
+fn leaves_alone_are_those_of_the_whole_mesh() {
+    let tree = large();
+    let whole = mesh_of(&tree, &MeshParams::default()).mesh;
+    let look = Look::plain(tree.species());
+    let alone = build_leaves(&tree, &look, &MeshParams::default(), &Control::default()).unwrap();
+    assert_eq!(alone.materials, whole.materials);
+    assert_eq!(alone.surfaces[0], Surface::default());
+    for (alone, whole) in alone.surfaces.iter().zip(&whole.surfaces).skip(1) {
+        assert_eq!(*alone, Surface { branches: Vec::new(), ..whole.clone() });
+    }
+    let limits = Limits { triangles: 17_999, ..Limits::default() };
+    let control = Control::default().with_limits(limits);
+    let error = build_leaves(&tree, &look, &MeshParams::default(), &control).unwrap_err();
+    assert!(matches!(error, MeshError::Limit(error) if error.requested == 18_000), "{error}");
+}
+
+#[test]
 fn the_same_bytes_for_any_number_of_threads() {
     let tree = large();
     let with = |n_threads| {

@@ -42,7 +42,7 @@ pub mod texture;
 pub mod topology;
 pub mod wind;
 
-pub use build::{Built, MeshReport, build};
+pub use build::{Built, MeshReport, build, build_leaves};
 pub use error::MeshError;
 pub use leaf::{LeafForm, LeafMesh, LeafModel};
 pub use look::{LeafLook, Look};

@@ -8,7 +8,7 @@ use crate::prune::vertices::compact;
 use rayon::prelude::*;
 use tree_core::{Control, Resource};
 use tree_mesh::wind::{Branch, branches_of_lines};
-use tree_mesh::{Look, Mesh, MeshParams, Surface};
+use tree_mesh::{Look, Mesh, MeshParams, Surface, build_leaves};
 
 /// Most paths whose numbers a shader tells apart.
 const PATHS_MAX: f64 = 16_777_216.0;
@@ -54,12 +54,8 @@ impl MultiMesh {
     ) -> Result<Self> {
         params.validate().map_err(LodError::from)?;
         check_range("levels", multires.n_levels() as f64, 1.0, PATHS_MAX)?;
-        // The wood of this one is thrown away: as little of it as there can be.
-        let thin =
-            MeshParams { sides_min: 3, sides_max: 3, tangents: false, lightmap: false, ..*params };
-        let built = tree_mesh::build(multires.tree(), look, &thin, &control.part(0.0, 0.5))?;
-        let mut mesh = built.mesh;
-        // Those of the tree's axes, which paths are not.
+        let plain = MeshParams { tangents: false, lightmap: false, ..*params };
+        let mut mesh = build_leaves(multires.tree(), look, &plain, &control.part(0.0, 0.5))?;
         mesh.branches = wind(multires);
         let leaves = mesh.surfaces.iter().skip(1).map(Surface::n_triangles).sum::<usize>();
         let (wood, ends, branches) = wood(multires, params, leaves, &control.part(0.5, 0.9))?;

@@ -11,7 +11,7 @@ use super::neighbours::neighbours;
 use super::step::{Surroundings, grow};
 use super::work::{Work, felt};
 use crate::error::Result;
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 use rayon::prelude::*;
 use std::sync::Arc;
 use tree_core::Control;
@@ -245,7 +245,11 @@ impl Work<'_> {
         let mut stirred = self.left.clone();
         stirred.extend_from_slice(&crowd.stirred[index]);
         for &other in self.near {
-            crowd.each(&crowd.stirred[other as usize], other, tree, |ball| stirred.push(ball));
+            crowd.each(&crowd.stirred[other as usize], other, tree, |ball| {
+                if felt(tree, &ball) {
+                    stirred.push(ball);
+                }
+            });
         }
         let towards = tree.bins.brightest;
         for ((relit, ball), &moved) in self.relit.iter_mut().zip(own).zip(&self.own) {
@@ -262,15 +266,13 @@ impl Crowd<'_> {
         &self.balls[tree as usize][model.plan.seasons[season].clusters.clone()]
     }
 
-    /// Hands on those balls of tree `other` that `tree` may feel, in its frame.
+    /// Hands on balls of tree `other` in the frame of `tree`.
     fn each(&self, balls: &[Ball], other: u32, tree: &Planted, mut take: impl FnMut(Ball)) {
         let pose = self.stands[other as usize].1;
+        let turn = Mat3::from_quat(tree.pose.rotation.conjugate() * pose.rotation);
+        let offset = tree.pose.to_local(pose.position);
         for ball in balls {
-            let center = tree.pose.to_local(pose.to_world(ball.center));
-            let ball = Ball { center, ..*ball };
-            if felt(tree, &ball) {
-                take(ball);
-            }
+            take(Ball { center: turn * ball.center + offset, ..*ball });
         }
     }
 }
