@@ -9050,8 +9050,8 @@ tree_status tree_octahedral_picture(const struct tree_octahedral *octahedral,
                                     const struct tree_control *control,
                                     struct tree_picture **picture);
 
-// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against one half or
-// blended. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
+// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against
+// one half. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
 // (`tree_view_place` helps); for a framed one `TREE_ERROR_INVALID`. `control` may be NULL. Free the picture with
 // `tree_picture_free`.
 tree_status tree_octahedral_view(const struct tree_octahedral *octahedral,
@@ -10717,6 +10717,14 @@ tree_status tree_mesh_build(const struct tree_tree *tree,
                             const struct tree_control *control,
                             struct tree_mesh_report *report,
                             struct tree_mesh **mesh);
+
+// Builds the leaves alone, for those who draw the wood themselves: the mesh of `tree_mesh_build`, where surface 0 is
+// empty and vertices have no wind. `look` and `params` are as there.
+tree_status tree_mesh_build_leaves(const struct tree_tree *tree,
+                                   const struct tree_look *look,
+                                   const struct tree_mesh_params *params,
+                                   const struct tree_control *control,
+                                   struct tree_mesh **mesh);
 
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_subdivide_params_init(struct tree_subdivide_params *params, size_t size);

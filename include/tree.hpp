@@ -2437,6 +2437,7 @@ public:
     Span<const tree_wind_branch> branches() const &;
     Span<const tree_wind_branch> branches() const && = delete;
     static Mesh build(const Tree &tree, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr, tree_mesh_report *report = nullptr);
+    static Mesh build_leaves(const Tree &tree, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr);
     Mesh subdivide(size_t number, Ref<tree_subdivide_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     Mesh displace(size_t number, Ref<tree_displace_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
     Mesh bake_occlusion(Ref<tree_occlusion_params> params = nullptr, Ref<tree_control> control = nullptr) const;
@@ -5211,6 +5212,12 @@ inline Mesh Mesh::build(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_p
     Mesh mesh;
     static_cast<void>(detail::expect(look.fits(), TREE_ERROR_NULL, "look: empty; leave it out, or hand over nullptr")
         && detail::done(tree_mesh_build(tree.get(), look, params, control, report, mesh.place()), control));
+    return mesh;
+}
+inline Mesh Mesh::build_leaves(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_params> params, Ref<tree_control> control) {
+    Mesh mesh;
+    static_cast<void>(detail::expect(look.fits(), TREE_ERROR_NULL, "look: empty; leave it out, or hand over nullptr")
+        && detail::done(tree_mesh_build_leaves(tree.get(), look, params, control, mesh.place()), control));
     return mesh;
 }
 inline Mesh Mesh::subdivide(size_t number, Ref<tree_subdivide_params> params, Ref<tree_control> control) const {

@@ -15775,8 +15775,8 @@ namespace TreeFamily.Native
         public static extern int tree_octahedral_picture(tree_octahedral* octahedral, uint map, tree_control* control, tree_picture** picture);
 
         /// <summary>
-        /// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against one half or
-        /// blended. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
+        /// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against
+        /// one half. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
         /// (`tree_view_place` helps); for a framed one `TREE_ERROR_INVALID`. `control` may be NULL. Free the picture with
         /// `tree_picture_free`.
         /// </summary>
@@ -17686,6 +17686,13 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_build(tree_tree* tree, tree_look* look, tree_mesh_params* @params, tree_control* control, tree_mesh_report* report, tree_mesh** mesh);
+
+        /// <summary>
+        /// Builds the leaves alone, for those who draw the wood themselves: the mesh of `tree_mesh_build`, where surface 0 is
+        /// empty and vertices have no wind. `look` and `params` are as there.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_mesh_build_leaves(tree_tree* tree, tree_look* look, tree_mesh_params* @params, tree_control* control, tree_mesh** mesh);
 
         /// <summary>
         /// Makes `params`, of `size` bytes, the default.

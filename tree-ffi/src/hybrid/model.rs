@@ -7,14 +7,12 @@ use crate::border::{
 };
 use crate::control::{limits, run, tree_control};
 use crate::impostor::tree_cards;
-use crate::look::tree_look;
+use crate::look::{or_built_in, tree_look};
 use crate::mesh::tree_mesh;
 use crate::multires::{there, tree_multi_mesh, tree_multires};
 use crate::tree::tree_tree;
 use bytemuck::{Pod, Zeroable};
-use std::borrow::Cow;
 use tree_lod::hybrid::Hybrid;
-use tree_lod::tree_mesh::Look;
 
 /// A tree for all distances: its wood has levels that are prefixes, its leaves are drawn as they are or by pictures of
 /// boxes of them.
@@ -54,10 +52,7 @@ pub unsafe extern "C" fn tree_hybrid_make(
         let params = unsafe { read_or_default(params, "params")?.rust(&limits) }?;
         let made = unsafe {
             run(control, |control| {
-                let look = match look {
-                    Some(look) => Cow::Borrowed(look),
-                    None => Cow::Owned(Look::built_in(tree.species())?),
-                };
+                let look = or_built_in(look, tree.species())?;
                 Ok(Hybrid::make(tree, &look, &params, control)?)
             })
         }?;

@@ -149,8 +149,8 @@ pub unsafe extern "C" fn tree_octahedral_picture(
     })
 }
 
-/// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against one half or
-/// blended. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
+/// What a camera sees, by one ray for each pixel: sRGB colour without light, and alpha, to be tested against
+/// one half. It is what the shaders draw, for checking them. The camera of `view` must be `TREE_CAMERA_PLACED`
 /// (`tree_view_place` helps); for a framed one `TREE_ERROR_INVALID`. `control` may be NULL. Free the picture with
 /// `tree_picture_free`.
 #[unsafe(no_mangle)]

@@ -9,13 +9,12 @@ use crate::border::{
     get_opt, out, out_value, read_or_default, read_rows, slice, tree_status, vec3s, view, write,
 };
 use crate::control::{limits, run, tree_control};
-use crate::look::tree_look;
+use crate::look::{or_built_in, tree_look};
 use crate::mesh::{column, copy_size, mesh_params, tree_mesh, tree_mesh_params};
 use crate::tree::tree_tree;
+use ::tree_mesh::Mesh;
 use ::tree_mesh::instance::{InstancedTree, Twig, twigs};
-use ::tree_mesh::{Look, Mesh};
 use glam::{Quat, Vec3};
-use std::borrow::Cow;
 use tree_model::tree_core::{Limits, Resource};
 
 /// Most twigs of a caller's.
@@ -60,10 +59,7 @@ pub unsafe extern "C" fn tree_twigs_build(
         let params = unsafe { read_or_default(params, "params") }?.rust(seed);
         let made = unsafe {
             run(control, |control| {
-                let look = match look {
-                    Some(look) => Cow::Borrowed(look),
-                    None => Cow::Owned(Look::built_in(tree.species())?),
-                };
+                let look = or_built_in(look, tree.species())?;
                 Ok(self::twigs(tree, &look, &mesh_params, &params, control)?)
             })
         }?;

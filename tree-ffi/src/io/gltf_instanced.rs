@@ -6,12 +6,10 @@ use crate::border::{
     tree_status, tree_str,
 };
 use crate::control::{run, tree_control};
-use crate::look::tree_look;
+use crate::look::{or_built_in, tree_look};
 use crate::mesh::{column, mesh_params, tree_mesh, tree_mesh_params};
 use crate::tree::tree_tree;
-use ::tree_mesh::Look;
 use ::tree_mesh::io::gltf::{self, Instances};
-use std::borrow::Cow;
 
 /// Leaves of a tree, one small mesh for each kind and where its copies stand.
 pub struct tree_gltf_leaves {
@@ -78,10 +76,7 @@ pub unsafe extern "C" fn tree_mesh_build_instanced(
         let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);
         let made = unsafe {
             run(control, |control| {
-                let look = match look {
-                    Some(look) => Cow::Borrowed(look),
-                    None => Cow::Owned(Look::built_in(tree.species())?),
-                };
+                let look = or_built_in(look, tree.species())?;
                 Ok(gltf::instanced(tree, &look, &params, control)?)
             })
         }?;

@@ -29,6 +29,7 @@ use crate::tree::{tree_species, tree_tree};
 use ::tree_mesh::{Look, Material};
 use leaf_mesh::leaf_of;
 use material::check_materials;
+use std::borrow::Cow;
 use tree_model::tree_core::{Limits, Species};
 
 /// What a species looks like: a material for the bark, and a leaf look for each leaf kind.
@@ -42,6 +43,14 @@ impl tree_look {
     pub(crate) fn rust(&self) -> &Look {
         &self.0
     }
+}
+
+/// The look that was given, or the built-in one of the species.
+pub(crate) fn or_built_in<'a>(look: Option<&'a Look>, species: &Species) -> Result<Cow<'a, Look>> {
+    Ok(match look {
+        Some(look) => Cow::Borrowed(look),
+        None => Cow::Owned(Look::built_in(species)?),
+    })
 }
 
 /// The caller's species; NULL is an oak.

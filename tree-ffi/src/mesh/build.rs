@@ -3,10 +3,9 @@
 use super::{mesh_params, tree_mesh, tree_mesh_params};
 use crate::border::{Versioned, call, foresee, get, get_opt, out, tree_status, view};
 use crate::control::{run, tree_control};
-use crate::look::tree_look;
+use crate::look::{or_built_in, tree_look};
 use crate::tree::tree_tree;
-use ::tree_mesh::{Built, Look, MeshReport};
-use std::borrow::Cow;
+use ::tree_mesh::{Built, MeshReport};
 
 /// What a mesh was made of and what was left out.
 #[repr(C)]
@@ -90,10 +89,7 @@ pub unsafe extern "C" fn tree_mesh_build(
         let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);
         let Built { mesh, report: made } = unsafe {
             run(control, |control| {
-                let look = match look {
-                    Some(look) => Cow::Borrowed(look),
-                    None => Cow::Owned(Look::built_in(tree.species())?),
-                };
+                let look = or_built_in(look, tree.species())?;
                 Ok(::tree_mesh::build(tree, &look, &params, control)?)
             })
         }?;
@@ -102,6 +98,32 @@ pub unsafe extern "C" fn tree_mesh_build(
         values.leaf_fallbacks = mesh.leaf_fallbacks();
         unsafe { view(report, "report", &values) }?;
         place.put(mesh);
+        Ok(())
+    })
+}
+
+/// Builds the leaves alone, for those who draw the wood themselves: the mesh of `tree_mesh_build`, where surface 0 is
+/// empty and vertices have no wind. `look` and `params` are as there.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tree_mesh_build_leaves(
+    tree: *const tree_tree,
+    look: *const tree_look,
+    params: *const tree_mesh_params,
+    control: *const tree_control,
+    mesh: *mut *mut tree_mesh,
+) -> tree_status {
+    call(|| {
+        let place = unsafe { out(mesh, "mesh") }?;
+        let tree = unsafe { get(tree, "tree") }?.rust();
+        let params = unsafe { mesh_params(params) }?;
+        let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);
+        let mesh = unsafe {
+            run(control, |control| {
+                let look = or_built_in(look, tree.species())?;
+                Ok(::tree_mesh::build_leaves(tree, &look, &params, control)?)
+            })
+        }?;
+        place.put(tree_mesh::new(mesh));
         Ok(())
     })
 }

@@ -7,13 +7,11 @@ use crate::border::{
     get, get_opt, out, out_value, tree_status, write,
 };
 use crate::control::{run, tree_control};
-use crate::look::tree_look;
+use crate::look::{or_built_in, tree_look};
 use crate::mesh::{ask_for_copies, column, mesh_params, tree_mesh, tree_mesh_params};
 use bytemuck::{Pod, Zeroable};
-use std::borrow::Cow;
 use std::ptr::null;
 use tree_lod::multires::{Draw, MultiMesh};
-use tree_lod::tree_mesh::Look;
 
 /// Surfaces for which draws take no memory: most trees have two.
 const FEW: usize = 32;
@@ -59,10 +57,7 @@ pub unsafe extern "C" fn tree_multi_mesh_new(
         let look = unsafe { get_opt(look, "look") }?.map(tree_look::rust);
         let made = unsafe {
             run(control, |control| {
-                let look = match look {
-                    Some(look) => Cow::Borrowed(look),
-                    None => Cow::Owned(Look::built_in(multires.tree().species())?),
-                };
+                let look = or_built_in(look, multires.tree().species())?;
                 Ok(MultiMesh::new(multires, &look, &params, control)?)
             })
         }?;
