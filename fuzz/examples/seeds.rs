@@ -1,4 +1,5 @@
-//! Writes small valid files to start from: `cargo run --example seeds`, in this folder, before fuzzing.
+//! Writes small valid files to start from: `cargo run --example seeds`, in this folder, in this folder, when a
+//! target reads something new. They are part of the repository; `fuzz/run` starts from them.
 
 use std::error::Error;
 use std::fs;
@@ -16,13 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     builder.add(0, Vec3::Y, 0.1)?;
     let skeleton = builder.finish();
     save("swc", "tree", swc::write(&skeleton, &swc::SwcOptions::default())?.as_bytes())?;
-    let leaf = Leaf {
-        node: 1,
-        position: Vec3::Y,
-        rotation: Quat::IDENTITY,
-        size: 0.2,
-        kind: 0,
-    };
+    let leaf = Leaf { node: 1, position: Vec3::Y, rotation: Quat::IDENTITY, size: 0.2, kind: 0 };
     let species = Species { leaf_kinds: vec!["leaf".into()], ..Default::default() };
     let tree = Tree::new(skeleton, Foliage::try_from(vec![leaf, leaf])?, species)?;
     let mut look = Look::plain(tree.species());
@@ -66,7 +61,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let json = r#"{"strokes":[{"points":[[5,10],[5,2]],"role":"trunk"},{"points":[[5,6],[8,3]]}]}"#;
     save("sketch", "json", json.as_bytes())?;
     save("sketch", "bare", b"[[[5,10],[5,2]],[[5,6],[8,3]]]")?;
-    save("sketch", "quickdraw", br#"{"word":"tree","drawing":[[[5,5],[10,2]],[[1,9,9],[3,0,3]]]}"#)?;
+    save(
+        "sketch",
+        "quickdraw",
+        br#"{"word":"tree","drawing":[[[5,5],[10,2]],[[1,9,9],[3,0,3]]]}"#,
+    )?;
+    let svg = r##"<svg viewBox="0 0 20 20"><path id="trunk" d="M10 20 L10 10"/><path d="M4 10 C0 4 6 0 10 1 C15 0 20 5 16 10 C14 12 6 12 4 10 Z"/></svg>"##;
+    save("silhouette", "svg", svg.as_bytes())?;
     save("lsystem", "signal", b"#ignore +-F\naxiom: J[+I]I[-I]FI\nJ < I > [I] -> J\nI -> I")?;
     save("lsystem", "tree", b"#define r .7\nsteps: 4\nangle: 25.7\naxiom: A(1)\np1: A(l) : l > .1 && itNum < maxIt -> F(l)[+(ran(30))A(l*r)]A(if(l>.5,l/2,sin(l))) : .7\nA(l) -(.3)-> B(nran(l,.1))\ndecomposition\nmaximum depth: 3\nB(x) -> [C]B(x^2)\nhomomorphism\nC -> /* leaf */ \\\n~L\nendlsystem\n")?;
     save("lsystem", "names", b"#symbols Apex Fl\n\xcf\x89 : Apex(1)\nl : * < Apex(t) > * : * \xe2\x86\x92 Fl[Apex(-t%2)] // end")?;

@@ -11,7 +11,8 @@ libfuzzer_sys::fuzz_target!(|data: &[u8]| {
         if tree.strokes.len() > 50 {
             continue;
         }
-        let Ok((session, _)) = Session::of_drawing(tree, SilhouetteParams::default(), Seed(1)) else {
+        let Ok((session, _)) = Session::of_drawing(tree, SilhouetteParams::default(), Seed(1))
+        else {
             continue;
         };
         if let Ok(grown) = session.tree(&tree_fuzz::control()) {
