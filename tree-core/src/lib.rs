@@ -6,6 +6,7 @@
 //! * [`Foliage`] and [`Tree`]: leaves in columns, and both with a [`Species`].
 //! * [`Volume`]: solids and their combinations; crowns, search graphs and obstacles use them.
 //! * [`allometry`]: how thick branches are and at which angles they part.
+//! * [`branching`]: how a tree branches, measured: Horton-Strahler orders, pipe exponent, angles.
 //! * [`distance`]: how different two trees are, by the edits that turn one into the other.
 //! * [`swc`]: skeletons from and to the plain-text exchange format.
 //! * [`Seed`], [`Control`], [`Limits`]: the same bits for the same seed, progress and cancellation,
@@ -16,6 +17,7 @@
 pub mod allometry;
 pub mod assignment;
 mod bounds;
+pub mod branching;
 mod control;
 pub mod distance;
 pub mod error;

@@ -11,8 +11,11 @@ mod particle;
 mod path;
 mod plastic;
 mod prune;
+mod realism;
+mod references;
 mod silhouette;
 mod sketch;
+mod statistics;
 mod table;
 
 use std::process::ExitCode;
@@ -21,7 +24,7 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 9] = [
+const SYSTEMS: [(&str, Evaluation); 10] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
@@ -30,6 +33,7 @@ const SYSTEMS: [(&str, Evaluation); 9] = [
     ("prune", prune::evaluate),
     ("multires", multires::evaluate),
     ("plastic", plastic::evaluate),
+    ("realism", realism::evaluate),
     ("ffi", ffi::evaluate),
 ];
 

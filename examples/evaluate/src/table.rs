@@ -16,6 +16,8 @@ macro_rules! say {
 pub(crate) enum Aim {
     AtMost(f64),
     AtLeast(f64),
+    /// From the first to the second.
+    Within(f64, f64),
     /// Printed for information.
     None,
 }
@@ -43,7 +45,7 @@ impl Table {
     pub(crate) fn new(system: &str, json: bool) -> Self {
         if !json {
             say!(
-                "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  holds",
+                "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>14}  holds",
                 "case",
                 "metric",
                 "paper",
@@ -60,6 +62,7 @@ impl Table {
         let holds = match row.aim {
             Aim::AtMost(most) => Some(row.ours <= most),
             Aim::AtLeast(least) => Some(row.ours >= least),
+            Aim::Within(least, most) => Some((least..=most).contains(&row.ours)),
             Aim::None => None,
         };
         self.n_aims += usize::from(holds.is_some());
@@ -67,6 +70,7 @@ impl Table {
         let aim = match row.aim {
             Aim::AtMost(most) => format!("<= {}", figure(most)),
             Aim::AtLeast(least) => format!(">= {}", figure(least)),
+            Aim::Within(least, most) => format!("{} to {}", figure(least), figure(most)),
             Aim::None => String::new(),
         };
         if self.json {
@@ -81,7 +85,7 @@ impl Table {
         let optional = |value: Option<f64>| value.map_or(String::new(), figure);
         let holds = holds.map_or("", |holds| if holds { "yes" } else { "NO" });
         say!(
-            "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>12}  {holds}",
+            "{:<44} {:<28} {:>12} {:>12} {:>12}  {:<10} {:>14}  {holds}",
             row.case,
             row.metric,
             optional(row.paper),

@@ -13,6 +13,8 @@ mod synthetic;
 use crate::table::Table;
 use std::error::Error;
 
+pub(crate) use photos::tree;
+
 pub(crate) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
     // First, before the machine is warm and its memory taken.
     speed::rows(table)?;

@@ -7,12 +7,12 @@ use crate::table::Table;
 use std::error::Error;
 use std::f32::consts::FRAC_PI_2;
 use std::path::Path;
-use tree_core::Control;
+use tree_core::{Control, Seed, Tree};
 use tree_model::particle::finish::FinishParams;
 use tree_model::particle::matting::{
     AutoParams, NaturalParams, Stroke, Trimap, alpha_of, automatic, natural,
 };
-use tree_model::particle::session::{PhotoParams, Shot};
+use tree_model::particle::session::{PhotoParams, Session, Shot};
 use tree_model::particle::{Matte, Photo};
 
 /// Least F1 in a view that was given.
@@ -55,6 +55,14 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
         }
     }
     Ok(())
+}
+
+/// A tree of one photograph; none where it is not there.
+pub(crate) fn tree(file: &str) -> Result<Option<Tree>, Box<dyn Error>> {
+    let hint = HINTS.iter().find(|hint| hint.file == file).ok_or("no such hint")?;
+    let Some(shot) = shot(&photo_folder(), hint, 0.0)? else { return Ok(None) };
+    let mut session = Session::new(vec![shot], params(hint)?, Seed(1))?;
+    Ok(Some(session.tree(&Control::default())?.tree.clone()))
 }
 
 fn params(hint: &Hint) -> Result<PhotoParams, Box<dyn Error>> {

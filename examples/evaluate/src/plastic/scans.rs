@@ -9,6 +9,7 @@
 
 use super::Outcome;
 use crate::measure::fastest;
+use crate::references;
 use crate::table::{Aim, Row, Table};
 use std::path::{Path, PathBuf};
 use tree_core::glam::DVec3;
@@ -31,7 +32,7 @@ type Piece = (DVec3, DVec3, f64);
 
 /// All rows; says so and gives none where there is no shared data.
 pub(super) fn evaluate(table: &mut Table) -> Outcome {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let data = references::data();
     if !data.join("pointclouds").is_dir() {
         eprintln!("no shared data: scans left out");
         return Ok(());
@@ -39,13 +40,14 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     let control = Control::default();
     let params = ScanParams { foliage: false, ..ScanParams::default() };
     for (cloud, reference) in [
-        ("archi_tree1", archi(&data.join("skeletons/archi_tree1_qsm.csv"))?),
-        ("itsme_tree2", itsme(&data.join("skeletons/itsme_tree2_qsm.csv"))?),
-        ("puu1_crown", puu(&data.join("skeletons/puu1_reference.swc"))?),
+        ("archi_tree1", references::archi(&data)?),
+        ("itsme_tree2", references::itsme(&data)?),
+        ("puu1_crown", references::puu(&data)?),
     ] {
         let points = points::read(cloud_path(&data, cloud), &control)?.positions;
         let made = skeletonize_scan(&points, &params, &control)?;
         let tree = made.trees.first().ok_or("no tree")?;
+        let reference: Vec<Piece> = reference.iter().map(|c| (c.start, c.end, c.radius)).collect();
         compare(table, cloud, &reference, &pieces(tree));
     }
     time(table, &data)
@@ -117,51 +119,6 @@ fn of_skeleton(skeleton: &Skeleton, place: impl Fn(DVec3) -> DVec3) -> Vec<Piece
     let at = |node: u32| place(skeleton.positions()[node as usize].as_dvec3());
     let radius = |node: u32| f64::from(skeleton.radii()[node as usize]);
     skeleton.segments().map(|(a, b)| (at(a), at(b), radius(b))).collect()
-}
-
-/// The rows of a table with a line of names, columns by name.
-fn table_of(path: &Path, names: &[&str]) -> Outcome<Vec<Vec<f64>>> {
-    let text = std::fs::read_to_string(path)?;
-    let mut lines = text.lines();
-    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
-    let column = |name: &&str| header.iter().position(|h| h == name).ok_or("a column is missing");
-    let columns = names.iter().map(column).collect::<Result<Vec<_>, _>>()?;
-    let mut rows = Vec::new();
-    for line in lines {
-        let words: Vec<&str> = line.split(',').collect();
-        let number = |&at: &usize| words.get(at).unwrap_or(&"").trim().parse::<f64>();
-        rows.push(columns.iter().map(number).collect::<Result<Vec<_>, _>>()?);
-    }
-    Ok(rows)
-}
-
-fn archi(path: &Path) -> Outcome<Vec<Piece>> {
-    let names = ["startX", "startY", "startZ", "endX", "endY", "endZ", "radius_cyl"];
-    let rows = table_of(path, &names)?;
-    let at = |r: &[f64], i: usize| DVec3::new(r[i], r[i + 1], r[i + 2]);
-    Ok(rows.iter().map(|r| (at(r, 0), at(r, 3), r[6])).collect())
-}
-
-fn itsme(path: &Path) -> Outcome<Vec<Piece>> {
-    let names = ["start_x", "start_y", "start_z", "axis_x", "axis_y", "axis_z", "length", "radius"];
-    let rows = table_of(path, &names)?;
-    let at = |r: &[f64], i: usize| DVec3::new(r[i], r[i + 1], r[i + 2]);
-    Ok(rows.iter().map(|r| (at(r, 0), at(r, 0) + r[6] * at(r, 3), r[7])).collect())
-}
-
-/// The text is read here: nodes without radius are no SWC to our reader.
-fn puu(path: &Path) -> Outcome<Vec<Piece>> {
-    let text = std::fs::read_to_string(path)?;
-    let mut nodes: std::collections::BTreeMap<i64, (DVec3, f64, i64)> = Default::default();
-    for line in text.lines().filter(|line| !line.starts_with('#')) {
-        let n = line.split_whitespace().map(str::parse::<f64>).collect::<Result<Vec<_>, _>>()?;
-        let [id, _, x, y, z, radius, parent] = n[..] else { return Err("seven columns".into()) };
-        nodes.insert(id as i64, (DVec3::new(x, y, z), radius, parent as i64));
-    }
-    let piece = |&(at, radius, parent): &(DVec3, f64, i64)| {
-        nodes.get(&parent).map(|&(from, ..)| (from, at, radius))
-    };
-    Ok(nodes.values().filter_map(piece).collect())
 }
 
 /// The crown of puu1, the densest scan there is, with as many points again in between as are missing.

@@ -5,7 +5,6 @@ mod fidelity;
 mod round_trip;
 mod shared;
 mod speed;
-mod statistics;
 
 use crate::table::Table;
 use std::error::Error;
@@ -24,6 +23,6 @@ pub(crate) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {
 }
 
 /// The crown that a person would draw round a leafy tree seen from `yaw`.
-fn crown_of(tree: &Tree, yaw: f32) -> Vec<Vec<Vec2>> {
+pub(crate) fn crown_of(tree: &Tree, yaw: f32) -> Vec<Vec<Vec2>> {
     vec![convex_hull(&crown_points(tree, yaw))]
 }

@@ -3,7 +3,7 @@
 //! How often an exemplar is the best choice for its own drawing, and whether inferred depths give the divergence angles and
 //! length ratios it has in space. Beside it what depths drawn at random, and none, would give.
 
-use super::statistics::{kolmogorov_smirnov, median};
+use crate::statistics::{kolmogorov_smirnov, median};
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_model::sketch::clean::{CleanParams, clean};

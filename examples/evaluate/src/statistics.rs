@@ -1,14 +1,20 @@
 //! Medians, and how far two samples differ.
 
 /// The median; NaN of nothing.
-pub(super) fn median(values: &[f64]) -> f64 {
+pub(crate) fn median(values: &[f64]) -> f64 {
+    quantile(values, 0.5)
+}
+
+/// The value below which a share of the values lies; NaN of nothing.
+pub(crate) fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+    let at = (share * sorted.len() as f64) as usize;
+    sorted.get(at.min(sorted.len().saturating_sub(1))).copied().unwrap_or(f64::NAN)
 }
 
 /// Largest difference between two empirical distribution functions (Kolmogorov & Smirnov), 0 to 1.
-pub(super) fn kolmogorov_smirnov(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn kolmogorov_smirnov(a: &[f64], b: &[f64]) -> f64 {
     let sorted = |values: &[f64]| {
         let mut values = values.to_vec();
         values.sort_by(f64::total_cmp);
