@@ -13,6 +13,7 @@ mod plastic;
 mod prune;
 mod silhouette;
 mod sketch;
+mod soak;
 mod table;
 
 use std::process::ExitCode;
@@ -21,7 +22,7 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 9] = [
+const SYSTEMS: [(&str, Evaluation); 10] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
@@ -31,6 +32,7 @@ const SYSTEMS: [(&str, Evaluation); 9] = [
     ("multires", multires::evaluate),
     ("plastic", plastic::evaluate),
     ("ffi", ffi::evaluate),
+    ("soak", soak::evaluate),
 ];
 
 fn main() -> ExitCode {
