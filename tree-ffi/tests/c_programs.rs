@@ -12,11 +12,20 @@ mod common;
 
 use common::compile::{self, C11, CPP17, SANITIZE, files, here, root};
 use common::header;
+use glam::Vec3;
 use std::path::PathBuf;
 use std::process::Command;
-use tree_core::{Control, Seed};
+use std::sync::Arc;
+use tree_core::{Control, Seed, Tree, Volume};
+use tree_lod::cover::Around;
+use tree_lod::order::CoverageParams;
+use tree_lod::prune::{MakeParams, PrunedModel};
 use tree_mesh::{Look, MeshParams};
+use tree_model::Modeler;
+use tree_model::particle::Matte;
+use tree_model::particle::session::{PhotoModel, PhotoParams, Shot};
 use tree_model::path::PathParams;
+use tree_model::plastic::{PlasticParams, PlasticTree, Pose, Response, Scene, Sky};
 
 fn c_tests() -> Vec<PathBuf> {
     files(&here().join("tests/c"), "c")
@@ -115,6 +124,60 @@ fn a_wall_moves_a_tree_and_leaves_no_trace() {
     }
     assert!(number(6, 4) > 0.0 && number(6, 6) > number(0, 6), "{said}");
     assert_eq!(rows[7], ["without:", "moved", "0.000", "m,", "0", "pruned"], "{said}");
+}
+
+/// The photograph of `c_alone/workflow.c`: a round crown on a trunk.
+fn photographed() -> Shot {
+    let (width, height) = (60, 80);
+    let covered = |i: u32| {
+        let (x, y) = ((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+        let crown = (x - 30.0) * (x - 30.0) + (y - 28.0) * (y - 28.0) < 22.0 * 22.0;
+        crown || ((28.0..32.0).contains(&x) && (28.0..74.0).contains(&y))
+    };
+    let alpha = (0..width * height).map(|i| if covered(i) { 1.0 } else { 0.0 }).collect();
+    Shot::new(Matte::new(width, height, alpha).unwrap(), None, 0.0)
+}
+
+/// What `c_alone/workflow.c` does, in Rust.
+fn photographed_beside_a_wall() -> Tree {
+    let control = Control::default();
+    let mut params = PhotoParams { height: 8.0, branches: 8, ..PhotoParams::default() };
+    params.flow.particles = 60;
+    params.density.resolution = 16;
+    params.field.rows = 24;
+    params.livewire.rows = 64;
+    let model = PhotoModel { shots: vec![photographed()], params };
+    let tree = model.model(Seed(1), &control).unwrap();
+    let side = 0.4 * tree.skeleton().bounds().max.x;
+    let plastic = PlasticTree::new(tree, &PlasticParams::default(), &control).unwrap();
+    let mut scene = Scene::new(Sky::default(), Response::default()).unwrap();
+    let id = scene.add_tree(Arc::new(plastic), Pose::default()).unwrap();
+    let wall = Volume::box_solid(Vec3::new(0.0, -1.0, -50.0), Vec3::new(1.0, 50.0, 50.0)).unwrap();
+    scene.add_obstacle(wall, Pose::at(Vec3::X * side)).unwrap();
+    scene.update(&control).unwrap();
+    scene.adapted(id, &control).unwrap().tree
+}
+
+#[test]
+fn a_photographed_tree_beside_a_wall_has_the_same_levels_in_c_and_rust() {
+    let tree = photographed_beside_a_wall();
+    let look = Look::built_in(tree.species()).unwrap();
+    let mesh = tree_mesh::build(&tree, &look, &MeshParams::default(), &Control::default());
+    let around = Around { azimuths: 3, size: 64, ..Around::default() };
+    let order = CoverageParams { around, ..CoverageParams::default() };
+    let params = MakeParams { order: Some(order), ..MakeParams::default() };
+    let model = PrunedModel::make(&mesh.unwrap().mesh, &params, &Control::default()).unwrap();
+    let level = model.mesh_at(0.2).unwrap();
+    let (mut positions, mut indices) = (FNV_BEGIN, FNV_BEGIN);
+    for surface in &level.surfaces {
+        positions = fnv1a(positions, bytemuck::cast_slice(&surface.positions));
+        indices = fnv1a(indices, bytemuck::cast_slice(&surface.indices));
+    }
+    let n = level.n_triangles();
+    let expected = format!("triangles {n} positions {positions:016x} indices {indices:016x}\n");
+    let program = compile::compile("cc", C11, &alone("workflow.c"), "workflow");
+    let said = compile::run(&mut compile::command(&program));
+    assert_eq!(said, expected);
 }
 
 const FNV_BEGIN: u64 = 0xcbf2_9ce4_8422_2325;

@@ -15,6 +15,7 @@ mod realism;
 mod references;
 mod silhouette;
 mod sketch;
+mod soak;
 mod statistics;
 mod table;
 
@@ -24,7 +25,7 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 10] = [
+const SYSTEMS: [(&str, Evaluation); 11] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
@@ -35,6 +36,7 @@ const SYSTEMS: [(&str, Evaluation); 10] = [
     ("plastic", plastic::evaluate),
     ("realism", realism::evaluate),
     ("ffi", ffi::evaluate),
+    ("soak", soak::evaluate),
 ];
 
 fn main() -> ExitCode {

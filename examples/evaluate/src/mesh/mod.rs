@@ -5,7 +5,7 @@ mod outline;
 mod plain;
 mod shape;
 #[path = "../../../../tests/common/skeletons.rs"]
-mod skeletons;
+pub(crate) mod skeletons;
 mod speed;
 mod tools;
 
