@@ -13,7 +13,8 @@
 //! let mut builder = Skeleton::builder(Vec3::ZERO, 0.2)?;
 //! let fork = builder.add(0, Vec3::Y, 0.2)?;
 //! for x in [-1.0, 1.0] {
-//!     builder.add(fork, Vec3::new(x, 2.0, 0.0), 0.2 * 0.5_f32.sqrt())?;
+//!     let branch = builder.add(fork, Vec3::new(x, 2.0, 0.0), 0.2 * 0.5_f32.sqrt())?;
+//!     builder.add(branch, Vec3::new(x, 3.0, 0.0), 0.2 * 0.5_f32.sqrt())?;
 //! }
 //! let skeleton = builder.finish();
 //! assert_eq!(Strahler::of(&skeleton).counts(), [2, 1]);

@@ -3,7 +3,8 @@
 //!
 //! Radii are those of unbranched runs ([`Run::radius`]): the wood is thicker at a fork than below and above it, and
 //! cylinder models are not exact enough there for a node to stand for a branch. A run that tapers is thinner in its
-//! middle than at its base, so trees with taper come out a little below the exponent their forks were made by.
+//! middle than at its base, so trees with taper come out a little below the exponent their forks were made by. Of a
+//! single segment that ends in a tip nothing is known but the radius of the tip, so forks that bear one are left out.
 
 use super::runs::{Run, Runs};
 use crate::skeleton::{NO_PARENT, Skeleton};
@@ -14,7 +15,7 @@ const MOST: f64 = 1000.0;
 /// Δ of every fork that has one, in the order of runs below.
 ///
 /// Infinite where a branch is as thick as the run below it or thicker: no exponent gives that. Forks at which a
-/// radius is 0 are left out.
+/// radius is 0, or a branch is a tip of one segment, are left out.
 ///
 /// # Complexity
 /// O(nodes), and about 60 powers a branch.
@@ -22,8 +23,9 @@ const MOST: f64 = 1000.0;
 pub fn pipe_exponents(skeleton: &Skeleton) -> Vec<f64> {
     let runs = Runs::of(skeleton);
     let runs = runs.as_slice();
+    let radius = |run: &Run| if run.is_tip && run.n_segments == 1 { 0.0 } else { run.radius };
     let mut above: Vec<(u32, f64)> =
-        runs.iter().filter(|r| r.parent != NO_PARENT).map(|r| (r.parent, r.radius)).collect();
+        runs.iter().filter(|r| r.parent != NO_PARENT).map(|r| (r.parent, radius(r))).collect();
     above.sort_by_key(|&(parent, _)| parent);
     let exponent = |fork: &[(u32, f64)]| {
         let below: &Run = runs.get(fork.first()?.0 as usize)?;

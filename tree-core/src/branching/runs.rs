@@ -12,6 +12,8 @@ pub struct Run {
     pub end: u32,
     /// Whether it ends in a tip.
     pub is_tip: bool,
+    /// Its segments, the one above the fork included: at least 1, but for a root that is a fork or a tip.
+    pub n_segments: u32,
     /// Length from the fork below to the end, in metres.
     pub length: f64,
     /// Mean radius in metres: of each segment the radius of its upper end, weighted by length; segments with a
@@ -47,7 +49,8 @@ impl Runs {
                 Some(parent) if children.of(parent).len() == 1 => below,
                 _ => {
                     let (length, radius) = (0.0, 0.0);
-                    runs.push(Run { parent: below, end: node, is_tip: false, length, radius });
+                    let (is_tip, n_segments) = (false, 0);
+                    runs.push(Run { parent: below, end: node, is_tip, n_segments, length, radius });
                     known.push(0.0);
                     runs.len() as u32 - 1
                 }
@@ -58,6 +61,7 @@ impl Runs {
             let (run, known) = (&mut runs[run as usize], &mut known[run as usize]);
             run.end = node;
             run.is_tip = children.is_tip(node);
+            run.n_segments += u32::from(parent.is_some());
             run.length += length;
             if radius > 0.0 {
                 *known += length;

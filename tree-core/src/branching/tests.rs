@@ -98,11 +98,18 @@ fn runs_go_from_fork_to_fork_and_average_over_length() {
     let unknown = builder.add(left, 7.0 * Vec3::Y, 0.0).unwrap();
     let right = builder.add(fork, 4.0 * Vec3::Y, 0.5).unwrap();
     let runs = Runs::of(&builder.finish());
-    let run = |parent, end, is_tip, length, radius| Run { parent, end, is_tip, length, radius };
+    let run = |parent, end, is_tip, n_segments, length, radius| Run {
+        parent,
+        end,
+        is_tip,
+        n_segments,
+        length,
+        radius,
+    };
     let expected = [
-        run(NO_PARENT, fork, false, 4.0, (4.0 + 3.0 * 2.0) / 4.0),
-        run(0, unknown, true, 3.0, 1.0),
-        run(0, right, true, 0.0, 0.5),
+        run(NO_PARENT, fork, false, 2, 4.0, (4.0 + 3.0 * 2.0) / 4.0),
+        run(0, unknown, true, 2, 3.0, 1.0),
+        run(0, right, true, 1, 0.0, 0.5),
     ];
     assert_eq!(runs.as_slice(), expected);
     assert_eq!(runs.run_of(), [0, 0, 0, 1, 1, 2]);
@@ -117,7 +124,8 @@ fn exponents_of_radii_made_by_the_pipe_model_are_its_own() {
         for found in pipe_exponents(&skeleton) {
             assert!((found - f64::from(exponent)).abs() < 1e-4, "{found} of {exponent}");
         }
-        assert_eq!(pipe_exponents(&skeleton).len(), 31);
+        // Of 31 forks, 16 bear single segments that end in tips.
+        assert_eq!(pipe_exponents(&skeleton).len(), 15);
     }
 }
 
@@ -127,7 +135,8 @@ fn a_branch_as_thick_as_the_one_below_has_an_infinite_exponent_and_unknown_ones_
         let mut builder = Skeleton::builder(Vec3::ZERO, 1.0).unwrap();
         let fork = builder.add(0, Vec3::Y, 1.0).unwrap();
         for radius in radii {
-            builder.add(fork, 2.0 * Vec3::Y, radius).unwrap();
+            let branch = builder.add(fork, 2.0 * Vec3::Y, radius).unwrap();
+            builder.add(branch, 3.0 * Vec3::Y, radius).unwrap();
         }
         pipe_exponents(&builder.finish())
     };

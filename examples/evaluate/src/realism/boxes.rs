@@ -5,7 +5,7 @@
 //! dimension is the slope of the logarithms over those five scales, by least squares.
 
 use tree_core::Skeleton;
-use tree_core::glam::{DVec3, I64Vec3};
+use tree_core::glam::{DVec3, IVec3};
 
 /// The largest box is an extent over 2 to this power, the smallest over 2 to the other.
 const POWERS: std::ops::RangeInclusive<i32> = 2..=6;
@@ -43,10 +43,10 @@ pub(super) fn dimension(skeleton: &Skeleton) -> Option<f64> {
 fn count(points: &[DVec3], edge: f64) -> f64 {
     let boxes = |shift: [f64; 3]| {
         let place = |point: &DVec3| {
-            let I64Vec3 { x, y, z } = (*point / edge + DVec3::from(shift)).floor().as_i64vec3();
+            let IVec3 { x, y, z } = (*point / edge + DVec3::from(shift)).floor().as_ivec3();
             (x, y, z)
         };
-        let mut boxes: Vec<(i64, i64, i64)> = points.iter().map(place).collect();
+        let mut boxes: Vec<(i32, i32, i32)> = points.iter().map(place).collect();
         boxes.sort_unstable();
         boxes.dedup();
         boxes.len() as f64

@@ -13,6 +13,7 @@ use crate::references;
 use crate::table::{Aim, Row, Table};
 use figures::Figures;
 use range::{MEASURES, Ranges};
+use std::collections::BTreeMap;
 use std::error::Error;
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
@@ -44,15 +45,15 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
         figures.push(found);
     }
     let ranges = Ranges::of(figures);
-    let mut reasons = Vec::new();
+    let mut reasons: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     trees::each(&mut |case, skeleton| {
         for missed in ranges.rows(table, case, &Figures::of(skeleton)) {
-            reasons.push(why::reason(case, missed));
+            reasons.entry(why::reason(case, missed)).or_default().push(format!("{case}: {missed}"));
         }
     })?;
-    reasons.sort();
-    reasons.chunk_by(|a, b| a == b).for_each(|same| {
-        eprintln!("missed {} times: {}", same.len(), same[0]);
-    });
+    for (reason, rows) in reasons {
+        eprintln!("{} rows miss because: {reason}", rows.len());
+        rows.iter().for_each(|row| eprintln!("    {row}"));
+    }
     Ok(())
 }

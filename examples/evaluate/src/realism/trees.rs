@@ -144,20 +144,20 @@ fn meshes(sink: &mut Sink<'_>) -> Outcome {
 
 /// What the modeler asks for, borrowed from a mesh.
 fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
-    let part = |surface| {
-        let tree_mesh::Surface { positions, uvs, indices, material, .. } = surface;
-        let material = mesh.materials.get(*material as usize);
-        Part {
-            positions,
-            uvs,
-            indices,
+    let mut parts = Vec::new();
+    for surface in &mesh.surfaces {
+        let material = mesh.materials.get(surface.material as usize);
+        parts.push(Part {
+            positions: &surface.positions,
+            uvs: &surface.uvs,
+            indices: &surface.indices,
             name: material.map_or("", |material| &material.name),
             hint: Hint::Auto,
             alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
             double_sided: material.is_some_and(|m| m.double_sided),
-        }
-    };
-    mesh.surfaces.iter().map(part).collect()
+        });
+    }
+    parts
 }
 
 fn scans(sink: &mut Sink<'_>) -> Outcome {

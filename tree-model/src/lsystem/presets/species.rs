@@ -10,7 +10,7 @@ pub(super) const ROWS: &[Row] = &[
         species: "oak",
         bark: "oak",
         leaf_kind: Some("oak-cluster"),
-        trunk_radius: 0.34,
+        trunk_radius: 0.28,
         exponent: 2.3,
         ..ROW
     },

@@ -44,6 +44,7 @@ pub(super) const A: Row = Row {
         LevelRow { repeat: 2, branching: 3, graph_nodes: 430, ..LEVEL },
         LevelRow { branching: 6, graph_nodes: 430, ..LEVEL },
     ],
+    trunk_radius: 0.235,
     species: "ash",
     leaves: Some(LeafRow { kind: "beech-cluster", arrangement: Phyllotaxis::Decussate, ..LEAVES }),
     ..ROW
@@ -126,7 +127,7 @@ pub(super) const C: Row = Row {
         },
     ],
     smoothing: 10,
-    trunk_radius: 0.4,
+    trunk_radius: 0.2,
     species: "weeping willow",
     bark: "oak",
     leaves: Some(LeafRow {
@@ -159,7 +160,7 @@ pub(super) const D: Row = Row {
         LevelRow { branching: 10, shape: Shape::Sector(0.4), graph_nodes: 420, ..LEVEL },
         LevelRow { repeat: 2, branching: 6, shape: Shape::Sector(0.4), graph_nodes: 420, ..LEVEL },
     ],
-    trunk_radius: 0.34,
+    trunk_radius: 0.24,
     species: "maple",
     bark: "smooth",
     leaves: Some(LeafRow { kind: "maple-cluster", arrangement: Phyllotaxis::Decussate, ..LEAVES }),
@@ -183,7 +184,7 @@ pub(super) const F: Row = Row {
     ],
     smoothing: 6,
     leader: Some(Leader { top: [0.0, 2.8, 0.0], radius: 0.4, factor: 0.15 }),
-    trunk_radius: 0.26,
+    trunk_radius: 0.14,
     species: "weeping birch",
     bark: "birch",
     leaves: Some(LeafRow {
@@ -214,7 +215,7 @@ pub(super) const H: Row = Row {
         LevelRow { branching: 6, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
         LevelRow { branching: 12, shape: Shape::Sector(0.5), graph_nodes: 380, ..LEVEL },
     ],
-    trunk_radius: 0.33,
+    trunk_radius: 0.21,
     species: "hawthorn",
     bark: "oak",
     leaves: Some(LeafRow { kind: "oak-cluster", size: 0.36, ..LEAVES }),
@@ -242,7 +243,7 @@ pub(super) const I: Row = Row {
         ..LEVEL
     }],
     low: 0.12,
-    trunk_radius: 0.24,
+    trunk_radius: 0.152,
     species: "apple",
     bark: "oak",
     leaves: Some(LeafRow { kind: "beech-cluster", size: 0.34, ..LEAVES }),

@@ -27,6 +27,10 @@ const MOST_LEAVES: u32 = 32;
 const SMALLER: f32 = 0.85;
 /// A twig that would be longer than this many cells is left out: it would hang in the air.
 const FAR: f32 = 4.0;
+/// Twigs lean at most this far from the wood below them, in radians, where there is a place for it.
+const LEAN: f32 = 0.9;
+/// Nodes that are tried for it.
+const MOST_BACK: u32 = 32;
 /// No cell is smaller than this many leaf lengths.
 const FINE: f32 = 0.5;
 /// Stands for a node where there is none.
@@ -71,6 +75,7 @@ impl Gaps<'_> {
                 let there = grow(view, cell, base, &mut rng);
                 let Some(here) = self.placed(view, there, base) else { continue };
                 control.limits.check(Resource::Nodes, positions.len() as u64 + 1)?;
+                let node = fork(positions, parents, (node, here), FAR * view.cell);
                 positions.push(here);
                 parents.push(node);
                 let node = positions.len() as u32 - 1;
@@ -135,6 +140,31 @@ impl Gaps<'_> {
         let rotation = turn.normalize();
         Leaf { node, position: middle - 0.5 * size * midrib, rotation, size, kind: 0 }
     }
+}
+
+/// Where a twig to a place forks off: the wood nearest to a place lies square to the way there, but twigs lean towards the tip. So of
+/// a node and those below it the first that the twig leaves at no more than [`LEAN`] to the wood below; the one with the
+/// least angle where none is. All are within `far` of the place.
+fn fork(positions: &[Vec3], parents: &[u32], (node, here): (u32, Vec3), far: f32) -> u32 {
+    let place = |node: u32| positions.get(node as usize).copied();
+    let (mut at, mut best) = (node, (node, f32::NEG_INFINITY));
+    for _ in 0..MOST_BACK {
+        let below = parents.get(at as usize).and_then(|&below| Some((below, place(below)?)));
+        let (Some((below, from)), Some(start)) = (below, place(at)) else { break };
+        if at != node && start.distance(here) > far {
+            break;
+        }
+        let (wood, twig) = ((start - from).normalize_or_zero(), (here - start).normalize_or_zero());
+        let cosine = wood.dot(twig);
+        if cosine > best.1 {
+            best = (at, cosine);
+        }
+        if cosine >= libm::cosf(LEAN) {
+            break;
+        }
+        at = below;
+    }
+    best.0
 }
 
 /// A place in a cell, about as deep as a node.
