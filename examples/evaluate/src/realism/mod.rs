@@ -13,7 +13,6 @@ use crate::references;
 use crate::table::{Aim, Row, Table};
 use figures::Figures;
 use range::{MEASURES, Ranges};
-use std::collections::BTreeMap;
 use std::error::Error;
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
@@ -45,15 +44,6 @@ pub(crate) fn evaluate(table: &mut Table) -> Outcome {
         figures.push(found);
     }
     let ranges = Ranges::of(figures);
-    let mut reasons: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-    trees::each(&mut |case, skeleton| {
-        for missed in ranges.rows(table, case, &Figures::of(skeleton)) {
-            reasons.entry(why::reason(case, missed)).or_default().push(format!("{case}: {missed}"));
-        }
-    })?;
-    for (reason, rows) in reasons {
-        eprintln!("{} rows miss because: {reason}", rows.len());
-        rows.iter().for_each(|row| eprintln!("    {row}"));
-    }
+    trees::each(&mut |case, skeleton| ranges.rows(table, case, &Figures::of(skeleton)))?;
     Ok(())
 }

@@ -6,6 +6,7 @@
 //! allowed is the largest distance of a measured tree to the nearest of the others, a quarter more.
 
 use super::figures::Figures;
+use super::why;
 use crate::statistics::{kolmogorov_smirnov, median};
 use crate::table::{Aim, Row, Table};
 
@@ -107,42 +108,25 @@ impl Ranges {
         WIDENED * worst.fold(0.0, f64::max)
     }
 
-    /// The rows of a tree; the names of those that miss.
-    pub(super) fn rows(
-        &self,
-        table: &mut Table,
-        case: &str,
-        figures: &Figures,
-    ) -> Vec<&'static str> {
-        let mut missed = Vec::new();
+    /// The rows of a tree.
+    pub(super) fn rows(&self, table: &mut Table, case: &str, figures: &Figures) {
         for measure in &MEASURES {
             let Some(ours) = (measure.of)(figures) else { continue };
             let (least, middle, most) = self.range(measure);
-            if !(least..=most).contains(&ours) {
-                missed.push(measure.name);
-            }
-            table.row(&Row {
-                case,
-                metric: measure.name,
-                paper: None,
-                peer: Some(middle),
-                ours,
-                unit: measure.unit,
-                aim: Aim::Within(least, most),
-            });
+            let (metric, unit, peer) = (measure.name, measure.unit, Some(middle));
+            let row =
+                Row { case, metric, paper: None, peer, ours, unit, aim: Aim::Within(least, most) };
+            table.row_because(&row, why::reason(case, metric));
         }
         for distribution in &DISTRIBUTIONS {
             let own = (distribution.of)(figures);
             let all: Vec<Vec<f64>> = self.measured.iter().map(distribution.of).collect();
             let Some(ours) = nearest(&own, all.iter()) else { continue };
             let most = self.apart(distribution);
-            if ours > most {
-                missed.push(distribution.name);
-            }
             let (metric, unit, aim) = (distribution.name, "KS", Aim::AtMost(most));
-            table.row(&Row { case, metric, paper: None, peer: None, ours, unit, aim });
+            let row = Row { case, metric, paper: None, peer: None, ours, unit, aim };
+            table.row_because(&row, why::reason(case, metric));
         }
-        missed
     }
 }
 

@@ -92,24 +92,28 @@ impl Dice {
         Quat::from_rotation_arc(Vec3::Y, self.direction())
     }
 
-    /// The parameters with up to three fields changed, whichever they are and however deep: mostly a little, else to what they
-    /// should not be. As they were, where the type itself refuses what came out.
+    /// The parameters as they are, or up to three fields changed, whichever they are and however deep: a little, or to what
+    /// they should not be. As they were, where the type itself refuses what came out.
     pub(super) fn changed<T: Serialize + DeserializeOwned + Clone>(&mut self, params: &T) -> T {
-        let n = self.below(4);
+        let (n, wild) = match self.below(3) {
+            0 => (0, false),
+            1 => (1 + self.below(3), false),
+            _ => (1 + self.below(3), true),
+        };
         let Ok(mut value) = Value::serialized(params) else { return params.clone() };
         for _ in 0..n {
             let all = count(&value);
             let mut at = self.below(all);
-            self.touch(&mut value, &mut at);
+            self.touch(&mut value, &mut at, wild);
         }
         value.deserialized().unwrap_or_else(|_| params.clone())
     }
 
-    /// Changes the `at`-th of all numbers and flags.
-    fn touch(&mut self, value: &mut Value, at: &mut usize) -> bool {
+    /// Changes the `at`-th of all numbers and flags, to anything if `wild`.
+    fn touch(&mut self, value: &mut Value, at: &mut usize, wild: bool) -> bool {
         match value {
-            Value::Map(rows) => rows.iter_mut().any(|(_, value)| self.touch(value, at)),
-            Value::Array(rows) => rows.iter_mut().any(|value| self.touch(value, at)),
+            Value::Map(rows) => rows.iter_mut().any(|(_, value)| self.touch(value, at, wild)),
+            Value::Array(rows) => rows.iter_mut().any(|value| self.touch(value, at, wild)),
             Value::Integer(_) | Value::Float(_) | Value::Bool(_) if *at > 0 => {
                 *at -= 1;
                 false
@@ -119,15 +123,15 @@ impl Dice {
                 true
             }
             Value::Float(number) => {
-                let factor = f64::from(self.between(-0.5, 3.0));
-                *number = if self.chance(0.5) { *number * factor } else { self.nasty() };
+                let factor = f64::from(self.between(0.6, 1.6));
+                *number = if wild { self.nasty() } else { *number * factor };
                 true
             }
             Value::Integer(number) => {
                 let old = i64::try_from(*number).unwrap_or(0);
                 let near = old.saturating_add(self.below(5) as i64 - 2);
                 let any = self.pick(&COUNTS).unwrap_or(0);
-                *number = (if self.chance(0.5) { near } else { any }).into();
+                *number = (if wild { any } else { near.max(0) }).into();
                 true
             }
             _ => false,

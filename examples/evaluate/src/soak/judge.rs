@@ -54,10 +54,13 @@ fn foliage(tree: &Tree, print: &mut Print) -> Result<(), String> {
     for leaf in tree.foliage().iter() {
         let numbers = leaf.position.to_array().into_iter().chain(leaf.rotation.to_array());
         let good = print.floats(numbers.chain([leaf.size]))
-            && leaf.size > 0.0
+            && leaf.size >= 0.0
             && (leaf.node as usize) < n_nodes
             && usize::from(leaf.kind) < n_kinds;
-        wrong(!good, "foliage: a leaf that is none")?;
+        wrong(
+            !good,
+            &format!("foliage: a leaf that is none: {leaf:?} of {n_nodes} nodes, {n_kinds} kinds"),
+        )?;
     }
     Ok(())
 }

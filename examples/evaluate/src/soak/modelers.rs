@@ -96,7 +96,10 @@ fn lsystem(dice: &mut Dice, control: &Control) -> Made {
 }
 
 fn turtle(system: &mut LSystem, dice: &mut Dice) {
-    for _ in 0..dice.below(3) {
+    if dice.chance(0.6) {
+        return;
+    }
+    for _ in 0..=dice.below(2) {
         let nasty = dice.nasty();
         let turtle = &mut system.turtle;
         match dice.below(10) {
@@ -218,7 +221,7 @@ fn scan(dice: &mut Dice, control: &Control) -> Made {
         }
     }
     for _ in 0..dice.below(10) {
-        points.push(dice.point(10.0, 0.3).as_dvec3());
+        points.push(dice.point(10.0, 0.03).as_dvec3());
     }
     let several = dice.chance(0.3);
     let params = dice.changed(&ScanParams { up: Up::Y, several, ..ScanParams::default() });
@@ -239,7 +242,7 @@ fn grown() -> &'static [Tree] {
 }
 
 fn volume(dice: &mut Dice) -> Option<Volume> {
-    let (a, b) = (dice.point(3.0, 0.03), dice.point(3.0, 0.03));
+    let (a, b) = (dice.point(3.0, 0.01), dice.point(3.0, 0.01));
     let size = dice.coordinate(2.0, 0.1).abs();
     match dice.below(5) {
         0 => Volume::box_solid(a.min(b), a.max(b)).ok(),
@@ -254,12 +257,17 @@ fn volume(dice: &mut Dice) -> Option<Volume> {
 }
 
 fn pose(dice: &mut Dice) -> Pose {
-    let position = dice.point(3.0, 0.03) * Vec3::new(1.0, 0.1, 1.0);
-    Pose { position, rotation: dice.rotation(0.05) }
+    let position = dice.point(5.0, 0.01) * Vec3::new(1.0, 0.1, 1.0);
+    Pose { position, rotation: dice.rotation(0.02) }
 }
 
 fn plastic(dice: &mut Dice, control: &Control) -> Made {
-    let (sky, response) = (dice.changed(&Sky::default()), dice.changed(&Response::default()));
+    let (mut sky, mut response) = (Sky::default(), Response::default());
+    match dice.below(3) {
+        0 => sky = dice.changed(&sky),
+        1 => response = dice.changed(&response),
+        _ => {}
+    }
     let mut scene = Scene::new(sky, response)?;
     let mut ids: Vec<TreeId> = Vec::new();
     for _ in 0..=dice.below(2) {
@@ -268,7 +276,10 @@ fn plastic(dice: &mut Dice, control: &Control) -> Made {
             Some(tree) => tree.clone(),
             None => Tree::bare(any_skeleton(dice), Species::default()),
         };
-        let params = dice.changed(&PlasticParams::default());
+        let mut params = PlasticParams::default();
+        if dice.chance(0.3) {
+            params = dice.changed(&params);
+        }
         let model = Arc::new(PlasticTree::new(tree, &params, control)?);
         ids.push(scene.add_tree(model, pose(dice))?);
     }
@@ -293,7 +304,12 @@ fn plastic(dice: &mut Dice, control: &Control) -> Made {
 
 fn foliage(dice: &mut Dice, control: &Control) -> Made {
     let Some(preset) = SPECIES.get(dice.below(SPECIES.len())) else { return Ok(Vec::new()) };
-    let (twigs, leaves) = (dice.changed(&preset.twigs), dice.changed(&preset.leaves));
+    let (mut twigs, mut leaves) = (preset.twigs, preset.leaves);
+    if dice.chance(0.5) {
+        twigs = dice.changed(&twigs);
+    } else {
+        leaves = dice.changed(&leaves);
+    }
     let mut skeleton = any_skeleton(dice);
     if dice.chance(0.5) {
         skeleton = grow_twigs(&skeleton, &twigs, dice.seed(), control)?.skeleton;

@@ -56,6 +56,8 @@ pub(crate) struct Line {
     pub(crate) holds: Option<bool>,
     /// How far an aim that was missed is off.
     pub(crate) off: Option<String>,
+    /// Why it was missed, where that is known.
+    pub(crate) why: Option<String>,
 }
 
 impl Aim {
@@ -113,6 +115,7 @@ impl Line {
             aim: row.aim.text(),
             holds,
             off: (holds == Some(false)).then(|| row.aim.off(row.ours)),
+            why: None,
         }
     }
 
@@ -139,6 +142,9 @@ impl Line {
             self.aim.as_deref().unwrap_or_default(),
             self.verdict()
         );
+        if let Some(why) = &self.why {
+            say!("    because: {why}");
+        }
     }
 }
 
@@ -167,8 +173,14 @@ impl Table {
     }
 
     pub(crate) fn row(&mut self, row: &Row<'_>) {
+        self.line(&Line::of(&self.system, row));
+    }
+
+    /// A row, and why it misses where it does.
+    pub(crate) fn row_because(&mut self, row: &Row<'_>, why: &str) {
         let line = Line::of(&self.system, row);
-        self.line(&line);
+        let why = (line.holds == Some(false)).then(|| why.to_owned());
+        self.line(&Line { why, ..line });
     }
 
     /// Prints and counts a row that was measured elsewhere.

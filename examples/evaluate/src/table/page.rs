@@ -1,6 +1,7 @@
 //! EVALUATION.md: what all systems measured, as a page.
 
 use super::{Line, figure};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// What one system told.
@@ -51,10 +52,14 @@ fn summary(page: &mut String, chapters: &[Chapter]) {
         page.push_str("\nNo aim was missed.\n");
         return;
     }
-    page.push_str(
-        "\nMissed:\n\n| system | case | figure | ours | aim | off |\n|---|---|---|---|---|---|\n",
-    );
-    for line in missed {
+    let (explained, plain): (Vec<&Line>, Vec<&Line>) =
+        missed.into_iter().partition(|line| line.why.is_some());
+    if !plain.is_empty() {
+        page.push_str(
+            "\nMissed:\n\n| system | case | figure | ours | aim | off |\n|---|---|---|---|---|---|\n",
+        );
+    }
+    for line in plain {
         let _ = writeln!(
             page,
             "| {} | {} | {} | {} {} | {} | {} |",
@@ -66,6 +71,24 @@ fn summary(page: &mut String, chapters: &[Chapter]) {
             line.aim.as_deref().unwrap_or_default(),
             line.off.as_deref().unwrap_or_default()
         );
+    }
+    reasons(page, &explained);
+}
+
+/// Rows that miss for a known reason, by it: there are many of the same.
+fn reasons(page: &mut String, lines: &[&Line]) {
+    let mut by: BTreeMap<(&str, &str), Vec<String>> = BTreeMap::new();
+    for line in lines {
+        let key = (line.system.as_str(), line.why.as_deref().unwrap_or_default());
+        by.entry(key).or_default().push(format!("{}: {}", line.case, line.metric));
+    }
+    if by.is_empty() {
+        return;
+    }
+    page.push_str("\nMissed for a reason:\n\n| system | rows | because |\n|---|---|---|\n");
+    for ((system, why), rows) in by {
+        let which = if rows.len() <= 3 { rows.join("; ") } else { rows.len().to_string() };
+        let _ = writeln!(page, "| {system} | {} | {} |", cell(&which), cell(why));
     }
 }
 
@@ -125,14 +148,19 @@ mod tests {
             line(5.0, Aim::Within(1.0, 4.0)),
             line(1.0, Aim::AtMost(1.0)),
             line(7.0, Aim::None),
+            Line { why: Some("of a fault".into()), ..line(9.0, Aim::AtMost(8.0)) },
         ];
         let off: Vec<_> = lines.iter().map(Line::verdict).collect();
-        assert_eq!(off, ["NO, by 100 %", "NO, by 10 %", "NO, by 3", "NO, by 25 %", "yes", ""]);
+        assert_eq!(
+            off,
+            ["NO, by 100 %", "NO, by 10 %", "NO, by 3", "NO, by 25 %", "yes", "", "NO, by 12.50 %"]
+        );
         let chapter =
             Chapter { system: "system".into(), lines, seconds: 3.0, notes: vec!["skipped".into()] };
         let page = markdown(&[chapter], "a machine");
-        assert!(page.contains("| [system](#system) | 1 | 5 | 3 |"), "{page}");
+        assert!(page.contains("| [system](#system) | 1 | 6 | 3 |"), "{page}");
         assert!(page.contains("| a\\|b | m |  |  | 5 | s | 1 to 4 | NO, by 25 % |"), "{page}");
+        assert!(page.contains("| system | a\\|b: m | of a fault |"), "{page}");
         assert!(
             page.contains("> skipped") && page.contains("And 1 rows for information"),
             "{page}"
