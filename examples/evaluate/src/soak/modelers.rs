@@ -304,7 +304,7 @@ fn plastic(dice: &mut Dice, control: &Control) -> Made {
 
 fn foliage(dice: &mut Dice, control: &Control) -> Made {
     let Some(preset) = SPECIES.get(dice.below(SPECIES.len())) else { return Ok(Vec::new()) };
-    let (mut twigs, mut leaves) = (preset.twigs, preset.leaves);
+    let (mut twigs, mut leaves) = (preset.twigs.clone(), preset.leaves.clone());
     if dice.chance(0.5) {
         twigs = dice.changed(&twigs);
     } else {
