@@ -3,9 +3,13 @@
 
 use super::lobes::{Noise, families};
 use crate::table::{Aim, Row, Table};
+use rayon::prelude::*;
 use std::error::Error;
 use tree_model::silhouette::bump::{BumpParams, bumps};
 use tree_model::tree_core::Seed;
+
+/// Why not all are.
+const MISSED: &str = "conifers of ten and eleven bumps drawn by few points or an unsteady hand: small bumps and noise are of one size";
 
 /// Points of an outline.
 const POINTS: [usize; 6] = [60, 120, 250, 500, 1000, 2000];
@@ -27,21 +31,23 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let (mut all, mut all_right) = (0_u32, 0_u32);
     let mut missed = vec![0_u32; families.len()];
     for (hand, noise) in HANDS {
-        let (mut n_tried, mut n_right) = (0_u32, 0_u32);
-        for (i, lobed) in families.iter().enumerate() {
-            for n in POINTS {
-                for turn in 0..TURNS {
-                    let seed = seed.child(i as u64).child(turn);
-                    // Turns that are no share of a whole one.
-                    let outline = lobed.drawn(n, 0.7 * turn as f32, noise, seed);
-                    let outline = outline.ok_or("a constructed outline was refused")?;
-                    let found = bumps(&outline, &BumpParams::default()).len();
-                    n_tried += 1;
-                    n_right += u32::from(found == lobed.bumps);
-                    missed[i] += u32::from(found != lobed.bumps);
-                }
-            }
+        let outlines: Vec<(usize, usize, u64)> = (0..families.len())
+            .flat_map(|i| POINTS.map(|n| (0..TURNS).map(move |turn| (i, n, turn))))
+            .flatten()
+            .collect();
+        let right = |&(i, n, turn): &(usize, usize, u64)| -> Result<bool, &'static str> {
+            let seed = seed.child(i as u64).child(turn);
+            // Turns that are no share of a whole one.
+            let outline = families[i].drawn(n, 0.7 * turn as f32, noise, seed);
+            let outline = outline.ok_or("a constructed outline was refused")?;
+            Ok(bumps(&outline, &BumpParams::default()).len() == families[i].bumps)
+        };
+        let right = outlines.par_iter().map(right).collect::<Result<Vec<bool>, _>>()?;
+        for (&(i, ..), right) in outlines.iter().zip(&right) {
+            missed[i] += u32::from(!right);
         }
+        let n_tried = outlines.len() as u32;
+        let n_right = right.iter().filter(|right| **right).count() as u32;
         (all, all_right) = (all + n_tried, all_right + n_right);
         row(table, hand, n_right, n_tried);
     }
@@ -53,7 +59,7 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
 }
 
 fn row(table: &mut Table, case: &str, n_right: u32, n_tried: u32) {
-    table.row(&Row {
+    let row = Row {
         case: &format!("bumps of 1 to 12 lobes, {case}"),
         metric: "number as constructed",
         paper: None,
@@ -61,5 +67,6 @@ fn row(table: &mut Table, case: &str, n_right: u32, n_tried: u32) {
         ours: 100.0 * f64::from(n_right) / f64::from(n_tried.max(1)),
         unit: "%",
         aim: Aim::AtLeast(100.0),
-    });
+    };
+    table.row_because(&row, MISSED);
 }

@@ -3,8 +3,10 @@
 
 use crate::measure::fastest;
 use crate::table::{Aim, Row, Table};
+use rayon::prelude::*;
 use std::error::Error;
 use std::f32::consts::PI;
+use tree_model::ModelError;
 use tree_model::silhouette::place::{
     Arranged, Arrangement, Domain, GibbsParams, arrange, privileged,
 };
@@ -41,14 +43,17 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     for (name, arrangement) in ARRANGEMENTS {
         for (what, share) in [("added branches", 0.0), ("a third drawn", 1.0 / 3.0)] {
             let (mut n_passed, mut n_tried) = (0_u32, 0_u32);
-            for n in NUMBERS {
-                for seed in 0..SEEDS {
-                    let domains = domains(n, (share * n as f32) as usize, Seed(seed));
-                    let arranged = run(&domains, &arrangement, GibbsParams::default(), seed)?;
-                    sum.take(&arranged, &domains);
-                    n_tried += 1;
-                    n_passed += u32::from(privileged(&arranged.sites, &arrangement).passes());
-                }
+            let runs: Vec<(usize, u64)> =
+                NUMBERS.iter().flat_map(|&n| (0..SEEDS).map(move |seed| (n, seed))).collect();
+            let done = runs.par_iter().map(|&(n, seed)| {
+                let domains = domains(n, (share * n as f32) as usize, Seed(seed));
+                let arranged = run(&domains, &arrangement, GibbsParams::default(), seed);
+                arranged.map(|arranged| (domains, arranged))
+            });
+            for (domains, arranged) in done.collect::<Result<Vec<_>, _>>()? {
+                sum.take(&arranged, &domains);
+                n_tried += 1;
+                n_passed += u32::from(privileged(&arranged.sites, &arrangement).passes());
             }
             // What was drawn at places of its own has no pattern, nor is it even.
             let spread_drawn = !arrangement.has_pattern() && share > 0.0;
@@ -100,8 +105,8 @@ fn run(
     arrangement: &Arrangement,
     params: GibbsParams,
     seed: u64,
-) -> Result<Arranged, Box<dyn Error>> {
-    Ok(arrange(domains, arrangement, &params, Seed(seed), &Control::default())?)
+) -> Result<Arranged, ModelError> {
+    arrange(domains, arrangement, &params, Seed(seed), &Control::default())
 }
 
 /// Time of a move: that of many moves, less that of none.

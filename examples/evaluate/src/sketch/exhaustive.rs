@@ -13,7 +13,7 @@ use tree_model::tree_core::{Control, NO_PARENT, Seed, seed};
 const SMALL: u64 = 1;
 const SEGMENTS: usize = 6;
 /// Slopes at which each segment is tried; the best combinations are then refined.
-const SLOPES: [f64; 11] = [-1.73, -1.3, -0.9, -0.6, -0.3, 0.0, 0.3, 0.6, 0.9, 1.3, 1.73];
+const SLOPES: [f64; 9] = [-1.73, -1.2, -0.75, -0.35, 0.0, 0.35, 0.75, 1.2, 1.73];
 const REFINED: usize = 40;
 /// Rounding of a sum of hundreds of logarithms.
 const ROUNDING: f64 = 1e-9;
