@@ -153,6 +153,8 @@ fn scan(options: &Options, control: &Control) -> Result<(), Box<dyn Error>> {
         for mut surface in mesh.surfaces.drain(..) {
             surface.positions.iter_mut().for_each(|p| *p += up.as_vec3());
             surface.material += all.materials.len() as u32;
+            // Wind is a single tree's.
+            surface.branches.clear();
             all.surfaces.push(surface);
         }
         all.materials.append(&mut mesh.materials);

@@ -19,32 +19,26 @@ struct Part {
     commands: &'static [&'static str],
     /// Files in rows, beside what is written to `out`; none where the command writes the picture itself.
     rows: &'static [&'static [&'static str]],
-    /// Of a row, in pixels.
-    height: u32,
+    /// Of the sheet, in pixels.
+    width: u32,
 }
 
-const PART: Part = Part { name: "", shared: false, commands: &[], rows: &[], height: 360 };
+const PART: Part = Part { name: "", shared: false, commands: &[], rows: &[], width: 1680 };
 
 const PARTS: &[Part] = &[
-    Part {
-        name: "oak",
-        commands: &["quickstart"],
-        rows: &[&["out/oak.png"]],
-        height: 1024,
-        ..PART
-    },
+    Part { name: "oak", commands: &["quickstart"], rows: &[&["out/oak.png"]], width: 1024, ..PART },
     Part {
         name: "closeups",
         commands: &["closeups -- out/gallery"],
         rows: &[&["closeups.jpg"]],
-        height: 1440,
+        width: 1440,
         ..PART
     },
     Part {
         name: "leaves",
         commands: &["leaves -- out/gallery"],
         rows: &[&["leaves.png"]],
-        height: 1000,
+        width: 1440,
         ..PART
     },
     Part { name: "templates", commands: &["templates -- sheet FOLDER"], ..PART },
@@ -63,14 +57,14 @@ const PARTS: &[Part] = &[
             &["out/silhouettes/christmas_tree.png", "out/silhouettes/palm.png"],
             &["out/silhouettes/willow.png", "out/silhouettes/eucalyptus.png"],
         ],
-        height: 300,
+        width: 1445,
         ..PART
     },
     Part {
         name: "silhouettes_stands",
         commands: &["-p evaluate -- silhouette"],
         rows: &[&["out/silhouettes/fern_forest.png"], &["out/silhouettes/stand.png"]],
-        height: 218,
+        width: 1440,
         ..PART
     },
     Part {
@@ -93,14 +87,14 @@ const PARTS: &[Part] = &[
             "skeletonize -- SHARED/pointclouds/archi_tree1.ply --picture out/gallery/scan.png",
         ],
         rows: &[&["scan.png"]],
-        height: 480,
+        width: 1200,
         ..PART
     },
     Part {
         name: "levels",
         commands: &["prune -- --out out/gallery"],
         rows: &[&["oak_levels.png"]],
-        height: 540,
+        width: 1440,
         ..PART
     },
     Part {
@@ -110,7 +104,7 @@ const PARTS: &[Part] = &[
             "growth -- --preset oak --years 5 --out out/gallery",
         ],
         rows: &[&["presets.png"], &["years.png"]],
-        height: 500,
+        width: 1600,
         ..PART
     },
     Part {
@@ -145,11 +139,11 @@ const PARTS: &[Part] = &[
         name: "hybrid",
         commands: &[
             "multires -- birch --out out/gallery",
-            "multires -- pine --out out/gallery",
+            "multires -- spruce --out out/gallery",
             "multires -- palm --out out/gallery",
         ],
-        rows: &[&["birch_distances.png"], &["pine_distances.png"], &["palm_distances.png"]],
-        height: 495,
+        rows: &[&["birch_distances.png"], &["spruce_distances.png"], &["palm_distances.png"]],
+        width: 780,
         ..PART
     },
 ];
@@ -178,7 +172,7 @@ pub(crate) fn draw(name: &str, folder: &Path) -> Outcome {
     if rows.is_empty() {
         return Ok(());
     }
-    sheet::save(&sheet::rows(&rows, part.height), &folder.join(format!("{name}.jpg")))
+    sheet::save(&sheet::rows(&rows, part.width), &folder.join(format!("{name}.jpg")))
 }
 
 /// An example, as a user would run it.

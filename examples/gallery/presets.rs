@@ -77,6 +77,5 @@ fn tiled(pictures: &[Picture], columns: usize) -> Outcome<DynamicImage> {
             .ok_or("a picture with too few pixels")
     };
     let images = pictures.iter().map(image).collect::<Result<Vec<_>, _>>()?;
-    let rows: Vec<Vec<DynamicImage>> = images.chunks(columns).map(<[_]>::to_vec).collect();
-    Ok(sheet::rows(&rows, pictures.first().map_or(1, |picture| picture.height)))
+    Ok(sheet::tiles(&images, columns))
 }

@@ -4,24 +4,46 @@ use crate::Outcome;
 use image::{DynamicImage, ImageFormat, Rgba, RgbaImage, imageops};
 use std::path::Path;
 
-/// Rows of pictures, each scaled to the row's height; what is left of a row is white.
-pub(crate) fn rows(rows: &[Vec<DynamicImage>], height: u32) -> DynamicImage {
-    let scaled = |picture: &DynamicImage| {
-        let width = (picture.width() * height).div_ceil(picture.height().max(1));
-        imageops::resize(&picture.to_rgba8(), width, height, imageops::FilterType::CatmullRom)
-    };
-    let rows: Vec<Vec<RgbaImage>> =
-        rows.iter().map(|row| row.iter().map(scaled).collect()).collect();
-    let width = rows.iter().map(|row| row.iter().map(RgbaImage::width).sum()).max().unwrap_or(1);
-    let mut sheet = RgbaImage::from_pixel(width, height * rows.len() as u32, Rgba([255; 4]));
-    for (y, row) in (0_u32..).zip(&rows) {
-        let mut x = 0;
-        for picture in row {
-            imageops::overlay(&mut sheet, picture, i64::from(x), i64::from(y * height));
-            x += picture.width();
-        }
+/// Pictures of one size, so many in a row.
+pub(crate) fn tiles(pictures: &[DynamicImage], columns: usize) -> DynamicImage {
+    let (width, height) = pictures.first().map_or((1, 1), |first| (first.width(), first.height()));
+    let n_rows = pictures.len().div_ceil(columns) as u32;
+    let white = Rgba([255; 4]);
+    let mut sheet = RgbaImage::from_pixel(columns as u32 * width, n_rows * height, white);
+    for (i, picture) in pictures.iter().enumerate() {
+        let (x, y) = (i % columns * width as usize, i / columns * height as usize);
+        imageops::overlay(&mut sheet, &picture.to_rgba8(), x as i64, y as i64);
     }
     DynamicImage::ImageRgba8(sheet)
+}
+
+/// Rows of pictures, each as high as it takes to be as wide as the sheet.
+pub(crate) fn rows(rows: &[Vec<DynamicImage>], width: u32) -> DynamicImage {
+    let rows: Vec<Vec<RgbaImage>> = rows.iter().map(|row| fitted(row, width)).collect();
+    let high = |row: &[RgbaImage]| row.first().map_or(0, RgbaImage::height);
+    let height = rows.iter().map(|row| high(row)).sum();
+    let mut sheet = RgbaImage::from_pixel(width, height, Rgba([255; 4]));
+    let mut y = 0;
+    for row in &rows {
+        let mut x = 0;
+        for picture in row {
+            imageops::overlay(&mut sheet, picture, x, y);
+            x += i64::from(picture.width());
+        }
+        y += i64::from(high(row));
+    }
+    DynamicImage::ImageRgba8(sheet)
+}
+
+/// Pictures of one height that are together so wide.
+fn fitted(row: &[DynamicImage], width: u32) -> Vec<RgbaImage> {
+    let shape = |picture: &DynamicImage| picture.width() as f32 / picture.height().max(1) as f32;
+    let height = width as f32 / row.iter().map(shape).sum::<f32>();
+    let scaled = |picture: &DynamicImage| {
+        let (wide, high) = ((height * shape(picture)).round() as u32, height.round() as u32);
+        imageops::resize(&picture.to_rgba8(), wide, high, imageops::FilterType::CatmullRom)
+    };
+    row.iter().map(scaled).collect()
 }
 
 pub(crate) fn save(sheet: &DynamicImage, path: &Path) -> Outcome {

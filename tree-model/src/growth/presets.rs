@@ -1,11 +1,11 @@
 //! Ready-made habits: what the growth model makes of a few well-known trees.
 //!
-//! Leaves, bark and the arrangement of buds are those of [`SPECIES`](crate::foliage::SPECIES); the numbers of
-//! growth were found by looking at pictures.
+//! Bark, and how leaves stand, are those of [`SPECIES`](crate::foliage::SPECIES); each leaf is a sprig, so that a crown closes with
+//! as many as an engine draws. The numbers of growth were found by looking at pictures.
 
 use super::{Allocation, GrowthParams, Habit, Shadow, Tropisms, World};
 use crate::error::{ModelError, Result};
-use crate::foliage::{Phyllotaxis, SpeciesPreset};
+use crate::foliage::{LeafParams, Phyllotaxis, SpeciesPreset};
 use crate::growth::Environment;
 use tree_core::Species;
 use tree_core::allometry::PipeModel;
@@ -29,8 +29,14 @@ pub struct Preset {
     shadow: [f32; 2],
     /// Tip radius and exponent.
     pipe: [f32; 2],
+    /// Kind, size and spacing of the sprigs, the latter in metres.
+    sprigs: (&'static str, f32, f32),
     habit: Row,
 }
+
+/// How sprigs stand on shoots.
+const SPRIGS: LeafParams =
+    LeafParams { bearing: 0.5, pitch: 0.8, droop: 0.1, phototropism: 0.55, ..LeafParams::DEFAULT };
 
 /// The numbers of a habit.
 #[derive(Clone, Copy, Debug)]
@@ -68,6 +74,7 @@ pub const PRESETS: [Preset; 6] = [
         voxel: 1.5,
         shadow: [0.1, 1.8],
         pipe: [0.003, 2.3],
+        sprigs: ("oak-cluster", 0.34, 0.1),
         habit: Row {
             internode: 0.16,
             buds: Phyllotaxis::GOLDEN,
@@ -92,6 +99,7 @@ pub const PRESETS: [Preset; 6] = [
         voxel: 1.5,
         shadow: [0.05, 1.6],
         pipe: [0.003, 2.4],
+        sprigs: ("poplar-cluster", 0.34, 0.1),
         habit: Row {
             internode: 0.2,
             buds: Phyllotaxis::GOLDEN,
@@ -116,6 +124,7 @@ pub const PRESETS: [Preset; 6] = [
         voxel: 1.5,
         shadow: [0.08, 1.6],
         pipe: [0.002, 2.4],
+        sprigs: ("birch-cluster", 0.3, 0.09),
         habit: Row {
             internode: 0.18,
             buds: Phyllotaxis::GOLDEN,
@@ -140,6 +149,7 @@ pub const PRESETS: [Preset; 6] = [
         voxel: 1.5,
         shadow: [0.08, 2.0],
         pipe: [0.003, 2.4],
+        sprigs: ("pine-needles", 0.28, 0.08),
         habit: Row {
             internode: 0.18,
             buds: Phyllotaxis::Whorled { count: 5 },
@@ -164,6 +174,7 @@ pub const PRESETS: [Preset; 6] = [
         voxel: 1.5,
         shadow: [0.08, 1.6],
         pipe: [0.002, 2.6],
+        sprigs: ("linden-cluster", 0.26, 0.09),
         habit: Row {
             internode: 0.1,
             buds: Phyllotaxis::Decussate,
@@ -188,6 +199,7 @@ pub const PRESETS: [Preset; 6] = [
         voxel: 1.5,
         shadow: [0.08, 1.8],
         pipe: [0.003, 2.3],
+        sprigs: ("maple-cluster", 0.36, 0.11),
         habit: Row {
             internode: 0.18,
             buds: Phyllotaxis::Decussate,
@@ -245,6 +257,7 @@ impl Preset {
     pub fn habit(&self) -> Habit {
         let row = &self.habit;
         let [tip_radius, exponent] = self.pipe;
+        let (kind, size, spacing) = self.sprigs;
         let species = SpeciesPreset::find(self.species).ok();
         Habit {
             internode: row.internode,
@@ -263,11 +276,17 @@ impl Preset {
             shedding_age: 2,
             leaf_life: row.leaf_life,
             radii: PipeModel { tip_radius, exponent, ..PipeModel::default() },
-            leaves: species.map(|species| species.leaves.clone()),
+            leaves: Some(LeafParams {
+                arrangement: species
+                    .map_or(Phyllotaxis::GOLDEN, |species| species.leaves.arrangement),
+                size,
+                spacing,
+                ..SPRIGS
+            }),
             species: Species {
                 name: self.name.into(),
                 bark: species.map_or("oak", |species| species.bark).into(),
-                leaf_kinds: vec![species.map_or("oak", |species| species.leaf_kind).into()],
+                leaf_kinds: vec![kind.into()],
             },
         }
     }
