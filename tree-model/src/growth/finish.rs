@@ -7,6 +7,7 @@ use tree_core::{Control, Foliage, Skeleton, Tree};
 
 /// A grown tree and how it came about.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Grown {
     /// The tree.
     pub tree: Tree,
@@ -21,6 +22,7 @@ pub struct Grown {
 
 /// What happened while a tree grew.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct GrowthReport {
     /// One entry an iteration.
     pub years: Vec<YearReport>,

@@ -81,6 +81,7 @@ impl Regrowth {
 
 /// A tree with new branches.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Regrown {
     /// The tree, in its own frame: first the nodes of the adapted tree, then new ones.
     pub tree: Tree,

@@ -50,6 +50,7 @@ use tree_core::{Control, Species, Tree};
 
 /// A tree and what became of the mesh on the way.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Skeletonized {
     /// The tree, in the units of the mesh. Its bark is named after the part with most wood, leaf
     /// kinds after the parts their leaves come from.

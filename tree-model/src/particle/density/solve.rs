@@ -15,6 +15,7 @@ const CONTRADICTION: f64 = 0.5;
 
 /// How a density came about.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct DensityReport {
     /// Rays: equations.
     pub n_rays: u64,

@@ -41,6 +41,7 @@ impl AutoParams {
 
 /// What [`automatic`] found.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct AutoReport {
     /// Whether the photograph's own alpha was taken.
     pub has_alpha: bool,

@@ -11,6 +11,7 @@ use tree_core::{Control, Seed, Tree};
 
 /// What became of a drawing's strokes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PlayReport {
     /// Strokes that were used.
     pub strokes: u32,

@@ -58,6 +58,7 @@ pub struct ScannedTree {
 
 /// Trees and what became of the cloud on the way.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Scanned {
     /// One tree, or with [`ScanParams::several`] all of them.
     pub trees: Vec<ScannedTree>,

@@ -44,6 +44,7 @@ const TWIG_SHOOT: f32 = 1.3;
 
 /// What the finish did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct FinishReport {
     /// Nodes of branches.
     pub wood_nodes: u64,

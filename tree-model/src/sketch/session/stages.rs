@@ -19,6 +19,7 @@ const FROND_ORDERS: u32 = 1;
 
 /// What a session makes, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Stage {
     /// Strokes joined, the crown closed.
     Clean,
