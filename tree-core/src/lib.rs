@@ -56,5 +56,6 @@ pub use skeleton::{
     Axes, Axis, Children, Continuation, NO_PARENT, Reordered, Skeleton, SkeletonBuilder,
     SkeletonColumns,
 };
+pub use swc::UpAxis;
 pub use tree::{Species, Tree, TreeParts};
 pub use volume::{Solid, Volume};

@@ -40,7 +40,7 @@ pub mod prune;
 pub mod quality;
 pub mod select;
 
-pub use element::{Elements, Foliage, Grain};
+pub use element::{Elements, Grain, LeafSurfaces};
 pub use error::LodError;
 pub use tree_core;
 pub use tree_core::glam;

@@ -1,6 +1,6 @@
 //! From a growing tree to one that can be drawn: radii, leaves, ages.
 
-use super::simulation::Plant;
+use super::simulation::Growing;
 use crate::error::Result;
 use crate::foliage;
 use tree_core::{Control, Foliage, Skeleton, Tree};
@@ -45,7 +45,7 @@ pub struct YearReport {
     pub n_nodes: u32,
 }
 
-impl Plant {
+impl Growing {
     pub(super) fn finish(&self, control: &Control) -> Result<Grown> {
         let stem = &self.stem;
         let radii = vec![0.0; stem.len()];

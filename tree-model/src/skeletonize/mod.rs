@@ -41,7 +41,7 @@ mod weld;
 
 pub use params::SkeletonizeParams;
 pub use part::{Hint, Part};
-pub use scan::{Bridge, ScanParams, ScanReport, Scanned, ScannedTree, Up, skeletonize_scan};
+pub use scan::{Bridge, ScanParams, ScanReport, Scanned, ScannedTree, skeletonize_scan};
 pub use separate::Class;
 
 use crate::error::Result;
