@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use tree_core::glam::{EulerRot, Quat, Vec3};
 use tree_core::{Control, Seed, Skeleton, SkeletonBuilder, Species, Tree};
 use tree_lod::preview::{self, Camera, Lens, Picture, Pose, Style, View};
-use tree_mesh::displace::{Displacement, displace};
+use tree_mesh::displace::{DisplaceParams, displace};
 use tree_mesh::subdivide::{SubdivideParams, subdivide};
 use tree_mesh::{ErrorBound, Look, Mesh, MeshParams, topology};
 use tree_model::path::{PathParams, Preset};
@@ -112,7 +112,7 @@ fn finish(mesh: &mut Mesh, finish: Finish, control: &Control) -> Result<(), Box<
     let params = SubdivideParams { levels, fit, ..Default::default() };
     mesh.surfaces[0] = subdivide(&mesh.surfaces[0], &params, control)?;
     if matches!(finish, Finish::Displaced) {
-        let relief = Displacement { amplitude: 0.03, scale: 0.04, ..Default::default() };
+        let relief = DisplaceParams { amplitude: 0.03, scale: 0.04, ..Default::default() };
         displace(&mut mesh.surfaces[0], &mesh.branches, &relief, control)?;
     }
     Ok(())

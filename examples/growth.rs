@@ -20,7 +20,7 @@ use tree_lod::preview::{self, Camera, Framing, Picture, Style, View};
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
 use tree_mesh::{Look, Material, Mesh, MeshParams, Surface};
 use tree_model::growth::{
-    Environment, Grown, GrowthParams, PRESETS, Planting, Preset, Simulation, Space,
+    Environment, Grown, GrowthParams, PRESETS, Plant, Preset, Simulation, Space,
 };
 use tree_model::path::Obstacle;
 
@@ -103,8 +103,8 @@ impl Request {
         Ok(params)
     }
 
-    fn plants(&self, params: &GrowthParams) -> Vec<Planting> {
-        let at = |x: f32| Planting { base: Vec3::new(x, 0.0, 0.0), ..params.planting() };
+    fn plants(&self, params: &GrowthParams) -> Vec<Plant> {
+        let at = |x: f32| Plant { base: Vec3::new(x, 0.0, 0.0), ..params.planting() };
         std::iter::once(at(0.0)).chain(self.neighbour.map(at)).collect()
     }
 }
@@ -227,14 +227,14 @@ fn wall(x: f32) -> Result<Volume, Box<dyn Error>> {
 /// The six sides of a box.
 fn boxed(bounds: Aabb) -> Surface {
     let mut surface = Surface::default();
-    let (centre, half) = (bounds.center(), 0.5 * bounds.size());
+    let (center, half) = (bounds.center(), 0.5 * bounds.size());
     for axis in 0..3 {
         for sign in [-1.0, 1.0] {
             let normal = sign * Vec3::AXES[axis];
             let (u, v) = (Vec3::AXES[(axis + 1) % 3], sign * Vec3::AXES[(axis + 2) % 3]);
             let first = surface.positions.len() as u32;
             for (a, b) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
-                surface.positions.push(centre + half * (normal + a * u + b * v));
+                surface.positions.push(center + half * (normal + a * u + b * v));
                 surface.normals.push(normal);
             }
             surface.indices.extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));

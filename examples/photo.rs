@@ -21,7 +21,7 @@ use tree_lod::preview::{self, Lens, Pose, Style, View};
 use tree_mesh::io::gltf::{GlbOptions, write_glb};
 use tree_mesh::{Look, MeshParams};
 use tree_model::particle::finish::FinishParams;
-use tree_model::particle::matting::{self, AutoParams, NaturalParams, Trimap};
+use tree_model::particle::matting::{self, AutomaticParams, NaturalParams, Trimap};
 use tree_model::particle::session::{Attractor, PhotoParams, Session, Shot};
 use tree_model::particle::{Camera, Matte, Photo, attractor};
 
@@ -193,7 +193,7 @@ fn matte(photo: &Photo, trimap: Option<&str>, control: &Control) -> Result<Matte
         let trimap = Trimap::from_photo(&Photo::open(path, &control.limits)?);
         return Ok(matting::natural(photo, &trimap, &NaturalParams::default(), control)?.0);
     }
-    let (matte, report) = matting::automatic(photo, &AutoParams::default(), control)?;
+    let (matte, report) = matting::automatic(photo, &AutomaticParams::default(), control)?;
     for warning in &report.warnings {
         eprintln!("warning: {warning}");
     }

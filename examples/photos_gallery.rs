@@ -20,7 +20,7 @@ use tree_core::{Control, Seed};
 use tree_lod::preview::{self, Camera, Lens, Pose, Style, View};
 use tree_mesh::{Look, MeshParams};
 use tree_model::particle::finish::FinishParams;
-use tree_model::particle::matting::{AutoParams, NaturalParams, Trimap, automatic, natural};
+use tree_model::particle::matting::{AutomaticParams, NaturalParams, Trimap, automatic, natural};
 use tree_model::particle::session::{PhotoParams, Session, Shot};
 use tree_model::particle::{self, Matte, Photo};
 
@@ -113,7 +113,7 @@ fn matte(photo: &Photo, how: How) -> Result<Matte, Box<dyn Error>> {
             let trimap = Trimap::from_strokes(photo.width(), photo.height(), &strokes?)?;
             natural(photo, &trimap, &NaturalParams::default(), &control)?.0
         }
-        How::Alpha | How::Auto => automatic(photo, &AutoParams::default(), &control)?.0,
+        How::Alpha | How::Auto => automatic(photo, &AutomaticParams::default(), &control)?.0,
     })
 }
 

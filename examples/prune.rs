@@ -17,7 +17,7 @@ use tree_core::{Control, Seed, file};
 use tree_lod::order::CoverageParams;
 use tree_lod::preview::{self, Backdrop, Camera, Framing, Picture, Style, View};
 use tree_lod::prune::{MakeParams, PrunedModel, Screen};
-use tree_lod::{Foliage, Grain};
+use tree_lod::{Grain, LeafSurfaces};
 use tree_mesh::io::gltf::GlbOptions;
 use tree_mesh::io::{self, ImportOptions};
 use tree_mesh::{LeafForm, Look, Mesh, MeshParams};
@@ -54,7 +54,7 @@ impl Request {
                 || arguments.next().ok_or_else(|| format!("{argument} needs a value: {USAGE}"));
             match argument.as_str() {
                 "--grain" => request.params.grain = grain(&value()?)?,
-                "--foliage" => request.params.foliage = Foliage::Surfaces(list(&value()?)?),
+                "--foliage" => request.params.foliage = LeafSurfaces::Surfaces(list(&value()?)?),
                 "--levels" => request.lambdas = list(&value()?)?,
                 "--views" => request.views = Some(value()?.parse()?),
                 "--out" => request.out = value()?.into(),
@@ -154,7 +154,7 @@ fn oak(control: &Control) -> Result<Mesh, Box<dyn Error>> {
     let tree = PathParams::oak()?.grow(Seed(7), control)?.tree;
     let mut look = Look::built_in(tree.species())?;
     for leaf in &mut look.leaves {
-        leaf.form = LeafForm::Modelled { vertices_max: 12 };
+        leaf.form = LeafForm::Modelled { max_vertices: 12 };
     }
     Ok(tree_mesh::build(&tree, &look, &MeshParams::default(), control)?.mesh)
 }

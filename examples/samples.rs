@@ -86,9 +86,9 @@ fn variants(
     for (surface, _) in full.surfaces.iter().enumerate().filter(|(_, s)| !s.indices.is_empty()) {
         winds.extend(gltf_wind::attributes(&full, surface)?);
     }
-    let coloured = GlbOptions { occlusion: OcclusionAs::Color, ..options.clone() };
+    let colored = GlbOptions { occlusion: OcclusionAs::Color, ..options.clone() };
     let windy = Level { attributes: &winds, ..all };
-    write_glb_levels(&[windy], path("_wind_all.glb"), &coloured)?;
+    write_glb_levels(&[windy], path("_wind_all.glb"), &colored)?;
     // Attributes of different widths, which Blender mixes up.
     write_glb_levels(&[windy], path("_wind_mixed.glb"), options)?;
 
@@ -126,13 +126,13 @@ fn completed(mesh: &Mesh) -> Mesh {
 
 /// A chequered bark, and one lens-shaped leaf shared by all kinds.
 fn dress(look: &mut Look) {
-    let picture = |name: &str, n: u32, colour: fn(f32, f32) -> [u8; 4]| {
+    let picture = |name: &str, n: u32, color: fn(f32, f32) -> [u8; 4]| {
         let at = |i: u32| (i as f32 + 0.5) / n as f32 * 2.0 - 1.0;
         Arc::new(Texture {
             name: name.into(),
             width: n,
             height: n,
-            pixels: (0..n * n).flat_map(|i| colour(at(i % n), at(i / n))).collect(),
+            pixels: (0..n * n).flat_map(|i| color(at(i % n), at(i / n))).collect(),
         })
     };
     look.bark.base_color = [1.0; 4];

@@ -11,12 +11,12 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tree_core::glam::DVec3;
-use tree_core::{Control, Foliage, Skeleton, Species, Tree, swc};
+use tree_core::{Control, Foliage, Skeleton, Species, Tree, UpAxis, swc};
 use tree_lod::preview::{self, Picture, Style, View};
 use tree_mesh::io::{self, ImportOptions, points};
 use tree_mesh::{Alpha, ErrorBound, Look, Mesh, MeshError, MeshParams};
 use tree_model::skeletonize::{
-    Hint, Part, ScanParams, SkeletonizeParams, Up, skeletonize, skeletonize_scan,
+    Hint, Part, ScanParams, SkeletonizeParams, skeletonize, skeletonize_scan,
 };
 
 const USAGE: &str = "skeletonize MESH.glb|MESH.obj|CLOUD.ply|CLOUD.xyz [--out tree.swc] \
@@ -108,7 +108,7 @@ fn mesh(options: &Options, mesh: &Mesh, control: &Control) -> Result<(), Box<dyn
 fn scan(options: &Options, control: &Control) -> Result<(), Box<dyn Error>> {
     let cloud = points::read(&options.input, control)?.positions;
     let params = ScanParams {
-        up: if options.y_up { Up::Y } else { Up::Z },
+        up: if options.y_up { UpAxis::Y } else { UpAxis::Z },
         several: options.several,
         foliage: !options.wood_only,
         ..Default::default()
@@ -221,7 +221,7 @@ fn mesh_of(tree: &Tree, leaf_widths: &[f32], control: &Control) -> Result<Mesh, 
     let params = MeshParams {
         flare: 0.0,
         error: ErrorBound::Metres((3e-4 * size).clamp(1e-5, 1.0)),
-        radius_min: (5e-5 * size).clamp(1e-5, 0.1),
+        min_radius: (5e-5 * size).clamp(1e-5, 0.1),
         ..Default::default()
     };
     let mut look = Look::plain(tree.species());

@@ -153,7 +153,7 @@ fn table(stand: &Stand) {
     }
     stand.notes.iter().for_each(|note| eprintln!("warning: {note}"));
     if let Some(view) = &stand.view {
-        println!("horizon at y = {:.0}, the eye {:.2} m up", view.centre.y, view.eye.y);
+        println!("horizon at y = {:.0}, the eye {:.2} m up", view.center.y, view.eye.y);
     }
 }
 
@@ -207,10 +207,10 @@ fn as_drawn(
     control: &Control,
 ) -> Result<Picture, Box<dyn Error>> {
     let points = || drawing.trees.iter().flat_map(|tree| &tree.strokes).flat_map(|s| &s.points);
-    let low = points().fold(view.centre, |low, point| low.min(*point));
-    let high = points().fold(view.centre, |high, point| high.max(*point));
+    let low = points().fold(view.center, |low, point| low.min(*point));
+    let high = points().fold(view.center, |high, point| high.max(*point));
     let margin = 0.03 * (high - low).max_element();
-    let half = (high - view.centre).max(view.centre - low) + margin;
+    let half = (high - view.center).max(view.center - low) + margin;
     let pixels = WIDTH as f32 / (2.0 * half.x);
     let lens = Lens::Perspective { fov: 2.0 * libm::atanf(half.y / view.focal) };
     let pose = Pose { eye: view.eye, target: view.eye - Vec3::Z, up: Vec3::Y, lens };
@@ -219,8 +219,8 @@ fn as_drawn(
     let mut picture = preview::render(mesh, &view_of, &Style::default(), control)?;
     // The point looked at is always within the bounds; one side of it is as long as the other.
     let seen = points().fold(f32::INFINITY, |top, point| top.min(point.y)) - margin;
-    let first = ((seen - view.centre.y + half.y) * pixels).max(0.0) as u32;
-    let last = (((high.y + margin - view.centre.y + half.y) * pixels) as u32).min(height);
+    let first = ((seen - view.center.y + half.y) * pixels).max(0.0) as u32;
+    let last = (((high.y + margin - view.center.y + half.y) * pixels) as u32).min(height);
     let row = 4 * WIDTH as usize;
     picture.pixels = picture.pixels[first as usize * row..last as usize * row].to_vec();
     picture.height = last - first;

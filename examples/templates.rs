@@ -19,14 +19,14 @@ use tree_mesh::{Alpha, Look, Mesh, MeshParams};
 use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, skeletonize};
 use tree_model::sketch::Drawing;
 use tree_model::sketch::template::{
-    self, EXEMPLARS, Exemplar, MainBranches, Template, TemplateParams, main_branches, project,
+    self, EXEMPLARS, Exemplar, MainBranchParams, Template, TemplateParams, main_branches, project,
 };
 
 const USAGE: &str = "templates list [FILE] | build OUT.txt | sheet FOLDER | \
                      add TREE.swc|TREE.glb|TREE.obj --name NAME [--species SPECIES] OUT.txt";
 
 /// The seed of the shipped exemplars.
-const SEED: Seed = template::SEED;
+const SEED: Seed = template::EXEMPLAR_SEED;
 /// Exemplars in a row of the sheet, and pixels along each side of a picture.
 const COLUMNS: u32 = 4;
 const TILE: u32 = 240;
@@ -172,7 +172,7 @@ fn sheet(folder: &Path) -> Outcome {
         let camera = Camera::Framed(framing);
         let view = View { width: TILE, height: TILE, samples: 3, camera };
         let picture = preview::render(&mesh, &view, &Style::default(), &control)?;
-        let branches = main_branches(tree.skeleton(), &MainBranches::default())?;
+        let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
         tiles.push(beside(picture, &drawn(&project(&branches, YAW, &[])))?);
         println!("{}: {}", exemplar.name(), exemplar.title());
     }

@@ -39,7 +39,7 @@
 // Levels as prefixes: `tree_multires_new` sorts a tree such that a level is a prefix of its columns, `tree_multires_level`.
 // `tree_multires_to_stream` makes bytes of which every prefix is a coarser tree; a `tree_stream_reader` takes them as they
 // arrive. `tree_multi_mesh_new` draws it, `tree_multi_mesh_draws` says how much of each index buffer a level draws, and
-// `tree_grow_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
+// `tree_multi_mesh_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
 // `tree_multi_chain_new`.
 // Impostors: `tree_leaf_bearers_of_tree` says which branch carries each leaf (elements of `TREE_GRAIN_LEAF`),
 // `tree_leaf_boxes_along` finds boxes along the branches, `tree_cards_bake` pictures of their leaves.
@@ -69,7 +69,7 @@
 //   by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
 //   freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
 //   its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-//   `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
+//   `tree_sketch_session`, `tree_silhouette_session`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
 //   `tree_hybrid_choice`, `tree_growth`, `tree_plastic_scene` and `tree_stream_reader`: one thread at a time.
 // * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
 //   stood there before is not freed.
@@ -486,7 +486,7 @@
 // A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
 #define TREE_LEAF_CARD 0
 
-// A polygon of at most `vertices_max` vertices around all of the picture that is not cut away: no visible
+// A polygon of at most `max_vertices` vertices around all of the picture that is not cut away: no visible
 // pixel is lost, few invisible ones are drawn. A picture without a mask, or all of it cut away, stays a
 // card; the report says so.
 #define TREE_LEAF_OUTLINE 1
@@ -926,12 +926,12 @@
 #define TREE_CONTINUATION_STRAIGHTEST 2
 
 // +Y, as in this library.
-#define TREE_SWC_UP_Y 0
+#define TREE_UP_Y 0
 
 // +Z, as laser scanners and foresters have it.
-#define TREE_SWC_UP_Z 1
+#define TREE_UP_Z 1
 
-// They stay 0, for example to be found by `tree_skeleton_by_rule`.
+// They stay 0, for example to be found by `tree_skeleton_with_rule`.
 #define TREE_SWC_RADIUS_KEEP 0
 
 // They go from the radius below to the thickest known radius above, in proportion to the path length.
@@ -1513,9 +1513,9 @@ typedef struct tree_separation tree_separation;
 // It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
 // on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
 // and outlives it.
-typedef struct tree_silhouette tree_silhouette;
+typedef struct tree_silhouette_session tree_silhouette_session;
 
-// What an edit of a `tree_silhouette` changed.
+// What an edit of a `tree_silhouette_session` changed.
 typedef struct tree_silhouette_change tree_silhouette_change;
 
 // Branches as a rooted tree of nodes with radii.
@@ -1739,7 +1739,7 @@ typedef struct tree_edit_distance {
     double value;
     // 2 d / (a + b + d) for the weights a and b of the trees and the cost d, 0 to 1: 0 for equal trees, 1 where nothing
     // of one is left in the other. A metric, too.
-    double normalised;
+    double normalized;
     // What deleting the first tree and what inserting the second costs.
     double weights[2];
     // Nodes compared, after the reduction.
@@ -1808,10 +1808,10 @@ typedef struct tree_capsule_params {
     // `sizeof(tree_capsule_params)`.
     size_t struct_size;
     // Most capsules, 1 to 4096. Default 32.
-    uint32_t count_max;
+    uint32_t max_count;
     // Wood thinner than this is passed over, in metres, 0 to 10. Default 0.05. When nothing is as
     // thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
-    float radius_min;
+    float min_radius;
     // Share of the volume of the other wood that must lie inside, 0 to 1. Default 0.95.
     float share;
     // Which child goes on at a fork. Default `TREE_CONTINUATION_THICKEST`.
@@ -1832,7 +1832,7 @@ typedef struct tree_capsule_report {
     // be perfect. 0 when there is no wood.
     double bulk;
     // The radius above which wood counted, in metres.
-    float radius_min;
+    float min_radius;
     // Whether `held` reaches the share asked for.
     uint32_t is_enough;
 } tree_capsule_report;
@@ -2648,10 +2648,10 @@ typedef struct tree_mesh_params {
     // Which child goes on at a fork and which start tubes of their own. Default
     // `TREE_CONTINUATION_THICKEST`.
     tree_continuation continuation;
-    // Fewest sides of a tube, 3 to `sides_max`. Default 3.
-    uint32_t sides_min;
+    // Fewest sides of a tube, 3 to `max_sides`. Default 3.
+    uint32_t min_sides;
     // Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
-    uint32_t sides_max;
+    uint32_t max_sides;
     // The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
     tree_curve_fit fit;
     // How it is said how far the mesh may leave the round, curved branch, which rules the number of
@@ -2669,9 +2669,9 @@ typedef struct tree_mesh_params {
     uint32_t error_height;
     // Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
     // bend in the wind.
-    float strip_max;
+    float max_strip;
     // Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
-    float radius_min;
+    float min_radius;
     // Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
     // that it goes round a whole number of times.
     float bark_width;
@@ -3028,7 +3028,7 @@ typedef struct tree_instancing_params {
     // `sizeof(tree_instancing_params)`.
     size_t struct_size;
     // Most unique twigs, 1 to 1000. Default 30.
-    uint32_t twigs_max;
+    uint32_t max_twigs;
     // How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
     // and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
     // of `tree_instancing_report`.
@@ -3882,7 +3882,7 @@ typedef struct tree_leaf_look {
     tree_leaf_form form;
     // With `TREE_LEAF_OUTLINE` and `TREE_LEAF_MODELLED`: most vertices of the polygon, 4 to 64. Default
     // 8; a modelled leaf of 12 has up to 20 triangles when folded or bent.
-    uint32_t vertices_max;
+    uint32_t max_vertices;
     // Copies of the leaf turned about its midrib, evenly over half a turn, 1 to 8. Two or three make
     // clusters and needles look full from all sides. Default 1.
     uint32_t sheets;
@@ -5192,7 +5192,7 @@ typedef struct tree_livewire_params {
     // Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
     float outside;
     // How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
-    float centre;
+    float center;
     // How much more a step costs that leads back towards the base and down than one that leads away from
     // it and up, 0 to 10. Default 0.6.
     float outwards;
@@ -6460,7 +6460,7 @@ typedef struct tree_bump_params {
 // One bump of an outline: the foliage of one major branch.
 typedef struct tree_bump {
     // Its central point, where the branch ends: the middle of a round end, and about the tip of a sharp one.
-    float centre[2];
+    float center[2];
     // Its outermost point, on the outline.
     float tip[2];
     // Direction of the chordal axis at the centre, outwards, of unit length.
@@ -6892,7 +6892,7 @@ typedef struct tree_revolved_frame {
     float up[2];
 } tree_revolved_frame;
 
-// What became of a drawing's strokes. `tree_silhouette_repairs` and `tree_silhouette_refused` tell more. Set
+// What became of a drawing's strokes. `tree_silhouette_session_repairs` and `tree_silhouette_session_refused` tell more. Set
 // `struct_size` first.
 typedef struct tree_silhouette_play_report {
     // `sizeof(tree_silhouette_play_report)`.
@@ -6985,7 +6985,7 @@ typedef struct tree_stand_whole {
     // Distance of the drawing from the eye, in units of the drawing.
     float focal;
     // The point of the drawing that the eye looks at: on the horizon, in units of the drawing.
-    float centre[2];
+    float center[2];
     // The eye in metres; it looks level along -Z.
     float eye[3];
     // 0.
@@ -7049,8 +7049,8 @@ typedef struct tree_axis_columns {
     const uint32_t *axis_of;
 } tree_axis_columns;
 
-// Which axis of an SWC file points up: one of the `TREE_SWC_UP_` constants.
-typedef uint32_t tree_swc_up;
+// Which axis of an SWC file points up: one of the `TREE_UP_` constants.
+typedef uint32_t tree_up;
 
 // What becomes of radii that an SWC file does not know: one of the `TREE_SWC_RADIUS_` constants.
 typedef uint32_t tree_swc_radius;
@@ -7061,8 +7061,8 @@ typedef struct tree_swc_options {
     size_t struct_size;
     // Metres per unit of the file, for positions and radii; 1e-9 to 1e9. Default 1.
     double scale;
-    // The file's upward axis. Default `TREE_SWC_UP_Z`.
-    tree_swc_up up;
+    // The file's upward axis. Default `TREE_UP_Z`.
+    tree_up up;
     // Whether reading moves the root to the origin. Default 1. The move is made in double precision, so
     // that coordinates of a map grid lose nothing. Not used in writing.
     uint32_t base_at_origin;
@@ -7439,15 +7439,15 @@ typedef struct tree_crown_repair {
     uint32_t round_branches;
 } tree_crown_repair;
 
-// How outlines are drawn. Begin with `tree_outline_params_init`.
-typedef struct tree_outline_params {
-    // `sizeof(tree_outline_params)`.
+// How outlines are drawn. Begin with `tree_sketch_outline_params_init`.
+typedef struct tree_sketch_outline_params {
+    // `sizeof(tree_sketch_outline_params)`.
     size_t struct_size;
     // Bays narrower than twice this share of the size are drawn across, 0.01 to 0.5. Default 0.06.
     float closing;
     // Most corners of all outlines together, 12 to 10,000. Default 120.
     uint32_t corners;
-} tree_outline_params;
+} tree_sketch_outline_params;
 
 // What a stroke shows: a `TREE_ROLE_` constant.
 typedef uint32_t tree_role;
@@ -7475,9 +7475,9 @@ typedef struct tree_sketch_stroke {
     uint32_t reserved;
 } tree_sketch_stroke;
 
-// Which branches of a tree a person would draw. Begin with `tree_main_branches_init`.
-typedef struct tree_main_branches {
-    // `sizeof(tree_main_branches)`.
+// Which branches of a tree a person would draw. Begin with `tree_main_branch_params_init`.
+typedef struct tree_main_branch_params {
+    // `sizeof(tree_main_branch_params)`.
     size_t struct_size;
     // Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
     float least;
@@ -7492,13 +7492,13 @@ typedef struct tree_main_branches {
     tree_continuation continuation;
     // 0.
     uint32_t reserved;
-} tree_main_branches;
+} tree_main_branch_params;
 
 // How branches become a tree. Begin with `tree_sketch_finish_params_init`.
 typedef struct tree_sketch_finish_params {
     // `sizeof(tree_sketch_finish_params)`.
     size_t struct_size;
-    // Whose twigs and leaves: one of the names that `tree_foliage_species_name` gives. Default "oak", which an empty text
+    // Whose twigs and leaves: one of the names that `tree_foliage_preset_name` gives. Default "oak", which an empty text
     // is too.
     struct tree_str species;
     // Whether there are leaves. Default 1.
@@ -7833,9 +7833,9 @@ typedef struct tree_sketch_propagate_report {
     uint32_t reserved;
 } tree_sketch_propagate_report;
 
-// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
-typedef struct tree_select_params {
-    // `sizeof(tree_select_params)`.
+// How much the parts of the comparison weigh. Begin with `tree_template_select_params_init`.
+typedef struct tree_template_select_params {
+    // `sizeof(tree_template_select_params)`.
     size_t struct_size;
     // Weight of the crown's footprint, 0 to 1000. Default 40.
     float crown;
@@ -7849,10 +7849,10 @@ typedef struct tree_select_params {
     float hand;
     // What one of the branching shape's three parts can take away at most, 0 to 1000. Default 2.
     float most;
-} tree_select_params;
+} tree_template_select_params;
 
 // A template, and how well it suits a drawing.
-typedef struct tree_choice {
+typedef struct tree_template_choice {
     // Index of the template.
     uint32_t index;
     // Where the eye stands round the template in the view that suits best, in radians, 0 to 2π.
@@ -7867,7 +7867,7 @@ typedef struct tree_choice {
     float shape;
     // The directions' part, weighted.
     float directions;
-} tree_choice;
+} tree_template_choice;
 
 // All parameters of the way from a drawing to a tree. A part that is NULL, as all are after
 // `tree_sketch_params_init`, is its default.
@@ -7876,7 +7876,7 @@ typedef struct tree_sketch_params {
     size_t struct_size;
     // Name of the template. Empty, the default: the one that suits the drawing best.
     struct tree_str template_name;
-    // Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_species_name` gives. Empty,
+    // Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_preset_name` gives. Empty,
     // the default: the template's.
     struct tree_str species;
     // How strokes are cleaned and joined. Its `height` is not used here.
@@ -7884,7 +7884,7 @@ typedef struct tree_sketch_params {
     // How the crown is closed.
     const struct tree_crown_params *crown;
     // How templates are compared with the drawing.
-    const struct tree_select_params *select;
+    const struct tree_template_select_params *select;
     // How depths are inferred. Its `slenderness` is not used here.
     const struct tree_sketch_infer_params *infer;
     // How branches are propagated.
@@ -7971,7 +7971,7 @@ typedef struct tree_template_params {
     // `sizeof(tree_template_params)`.
     size_t struct_size;
     // Which branches are main ones; NULL for the default.
-    const struct tree_main_branches *main;
+    const struct tree_main_branch_params *main;
     // Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
     uint32_t views;
     // 0.
@@ -8091,7 +8091,7 @@ tree_status tree_skeleton_radii(const struct tree_skeleton *skeleton,
 
 // A new skeleton with the radii that a rule gives, see `tree_skeleton_radii`. For radii of your own
 // there is `tree_skeleton_with_radii`. Free it with `tree_skeleton_free`.
-tree_status tree_skeleton_by_rule(const struct tree_skeleton *skeleton,
+tree_status tree_skeleton_with_rule(const struct tree_skeleton *skeleton,
                                   const struct tree_radius_rule *rule,
                                   struct tree_skeleton **changed);
 
@@ -8415,7 +8415,7 @@ tree_status tree_tree_grow_leaves(const struct tree_tree *tree,
 // Grows twigs on the youngest shoots of a tree: the new tree has the old skeleton with twigs, and the
 // old leaves and species. Old nodes keep number, position, radius and parent, so leaves stay where they
 // are; twigs come after them, each starting at the node nearest to its place. What bears twigs is not
-// made thicker: `tree_skeleton_by_rule` does that.
+// made thicker: `tree_skeleton_with_rule` does that.
 //
 // `params` may be NULL for the default. `density` may be NULL for 1 everywhere, and is handed `user`.
 // The same seed gives the same twigs. `report` may be NULL. Free the tree with `tree_tree_free`.
@@ -8437,11 +8437,11 @@ tree_status tree_leaf_params_check(const struct tree_leaf_params *params,
                                    size_t n_kinds);
 
 // Number of species whose leaves and twigs are known by name.
-size_t tree_foliage_species_count(void);
+size_t tree_foliage_preset_count(void);
 
-// Name of the species with this number, from 0 up to, but not including, `tree_foliage_species_count`.
+// Name of the species with this number, from 0 up to, but not including, `tree_foliage_preset_count`.
 // Valid for ever.
-tree_status tree_foliage_species_name(size_t index,
+tree_status tree_foliage_preset_name(size_t index,
                                       struct tree_str *name);
 
 // Leaves and twigs of a species by its name, of `len` bytes. Set `struct_size` of `leaves` and `twigs`
@@ -9110,7 +9110,7 @@ tree_status tree_card_interval(const float *weights,
 tree_status tree_card_noise(const float *pixel,
                             float *share);
 
-// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
+// Divides a tree into a base mesh and instances of at most `max_twigs` unique twigs. Light-map
 // coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
 // textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
 // with `tree_twigs_free`.
@@ -9127,7 +9127,7 @@ tree_status tree_twigs_build(const struct tree_tree *tree,
 tree_status tree_twigs_count(const struct tree_twigs *twigs, size_t *n_twigs);
 
 // What the twigs weigh and how near they come. Set `report->struct_size` first.
-tree_status tree_twigs_report(const struct tree_twigs *twigs,
+tree_status tree_twigs_measure(const struct tree_twigs *twigs,
                               struct tree_instancing_report *report);
 
 // The base mesh: wood and leaves that are not part of a twig, surfaces as `tree_mesh_build` makes them.
@@ -9551,7 +9551,7 @@ tree_status tree_metaballs_of_elements(const struct tree_elements *elements,
 tree_status tree_metaballs_radius(const struct tree_metaballs *metaballs, float *radius);
 
 // Number of points.
-tree_status tree_metaballs_n_points(const struct tree_metaballs *metaballs, size_t *n_points);
+tree_status tree_metaballs_count(const struct tree_metaballs *metaballs, size_t *n_points);
 
 // The box around the points: its lower corner, then its upper one, in metres.
 tree_status tree_metaballs_bounds(const struct tree_metaballs *metaballs, float (*min_max)[6]);
@@ -9926,7 +9926,7 @@ tree_status tree_score_mean_quality(const struct tree_score *scores,
 
 // Scores of a simplified mesh against the full one, one for each view; both are framed as the full one is.
 // `around`, NULL for the default, says from where to look; `scores` has room for `capacity` scores, at least
-// `tree_around_n_views`. `control` may be NULL; `pixels` of its limits caps those of all views.
+// `tree_around_count`. `control` may be NULL; `pixels` of its limits caps those of all views.
 tree_status tree_mesh_score(const struct tree_mesh *simplified,
                             const struct tree_mesh *full,
                             const struct tree_around *around,
@@ -9967,7 +9967,7 @@ tree_status tree_scene_state_new(const struct tree_scene *scene,
                                  struct tree_scene_state **state);
 
 // Number of the instances that were in view in the last frame: rows of `tree_instance_lod` that it needs.
-tree_status tree_scene_state_n_drawn(const struct tree_scene_state *state,
+tree_status tree_scene_state_count_drawn(const struct tree_scene_state *state,
                                      size_t *n_drawn);
 
 // How an instance of `scene` was drawn in the last frame; not in view when there is no such instance.
@@ -10045,7 +10045,7 @@ tree_status tree_lod_subject_init(struct tree_lod_subject *subject, size_t size)
 // Scores of a pruned model against the full one, one for each view: with a share of `lambda` of the
 // foliage's triangles, 0 to 1, and elements grown to `scale` times their area, 0.01 to 10,000 (lengths grow by
 // its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
-// scores, at least `tree_around_n_views`. `control` may be NULL.
+// scores, at least `tree_around_count`. `control` may be NULL.
 //
 // `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
 // `TREE_ERROR_PARAMETER` names what is out of range.
@@ -10177,7 +10177,7 @@ tree_status tree_around_for_table(struct tree_around *around,
 tree_status tree_around_check(const struct tree_around *around);
 
 // Number of the views: azimuths times pitches.
-tree_status tree_around_n_views(const struct tree_around *around, size_t *n_views);
+tree_status tree_around_count(const struct tree_around *around, size_t *n_views);
 
 // View `number` (0 is the first), for pictures and masks from there: a framed camera, as wide and high as the
 // masks. Set `view->struct_size` first. `TREE_ERROR_PARAMETER` when there is no such view.
@@ -10848,7 +10848,7 @@ tree_status tree_crossings_view(const struct tree_crossings *crossings,
 tree_status tree_crossings_free(struct tree_crossings *crossings);
 
 // Counts what a mesh has. Set `totals->struct_size` first.
-tree_status tree_mesh_count(const struct tree_mesh *mesh, struct tree_mesh_totals *totals);
+tree_status tree_mesh_measure(const struct tree_mesh *mesh, struct tree_mesh_totals *totals);
 
 // Number of surfaces of a mesh.
 tree_status tree_mesh_surface_count(const struct tree_mesh *mesh, size_t *n_surfaces);
@@ -10989,12 +10989,12 @@ tree_status tree_multi_mesh_write_glb_levels(const struct tree_multi_mesh *multi
 
 // The function `tree_grow_position` for a shader: text to be put into your own. It tells what it takes and where that
 // comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
-tree_status tree_grow_shader(tree_shader language,
+tree_status tree_multi_mesh_shader(tree_shader language,
                              struct tree_str *text);
 
 // Where a shader draws a vertex at a level: `vertex`, three floats, drawn together about its fork while its path grows
 // in. `branch` is four floats of `tree_multi_mesh_column.branches`. For shaders of your own, and for checking them.
-tree_status tree_grow_position(const float *vertex,
+tree_status tree_multi_mesh_position(const float *vertex,
                                const float *branch,
                                float level,
                                float (*drawn)[3]);
@@ -11083,7 +11083,7 @@ tree_status tree_multires_of_paths(const struct tree_tree *tree,
 tree_status tree_multires_count(const struct tree_multires *multires, size_t *n_levels);
 
 // Nodes and leaves of the first `n_levels` levels, at least one level, at most all.
-tree_status tree_multires_counts(const struct tree_multires *multires,
+tree_status tree_multires_level_counts(const struct tree_multires *multires,
                                  size_t n_levels,
                                  size_t *n_nodes,
                                  size_t *n_leaves);
@@ -11426,7 +11426,7 @@ tree_status tree_finish_params_init(struct tree_finish_params *params, size_t si
 
 // Makes `params`, of `size` bytes, those of a species by its name, of `len` bytes or
 // `TREE_NUL_TERMINATED`: the defaults with its twigs, and sprays of its leaves or needles. Names are
-// those of `tree_foliage_species_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
+// those of `tree_foliage_preset_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
 tree_status tree_finish_params_find(struct tree_finish_params *params,
                                     size_t size,
                                     const char *name,
@@ -11663,7 +11663,7 @@ tree_status tree_photo_session_seed(const struct tree_photo_session *session, ui
 
 // The parameters, all parts given. What they point at belongs to the session and stays until
 // `tree_photo_session_set_params` or `tree_photo_session_free`. Set `params->struct_size` first.
-tree_status tree_photo_session_params(const struct tree_photo_session *session,
+tree_status tree_photo_session_get_params(const struct tree_photo_session *session,
                                       struct tree_photo_params *params);
 
 // How often a stage has been done so far.
@@ -11907,7 +11907,7 @@ tree_status tree_path_params_init(struct tree_path_params *params, size_t size);
 
 // Checks that all parameters lie in their ranges, as `tree_path_grow` does first. `params` may be NULL for
 // an oak; `control` may be NULL, only its limits matter.
-tree_status tree_path_check(const struct tree_path_params *params,
+tree_status tree_path_params_check(const struct tree_path_params *params,
                             const struct tree_control *control);
 
 // Radius in metres of the subgraphs of `params->levels[index]`: its own, or the one that follows from
@@ -12169,7 +12169,7 @@ tree_status tree_livewire_params_init(struct tree_livewire_params *params, size_
 
 // Finds paths from every seed to the base through what a photograph and its matte show, and joins them:
 // main branches as least-cost paths. `photo` may be NULL: then the matte alone is looked at. `base_pixel`
-// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_silhouette_seeds`, or
+// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_matte_seeds`, or
 // what a person clicked on. The root of the graph is at the base, its tips are at the seeds; without seeds the
 // graph is the base alone. `params`, `control` and `report` may be NULL. Free the graph with
 // `tree_attractor_free`. `TREE_ERROR_NO_RESULT` where the matte is empty, or the photograph is of another
@@ -12191,7 +12191,7 @@ tree_status tree_seed_params_init(struct tree_seed_params *params, size_t size);
 // `seed`: two floats each in pixels into `seeds`, and their number into `n_seeds`. `capacity`, in floats,
 // must be twice the number found or more: `2 * most` is enough. `base_pixel`, two floats, is the tree's base.
 // `params` and `control` may be NULL. `TREE_ERROR_NO_RESULT` where the matte is empty.
-tree_status tree_silhouette_seeds(const struct tree_matte *matte,
+tree_status tree_matte_seeds(const struct tree_matte *matte,
                                   const float *base_pixel,
                                   uint32_t most,
                                   const struct tree_seed_params *params,
@@ -13375,32 +13375,32 @@ tree_status tree_revolved_contains(const struct tree_revolved *revolved,
 // Frees a surface.
 tree_status tree_revolved_free(struct tree_revolved *revolved);
 
-// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_free`.
+// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_session_free`.
 // `TREE_ERROR_PARAMETER` names what is out of range.
-tree_status tree_silhouette_new(const struct tree_silhouette_params *params,
+tree_status tree_silhouette_session_new(const struct tree_silhouette_params *params,
                                 uint64_t seed,
-                                struct tree_silhouette **silhouette);
+                                struct tree_silhouette_session **silhouette);
 
 // Draws all strokes of one tree of a drawing, the first being number 0; its height becomes that of the parameters.
-// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_repairs` and
-// `tree_silhouette_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
-// NULL. Free it with `tree_silhouette_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
-tree_status tree_silhouette_of_drawing(const struct tree_outline_drawing *drawing,
+// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_session_repairs` and
+// `tree_silhouette_session_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
+// NULL. Free it with `tree_silhouette_session_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
+tree_status tree_silhouette_session_of_drawing(const struct tree_outline_drawing *drawing,
                                        size_t tree,
                                        const struct tree_silhouette_params *params,
                                        uint64_t seed,
                                        const struct tree_control *control,
                                        struct tree_silhouette_play_report *report,
-                                       struct tree_silhouette **silhouette);
+                                       struct tree_silhouette_session **silhouette);
 
 // A second one in the state of the first, with all that can be undone: to try something, and go back. Free it
 // too.
-tree_status tree_silhouette_copy(const struct tree_silhouette *silhouette,
-                                 struct tree_silhouette **copy);
+tree_status tree_silhouette_session_copy(const struct tree_silhouette_session *silhouette,
+                                 struct tree_silhouette_session **copy);
 
 // Frees it. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a progress callback
 // for instance: it lives on then.
-tree_status tree_silhouette_free(struct tree_silhouette *silhouette);
+tree_status tree_silhouette_session_free(struct tree_silhouette_session *silhouette);
 
 // Views a change. Valid until `tree_silhouette_change_free`.
 tree_status tree_silhouette_change_view(const struct tree_silhouette_change *change,
@@ -13413,16 +13413,16 @@ tree_status tree_silhouette_change_free(struct tree_silhouette_change *change);
 // crown. `stroke` has two floats for each of `n_points` points, in metres, y up. `control` may be NULL; `nodes` of its
 // limits caps the points. `change` may be NULL where it is not wanted; else free what is put there with
 // `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
-tree_status tree_silhouette_draw_trunk(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_draw_trunk(struct tree_silhouette_session *silhouette,
                                        const float *stroke,
                                        size_t n_points,
                                        const struct tree_control *control,
                                        struct tree_silhouette_change **change);
 
 // Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
-// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
+// `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
 // the trunk stays away from it.
-tree_status tree_silhouette_draw_crown(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_draw_crown(struct tree_silhouette_session *silhouette,
                                        const float *stroke,
                                        size_t n_points,
                                        const struct tree_control *control,
@@ -13430,8 +13430,8 @@ tree_status tree_silhouette_draw_crown(struct tree_silhouette *silhouette,
 
 // Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
 // drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
-// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
-tree_status tree_silhouette_draw_section(struct tree_silhouette *silhouette,
+// `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
+tree_status tree_silhouette_session_draw_section(struct tree_silhouette_session *silhouette,
                                          float azimuth,
                                          const float *stroke,
                                          size_t n_points,
@@ -13440,9 +13440,9 @@ tree_status tree_silhouette_draw_section(struct tree_silhouette *silhouette,
 
 // Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
 // the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
-// and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
+// and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
 // branch of that level.
-tree_status tree_silhouette_refine(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_refine(struct tree_silhouette_session *silhouette,
                                    uint32_t level,
                                    const float *stroke,
                                    size_t n_points,
@@ -13450,8 +13450,8 @@ tree_status tree_silhouette_refine(struct tree_silhouette *silhouette,
                                    struct tree_silhouette_change **change);
 
 // Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
-// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
-tree_status tree_silhouette_refine_branch(struct tree_silhouette *silhouette,
+// `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
+tree_status tree_silhouette_session_refine_branch(struct tree_silhouette_session *silhouette,
                                           uint32_t id,
                                           const float *stroke,
                                           size_t n_points,
@@ -13461,9 +13461,9 @@ tree_status tree_silhouette_refine_branch(struct tree_silhouette *silhouette,
 // Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
 // Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
 // shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. `stroke`,
-// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
+// `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
 // there is no axis of that level.
-tree_status tree_silhouette_redraw(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_redraw(struct tree_silhouette_session *silhouette,
                                    uint32_t level,
                                    const float *stroke,
                                    size_t n_points,
@@ -13476,9 +13476,9 @@ tree_status tree_silhouette_redraw(struct tree_silhouette *silhouette,
 // Draws a branch on the trunk as it is seen by a viewer who has gone round the tree by `yaw` radians, -2π to 2π,
 // against the clock seen from above (0 is in front, +X to the right), and looks down by `pitch`, within ±1.4. It lies
 // in the upright plane through the trunk that faces the viewer. A branch drawn from near there before, with ends near
-// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_redraw`, which this is from in
+// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_session_redraw`, which this is from in
 // front.
-tree_status tree_silhouette_redraw_from(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_redraw_from(struct tree_silhouette_session *silhouette,
                                         float yaw,
                                         float pitch,
                                         const float *stroke,
@@ -13489,87 +13489,87 @@ tree_status tree_silhouette_redraw_from(struct tree_silhouette *silhouette,
                                         const struct tree_control *control,
                                         struct tree_silhouette_change **change);
 
-// Takes a branch away, with all on it. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for an id
+// Takes a branch away, with all on it. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for an id
 // that is not there.
-tree_status tree_silhouette_remove(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_remove(struct tree_silhouette_session *silhouette,
                                    uint32_t id,
                                    struct tree_silhouette_change **change);
 
-// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_draw_trunk`.
+// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_session_draw_trunk`.
 // `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
-tree_status tree_silhouette_draw_leaf(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_draw_leaf(struct tree_silhouette_session *silhouette,
                                       const float *stroke,
                                       size_t n_points,
                                       const struct tree_control *control,
                                       struct tree_silhouette_change **change);
 
 // Has `n_targets` branches take the style of the branch `source`, whose outline was drawn; 0: of the nearest such branch
-// again. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
+// again. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
 // whose outline was not drawn.
-tree_status tree_silhouette_copy_style(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_copy_style(struct tree_silhouette_session *silhouette,
                                        uint32_t source,
                                        const uint32_t *targets,
                                        size_t n_targets,
                                        struct tree_silhouette_change **change);
 
 // Other parameters, NULL for the defaults. Where those of branches or angles differ, branches are inferred anew.
-// `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
-tree_status tree_silhouette_set_params(struct tree_silhouette *silhouette,
+// `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
+tree_status tree_silhouette_session_set_params(struct tree_silhouette_session *silhouette,
                                        const struct tree_silhouette_params *params,
                                        struct tree_silhouette_change **change);
 
 // Another seed: only what is drawn by chance differs. This is no edit, and is not undone.
-tree_status tree_silhouette_set_seed(struct tree_silhouette *silhouette, uint64_t seed);
+tree_status tree_silhouette_session_set_seed(struct tree_silhouette_session *silhouette, uint64_t seed);
 
-// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_draw_trunk`.
+// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_session_draw_trunk`.
 // `TREE_ERROR_NO_RESULT` where there is none.
-tree_status tree_silhouette_undo(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_undo(struct tree_silhouette_session *silhouette,
                                  struct tree_silhouette_change **change);
 
-// Does again what was taken back last. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
+// Does again what was taken back last. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
 // is nothing.
-tree_status tree_silhouette_redo(struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_redo(struct tree_silhouette_session *silhouette,
                                  struct tree_silhouette_change **change);
 
 // The seed.
-tree_status tree_silhouette_seed(const struct tree_silhouette *silhouette, uint64_t *seed);
+tree_status tree_silhouette_session_seed(const struct tree_silhouette_session *silhouette, uint64_t *seed);
 
 // The parameters, all parts given; a trunk drawn as an area tells its radius there. What they point at belongs to the
-// session and stays until `tree_silhouette_set_params`, `tree_silhouette_undo`, `tree_silhouette_redo` or
-// `tree_silhouette_free`. Set `params->struct_size` first.
-tree_status tree_silhouette_get_params(const struct tree_silhouette *silhouette,
+// session and stays until `tree_silhouette_session_set_params`, `tree_silhouette_session_undo`, `tree_silhouette_session_redo` or
+// `tree_silhouette_session_free`. Set `params->struct_size` first.
+tree_status tree_silhouette_session_get_params(const struct tree_silhouette_session *silhouette,
                                        struct tree_silhouette_params *params);
 
 // Numbers of edits that can be undone, and done again.
-tree_status tree_silhouette_depth(const struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_depth(const struct tree_silhouette_session *silhouette,
                                   size_t *n_undo,
                                   size_t *n_redo);
 
 // How well the outlines of branches cover the crown: shares of its area, 0 to 1, in those of branches from bumps, and in
 // those of all. 0 before a crown was drawn.
-tree_status tree_silhouette_coverage(const struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_coverage(const struct tree_silhouette_session *silhouette,
                                      float *by_bumps,
                                      float *by_all);
 
 // What was repaired in the drawing it began with, a line each, for a person to read. Free the lines with
 // `tree_lines_free`.
-tree_status tree_silhouette_repairs(const struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_repairs(const struct tree_silhouette_session *silhouette,
                                     struct tree_lines **lines);
 
 // Which strokes of the drawing it began with could not be used, and why, a line each. Free the lines with
 // `tree_lines_free`.
-tree_status tree_silhouette_refused(const struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_refused(const struct tree_silhouette_session *silhouette,
                                     struct tree_lines **lines);
 
 // The plan as it is now: a copy, which later edits do not change. Free it with `tree_outline_plan_free`.
 // `TREE_ERROR_NO_RESULT` before a crown was drawn.
-tree_status tree_silhouette_plan(const struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_plan(const struct tree_silhouette_session *silhouette,
                                  struct tree_outline_plan **plan);
 
 // The tree in space. The same strokes, parameters and seed give the same bits for any number of threads. `control` and
 // `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_INVALID` before a crown was drawn;
 // `TREE_ERROR_LIMIT` comes before the memory is asked for.
-tree_status tree_silhouette_tree(const struct tree_silhouette *silhouette,
+tree_status tree_silhouette_session_tree(const struct tree_silhouette_session *silhouette,
                                  const struct tree_control *control,
                                  struct tree_silhouette_grown *report,
                                  struct tree_tree **tree);
@@ -13612,11 +13612,11 @@ tree_status tree_stand_grown(const struct tree_stand *stand,
 
 // What was drawn and borrowed of tree `index`, to be looked at or drawn on: a copy, its base at the origin. `report`,
 // which may be NULL, tells what became of its strokes. Its
-// `tree_silhouette_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_free`.
+// `tree_silhouette_session_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_session_free`.
 tree_status tree_stand_silhouette(const struct tree_stand *stand,
                                   size_t index,
                                   struct tree_silhouette_play_report *report,
-                                  struct tree_silhouette **silhouette);
+                                  struct tree_silhouette_session **silhouette);
 
 // Frees a stand. What it handed out lives on.
 tree_status tree_stand_free(struct tree_stand *stand);
@@ -14078,7 +14078,7 @@ tree_status tree_crown_exits(const struct tree_crown *crown,
 tree_status tree_crown_free(struct tree_crown *crown);
 
 // Makes `params`, of `size` bytes, the default.
-tree_status tree_outline_params_init(struct tree_outline_params *params, size_t size);
+tree_status tree_sketch_outline_params_init(struct tree_sketch_outline_params *params, size_t size);
 
 // The outlines of a cloud of `n_spots` points, two floats each, such as a tree's leaves as seen from one side, drawn
 // as a person would: gaps between leaves closed, corners rounded. They are against the clock, the largest first; none
@@ -14086,7 +14086,7 @@ tree_status tree_outline_params_init(struct tree_outline_params *params, size_t 
 // with `tree_strokes_free`.
 tree_status tree_strokes_outline(const float *spots,
                                  size_t n_spots,
-                                 const struct tree_outline_params *params,
+                                 const struct tree_sketch_outline_params *params,
                                  const struct tree_control *control,
                                  struct tree_strokes **strokes);
 
@@ -14188,10 +14188,10 @@ tree_status tree_exemplar_grow(const char *name,
                                struct tree_tree **tree);
 
 // Makes `params`, of `size` bytes, the default.
-tree_status tree_main_branches_init(struct tree_main_branches *params, size_t size);
+tree_status tree_main_branch_params_init(struct tree_main_branch_params *params, size_t size);
 
 // Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
-tree_status tree_main_branches_check(const struct tree_main_branches *params);
+tree_status tree_main_branch_params_check(const struct tree_main_branch_params *params);
 
 // The drawing that a person would make of a tree, in metres, y down: a stroke for each main branch, the trunk first, as
 // an eye sees them that looks level from afar and stands at `yaw` radians round the trunk (0 on +Z, a quarter turn on
@@ -14200,8 +14200,8 @@ tree_status tree_main_branches_check(const struct tree_main_branches *params);
 tree_status tree_drawing_of_tree(const struct tree_tree *tree,
                                  float yaw,
                                  uint32_t with_crown,
-                                 const struct tree_main_branches *main,
-                                 const struct tree_outline_params *outline,
+                                 const struct tree_main_branch_params *main,
+                                 const struct tree_sketch_outline_params *outline,
                                  const struct tree_control *control,
                                  struct tree_drawing **drawing);
 
@@ -14474,10 +14474,10 @@ tree_status tree_sketch_branches_propagate(const struct tree_sketch_branches *br
                                            struct tree_sketch_branches **grown);
 
 // Makes `params`, of `size` bytes, the default.
-tree_status tree_select_params_init(struct tree_select_params *params, size_t size);
+tree_status tree_template_select_params_init(struct tree_template_select_params *params, size_t size);
 
 // Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
-tree_status tree_select_params_check(const struct tree_select_params *params);
+tree_status tree_template_select_params_check(const struct tree_template_select_params *params);
 
 // Compares a plan with templates: one row for each into `choices`, best first; `capacity` is the number of templates or
 // more. `crown` may be NULL for that which was drawn with the plan, as it was drawn. `params` and `control` may be NULL.
@@ -14485,9 +14485,9 @@ tree_status tree_select_params_check(const struct tree_select_params *params);
 tree_status tree_templates_select(const struct tree_templates *templates,
                                   const struct tree_plan *plan,
                                   const struct tree_crown *crown,
-                                  const struct tree_select_params *params,
+                                  const struct tree_template_select_params *params,
                                   const struct tree_control *control,
-                                  struct tree_choice *choices,
+                                  struct tree_template_choice *choices,
                                   size_t capacity);
 
 // Begins with a drawing, which is copied. `params` may be NULL for the defaults. No work is done yet: what is wrong
@@ -14572,7 +14572,7 @@ tree_status tree_sketch_session_seed(const struct tree_sketch_session *session, 
 
 // The parameters, all parts given. What they point at belongs to the session and stays until
 // `tree_sketch_session_set_params` or `tree_sketch_session_free`. Set `params->struct_size` first.
-tree_status tree_sketch_session_params(const struct tree_sketch_session *session,
+tree_status tree_sketch_session_get_params(const struct tree_sketch_session *session,
                                        struct tree_sketch_params *params);
 
 // How often a stage has been done so far.
@@ -14597,7 +14597,7 @@ tree_status tree_sketch_session_crown(struct tree_sketch_session *session,
 // NULL they are only counted. There are none where the template was taken by name, or kept through an edit.
 tree_status tree_sketch_session_choices(struct tree_sketch_session *session,
                                         const struct tree_control *control,
-                                        struct tree_choice *choices,
+                                        struct tree_template_choice *choices,
                                         size_t capacity,
                                         size_t *n_choices);
 

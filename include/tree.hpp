@@ -527,7 +527,7 @@ using CardPlane = tree_card_plane;
 struct CardsReport;
 struct CarvedColumns;
 struct ChainParams;
-using Choice = tree_choice;
+using Choice = tree_template_choice;
 struct CleanParams;
 using CleanRepair = tree_clean_repair;
 struct CloudColumns;
@@ -1275,8 +1275,8 @@ struct LsystemPresetInfo : tree_lsystem_preset_info {
     LsystemPresetInfo() : tree_lsystem_preset_info{} { struct_size = sizeof *this; }
 };
 
-struct MainBranches : tree_main_branches {
-    MainBranches() : tree_main_branches{} { tree_main_branches_init(this, sizeof(tree_main_branches)); }
+struct MainBranches : tree_main_branch_params {
+    MainBranches() : tree_main_branch_params{} { tree_main_branch_params_init(this, sizeof(tree_main_branch_params)); }
     bool check() const;
 };
 
@@ -1375,8 +1375,8 @@ struct OutlineColumns : tree_outline_columns {
     OutlineColumns() : tree_outline_columns{} { struct_size = sizeof *this; }
 };
 
-struct OutlineParams : tree_outline_params {
-    OutlineParams() : tree_outline_params{} { tree_outline_params_init(this, sizeof(tree_outline_params)); }
+struct OutlineParams : tree_sketch_outline_params {
+    OutlineParams() : tree_sketch_outline_params{} { tree_sketch_outline_params_init(this, sizeof(tree_sketch_outline_params)); }
 };
 
 struct OutlinePlanColumns : tree_outline_plan_columns {
@@ -1600,8 +1600,8 @@ struct SeedParams : tree_seed_params {
     SeedParams() : tree_seed_params{} { tree_seed_params_init(this, sizeof(tree_seed_params)); }
 };
 
-struct SelectParams : tree_select_params {
-    SelectParams() : tree_select_params{} { tree_select_params_init(this, sizeof(tree_select_params)); }
+struct SelectParams : tree_template_select_params {
+    SelectParams() : tree_template_select_params{} { tree_template_select_params_init(this, sizeof(tree_template_select_params)); }
     bool check() const;
 };
 
@@ -2075,7 +2075,7 @@ public:
     size_t count() const;
     SketchStroke stroke(size_t index) const &;
     SketchStroke stroke(size_t index) const && = delete;
-    static Drawing of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branches> main = nullptr, Ref<tree_outline_params> outline = nullptr, Ref<tree_control> control = nullptr);
+    static Drawing of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branch_params> main = nullptr, Ref<tree_sketch_outline_params> outline = nullptr, Ref<tree_control> control = nullptr);
     Tree from_sketch(Maybe<tree_templates> templates, Maybe<tree_volume> obstacles, Ref<tree_sketch_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_sketch_report *report = nullptr) const;
 };
 
@@ -2925,7 +2925,7 @@ public:
     Skeleton outward(const Skeleton &skeleton) const;
 };
 
-class Silhouette : public detail::Object<tree_silhouette, tree_silhouette_free> {
+class Silhouette : public detail::Object<tree_silhouette_session, tree_silhouette_session_free> {
 public:
     using Object::Object;
     static Silhouette make(Ref<tree_silhouette_params> params, uint64_t seed);
@@ -3046,7 +3046,7 @@ public:
     uint32_t runs(tree_sketch_stage stage) const;
     Plan plan(Ref<tree_control> control = nullptr) const;
     Crown crown(Ref<tree_control> control = nullptr) const;
-    size_t choices(Ref<tree_control> control, Span<tree_choice> choices) const;
+    size_t choices(Ref<tree_control> control, Span<tree_template_choice> choices) const;
     Templates template_taken(Ref<tree_control> control = nullptr) const;
     Inferred inferred(Ref<tree_control> control = nullptr) const;
     SketchBranches branches(Ref<tree_control> control = nullptr, tree_sketch_propagate_report *report = nullptr) const;
@@ -3082,7 +3082,7 @@ public:
     static Strokes from_svg(std::string_view svg, float width, float height, Ref<tree_control> control = nullptr);
     StrokesColumns view() const &;
     StrokesColumns view() const && = delete;
-    static Strokes outline(Span<const float> spots, Ref<tree_outline_params> params = nullptr, Ref<tree_control> control = nullptr);
+    static Strokes outline(Span<const float> spots, Ref<tree_sketch_outline_params> params = nullptr, Ref<tree_control> control = nullptr);
 };
 
 class Swc : public detail::Object<tree_swc, tree_swc_free> {
@@ -3099,8 +3099,8 @@ class Templates : public detail::Object<tree_templates, tree_templates_free> {
 public:
     using Object::Object;
     SketchOmega omega(size_t index) const;
-    std::vector<tree_choice> select(const Plan &plan, Maybe<tree_crown> crown = nullptr, Ref<tree_select_params> params = nullptr, Ref<tree_control> control = nullptr) const;
-    bool select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const;
+    std::vector<tree_template_choice> select(const Plan &plan, Maybe<tree_crown> crown = nullptr, Ref<tree_template_select_params> params = nullptr, Ref<tree_control> control = nullptr) const;
+    bool select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_template_select_params> params, Ref<tree_control> control, Span<tree_template_choice> choices) const;
     static Templates builtin();
     static Templates from_text(std::string_view text, Ref<tree_control> control = nullptr);
     Bytes to_text() const;
@@ -3434,7 +3434,7 @@ inline bool Skeleton::radii(Ref<tree_radius_rule> rule, Span<float> radii) const
 }
 inline Skeleton Skeleton::by_rule(Ref<tree_radius_rule> rule) const {
     Skeleton changed;
-    detail::done(tree_skeleton_by_rule(get(), rule, changed.place()));
+    detail::done(tree_skeleton_with_rule(get(), rule, changed.place()));
     return changed;
 }
 inline std::vector<float> Skeleton::radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule) const {
@@ -3693,11 +3693,11 @@ inline bool LeafParams::check(size_t n_kinds) const {
     return detail::done(tree_leaf_params_check(this, n_kinds));
 }
 inline size_t foliage_species_count() {
-    return tree_foliage_species_count();
+    return tree_foliage_preset_count();
 }
 inline std::string_view foliage_species_name(size_t index) {
     tree_str name{};
-    detail::done(tree_foliage_species_name(index, &name));
+    detail::done(tree_foliage_preset_name(index, &name));
     return detail::text(name);
 }
 inline std::tuple<LeafParams, TwigParams, std::string_view> foliage_preset(std::string_view name) {
@@ -4163,7 +4163,7 @@ inline size_t Twigs::count() const {
 }
 inline InstancingReport Twigs::report() const {
     InstancingReport report;
-    if (!(detail::done(tree_twigs_report(get(), &report)))) { report.struct_size = 0; }
+    if (!(detail::done(tree_twigs_measure(get(), &report)))) { report.struct_size = 0; }
     return report;
 }
 inline Mesh Twigs::base() const {
@@ -4441,7 +4441,7 @@ inline float Metaballs::radius() const {
 }
 inline size_t Metaballs::n_points() const {
     size_t n_points{};
-    detail::done(tree_metaballs_n_points(get(), &n_points));
+    detail::done(tree_metaballs_count(get(), &n_points));
     return n_points;
 }
 inline std::array<float, 6> Metaballs::bounds() const {
@@ -4739,7 +4739,7 @@ inline SceneState SceneState::make(const Scene &scene, Ref<tree_control> control
 }
 inline size_t SceneState::n_drawn() const {
     size_t n_drawn{};
-    detail::done(tree_scene_state_n_drawn(get(), &n_drawn));
+    detail::done(tree_scene_state_count_drawn(get(), &n_drawn));
     return n_drawn;
 }
 inline tree_scene_shown SceneState::shown(const Scene &scene, size_t instance) const {
@@ -4853,7 +4853,7 @@ inline bool Around::check() const {
 }
 inline size_t Around::n_views() const {
     size_t n_views{};
-    detail::done(tree_around_n_views(this, &n_views));
+    detail::done(tree_around_count(this, &n_views));
     return n_views;
 }
 inline View Around::view(size_t number) const {
@@ -5293,7 +5293,7 @@ inline CrossingPairs Crossings::view() const & {
 }
 inline MeshTotals Mesh::count() const {
     MeshTotals totals;
-    if (!(detail::done(tree_mesh_count(get(), &totals)))) { totals.struct_size = 0; }
+    if (!(detail::done(tree_mesh_measure(get(), &totals)))) { totals.struct_size = 0; }
     return totals;
 }
 inline size_t Mesh::surface_count() const {
@@ -5393,12 +5393,12 @@ inline bool MultiMesh::write_glb_levels(Span<const tree_level_share> levels, std
 }
 inline std::string_view grow_shader(tree_shader language) {
     tree_str text{};
-    detail::done(tree_grow_shader(language, &text));
+    detail::done(tree_multi_mesh_shader(language, &text));
     return detail::text(text);
 }
 inline std::array<float, 3> grow_position(const Floats<3> &vertex, const Floats<4> &branch, float level) {
     std::array<float, 3> drawn{};
-    detail::done(tree_grow_position(vertex, branch, level, reinterpret_cast<float(*)[3]>(drawn.data())));
+    detail::done(tree_multi_mesh_position(vertex, branch, level, reinterpret_cast<float(*)[3]>(drawn.data())));
     return drawn;
 }
 inline MultiMesh MultiMesh::make(const Multires &multires, Maybe<tree_look> look, Ref<tree_mesh_params> params, Ref<tree_control> control) {
@@ -5468,7 +5468,7 @@ inline size_t Multires::count() const {
 inline std::tuple<size_t, size_t> Multires::counts(size_t n_levels) const {
     size_t n_nodes{};
     size_t n_leaves{};
-    detail::done(tree_multires_counts(get(), n_levels, &n_nodes, &n_leaves));
+    detail::done(tree_multires_level_counts(get(), n_levels, &n_nodes, &n_leaves));
     return {std::move(n_nodes), std::move(n_leaves)};
 }
 inline std::tuple<SkeletonColumns, Foliage> Multires::level(size_t n_levels) const & {
@@ -5850,7 +5850,7 @@ inline uint64_t PhotoSession::seed() const {
 }
 inline PhotoParams PhotoSession::params() const & {
     PhotoParams params;
-    if (!(detail::done(tree_photo_session_params(get(), &params)))) { params.struct_size = 0; }
+    if (!(detail::done(tree_photo_session_get_params(get(), &params)))) { params.struct_size = 0; }
     return params;
 }
 inline uint32_t PhotoSession::runs(tree_photo_stage stage) const {
@@ -6008,7 +6008,7 @@ inline GraphNodesColumns GraphNodes::view() const & {
     return columns;
 }
 inline bool path_check(Ref<tree_path_params> params, Ref<tree_control> control) {
-    return detail::done(tree_path_check(params, control), params, control);
+    return detail::done(tree_path_params_check(params, control), params, control);
 }
 inline float path_level_radius(Ref<tree_path_params> params, size_t index) {
     float radius{};
@@ -6194,13 +6194,13 @@ inline Attractor Attractor::livewire(const Matte &matte, Maybe<tree_photo> photo
 inline std::tuple<std::vector<float>, size_t> Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control) const {
     std::vector<float> seeds(2 * static_cast<size_t>(most));
     size_t n_seeds{};
-    if (!(detail::done(tree_silhouette_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control))) { seeds.clear(); }
+    if (!(detail::done(tree_matte_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control))) { seeds.clear(); }
     seeds.resize(2 * n_seeds);
     return {std::move(seeds), std::move(n_seeds)};
 }
 inline size_t Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const {
     size_t n_seeds{};
-    detail::done(tree_silhouette_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control);
+    detail::done(tree_matte_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control);
     return n_seeds;
 }
 inline Matte Matte::from_alpha(uint32_t width, uint32_t height, Span<const float> alpha, Ref<tree_control> control) {
@@ -7093,17 +7093,17 @@ inline bool Revolved::contains(Span<const float> points, Ref<tree_control> contr
 }
 inline Silhouette Silhouette::make(Ref<tree_silhouette_params> params, uint64_t seed) {
     Silhouette silhouette;
-    detail::done(tree_silhouette_new(params, seed, silhouette.place()));
+    detail::done(tree_silhouette_session_new(params, seed, silhouette.place()));
     return silhouette;
 }
 inline Silhouette Silhouette::of_drawing(const OutlineDrawing &drawing, size_t tree, Ref<tree_silhouette_params> params, uint64_t seed, Ref<tree_control> control, tree_silhouette_play_report *report) {
     Silhouette silhouette;
-    detail::done(tree_silhouette_of_drawing(drawing.get(), tree, params, seed, control, report, silhouette.place()), control);
+    detail::done(tree_silhouette_session_of_drawing(drawing.get(), tree, params, seed, control, report, silhouette.place()), control);
     return silhouette;
 }
 inline Silhouette Silhouette::copy() const {
     Silhouette copy;
-    detail::done(tree_silhouette_copy(get(), copy.place()));
+    detail::done(tree_silhouette_session_copy(get(), copy.place()));
     return copy;
 }
 inline SilhouetteChangeColumns SilhouetteChange::view() const & {
@@ -7114,120 +7114,120 @@ inline SilhouetteChangeColumns SilhouetteChange::view() const & {
 inline SilhouetteChange Silhouette::draw_trunk(Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_draw_trunk(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
+        && detail::done(tree_silhouette_session_draw_trunk(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::draw_crown(Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_draw_crown(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
+        && detail::done(tree_silhouette_session_draw_crown(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::draw_section(float azimuth, Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_draw_section(get(), azimuth, stroke.data(), stroke.size() / 2, control, change.place()), control));
+        && detail::done(tree_silhouette_session_draw_section(get(), azimuth, stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::refine(uint32_t level, Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_refine(get(), level, stroke.data(), stroke.size() / 2, control, change.place()), control));
+        && detail::done(tree_silhouette_session_refine(get(), level, stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::refine_branch(uint32_t id, Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_refine_branch(get(), id, stroke.data(), stroke.size() / 2, control, change.place()), control));
+        && detail::done(tree_silhouette_session_refine_branch(get(), id, stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::redraw(uint32_t level, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_redraw(get(), level, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
+        && detail::done(tree_silhouette_session_redraw(get(), level, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::redraw_from(float yaw, float pitch, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_redraw_from(get(), yaw, pitch, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
+        && detail::done(tree_silhouette_session_redraw_from(get(), yaw, pitch, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::remove(uint32_t id) const {
     SilhouetteChange change;
-    detail::done(tree_silhouette_remove(get(), id, change.place()));
+    detail::done(tree_silhouette_session_remove(get(), id, change.place()));
     return change;
 }
 inline SilhouetteChange Silhouette::draw_leaf(Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
-        && detail::done(tree_silhouette_draw_leaf(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
+        && detail::done(tree_silhouette_session_draw_leaf(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
 inline SilhouetteChange Silhouette::copy_style(uint32_t source, Span<const uint32_t> targets) const {
     SilhouetteChange change;
-    detail::done(tree_silhouette_copy_style(get(), source, targets.data(), targets.size(), change.place()));
+    detail::done(tree_silhouette_session_copy_style(get(), source, targets.data(), targets.size(), change.place()));
     return change;
 }
 inline SilhouetteChange Silhouette::set_params(Ref<tree_silhouette_params> params) const {
     SilhouetteChange change;
-    detail::done(tree_silhouette_set_params(get(), params, change.place()));
+    detail::done(tree_silhouette_session_set_params(get(), params, change.place()));
     return change;
 }
 inline bool Silhouette::set_seed(uint64_t seed) const {
-    return detail::done(tree_silhouette_set_seed(get(), seed));
+    return detail::done(tree_silhouette_session_set_seed(get(), seed));
 }
 inline SilhouetteChange Silhouette::undo() const {
     SilhouetteChange change;
-    detail::done(tree_silhouette_undo(get(), change.place()));
+    detail::done(tree_silhouette_session_undo(get(), change.place()));
     return change;
 }
 inline SilhouetteChange Silhouette::redo() const {
     SilhouetteChange change;
-    detail::done(tree_silhouette_redo(get(), change.place()));
+    detail::done(tree_silhouette_session_redo(get(), change.place()));
     return change;
 }
 inline uint64_t Silhouette::seed() const {
     uint64_t seed{};
-    detail::done(tree_silhouette_seed(get(), &seed));
+    detail::done(tree_silhouette_session_seed(get(), &seed));
     return seed;
 }
 inline SilhouetteParams Silhouette::get_params() const & {
     SilhouetteParams params;
-    if (!(detail::done(tree_silhouette_get_params(get(), &params)))) { params.struct_size = 0; }
+    if (!(detail::done(tree_silhouette_session_get_params(get(), &params)))) { params.struct_size = 0; }
     return params;
 }
 inline std::tuple<size_t, size_t> Silhouette::depth() const {
     size_t n_undo{};
     size_t n_redo{};
-    detail::done(tree_silhouette_depth(get(), &n_undo, &n_redo));
+    detail::done(tree_silhouette_session_depth(get(), &n_undo, &n_redo));
     return {std::move(n_undo), std::move(n_redo)};
 }
 inline std::tuple<float, float> Silhouette::coverage() const {
     float by_bumps{};
     float by_all{};
-    detail::done(tree_silhouette_coverage(get(), &by_bumps, &by_all));
+    detail::done(tree_silhouette_session_coverage(get(), &by_bumps, &by_all));
     return {std::move(by_bumps), std::move(by_all)};
 }
 inline Lines Silhouette::repairs() const {
     Lines lines;
-    detail::done(tree_silhouette_repairs(get(), lines.place()));
+    detail::done(tree_silhouette_session_repairs(get(), lines.place()));
     return lines;
 }
 inline Lines Silhouette::refused() const {
     Lines lines;
-    detail::done(tree_silhouette_refused(get(), lines.place()));
+    detail::done(tree_silhouette_session_refused(get(), lines.place()));
     return lines;
 }
 inline OutlinePlan Silhouette::plan() const {
     OutlinePlan plan;
-    detail::done(tree_silhouette_plan(get(), plan.place()));
+    detail::done(tree_silhouette_session_plan(get(), plan.place()));
     return plan;
 }
 inline std::tuple<SilhouetteGrown, Tree> Silhouette::tree(Ref<tree_control> control) const {
     SilhouetteGrown report;
     Tree tree;
-    if (!(detail::done(tree_silhouette_tree(get(), control, &report, tree.place()), control))) { report.struct_size = 0; }
+    if (!(detail::done(tree_silhouette_session_tree(get(), control, &report, tree.place()), control))) { report.struct_size = 0; }
     return {std::move(report), std::move(tree)};
 }
 inline bool StandParams::check() const {
@@ -7613,7 +7613,7 @@ inline bool Crown::exits(Span<const float> ways, Ref<tree_control> control, Span
     return detail::expect(ways.size() % 6 == 0, TREE_ERROR_BUFFER, "ways: must have 6 numbers for each item")
         && detail::done(tree_crown_exits(get(), ways.data(), ways.size() / 6, control, exits.data(), exits.size()), control);
 }
-inline Strokes Strokes::outline(Span<const float> spots, Ref<tree_outline_params> params, Ref<tree_control> control) {
+inline Strokes Strokes::outline(Span<const float> spots, Ref<tree_sketch_outline_params> params, Ref<tree_control> control) {
     Strokes strokes;
     static_cast<void>(detail::expect(spots.size() % 2 == 0, TREE_ERROR_BUFFER, "spots: must have 2 numbers for each item")
         && detail::done(tree_strokes_outline(spots.data(), spots.size() / 2, params, control, strokes.place()), control));
@@ -7685,9 +7685,9 @@ inline Tree exemplar_grow(std::string_view name, uint64_t seed, Ref<tree_control
     return tree;
 }
 inline bool MainBranches::check() const {
-    return detail::done(tree_main_branches_check(this));
+    return detail::done(tree_main_branch_params_check(this));
 }
-inline Drawing Drawing::of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branches> main, Ref<tree_outline_params> outline, Ref<tree_control> control) {
+inline Drawing Drawing::of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branch_params> main, Ref<tree_sketch_outline_params> outline, Ref<tree_control> control) {
     Drawing drawing;
     detail::done(tree_drawing_of_tree(tree.get(), yaw, with_crown ? 1u : 0u, main, outline, control, drawing.place()), control);
     return drawing;
@@ -7893,15 +7893,15 @@ inline SketchBranches SketchBranches::propagate(Ref<tree_sketch_omega> omega, Ma
     return grown;
 }
 inline bool SelectParams::check() const {
-    return detail::done(tree_select_params_check(this));
+    return detail::done(tree_template_select_params_check(this));
 }
-inline std::vector<tree_choice> Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control) const {
-    std::vector<tree_choice> choices(count());
+inline std::vector<tree_template_choice> Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_template_select_params> params, Ref<tree_control> control) const {
+    std::vector<tree_template_choice> choices(count());
     if (!(detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
         && detail::done(tree_templates_select(get(), plan.get(), crown, params, control, choices.data(), choices.size()), control))) { choices.clear(); }
     return choices;
 }
-inline bool Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_select_params> params, Ref<tree_control> control, Span<tree_choice> choices) const {
+inline bool Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_template_select_params> params, Ref<tree_control> control, Span<tree_template_choice> choices) const {
     return detail::expect(crown.fits(), TREE_ERROR_NULL, "crown: empty; leave it out, or hand over nullptr")
         && detail::done(tree_templates_select(get(), plan.get(), crown, params, control, choices.data(), choices.size()), control);
 }
@@ -7960,7 +7960,7 @@ inline uint64_t SketchSession::seed() const {
 }
 inline SketchParams SketchSession::params() const & {
     SketchParams params;
-    if (!(detail::done(tree_sketch_session_params(get(), &params)))) { params.struct_size = 0; }
+    if (!(detail::done(tree_sketch_session_get_params(get(), &params)))) { params.struct_size = 0; }
     return params;
 }
 inline uint32_t SketchSession::runs(tree_sketch_stage stage) const {
@@ -7978,7 +7978,7 @@ inline Crown SketchSession::crown(Ref<tree_control> control) const {
     detail::done(tree_sketch_session_crown(get(), control, crown.place()), control);
     return crown;
 }
-inline size_t SketchSession::choices(Ref<tree_control> control, Span<tree_choice> choices) const {
+inline size_t SketchSession::choices(Ref<tree_control> control, Span<tree_template_choice> choices) const {
     size_t n_choices{};
     detail::done(tree_sketch_session_choices(get(), control, choices.data(), choices.size(), &n_choices), control);
     return n_choices;

@@ -86,10 +86,10 @@ fn every_skeleton_gets_one_closed_surface() {
 #[test]
 fn tame_trees_have_the_volume_of_their_frusta() {
     // Many sides: a polygon of 32 has 99.4 % of its circle's area.
-    let params = MeshParams { sides_min: 32, sides_max: 32, flare: 0.0, ..MeshParams::default() };
+    let params = MeshParams { min_sides: 32, max_sides: 32, flare: 0.0, ..MeshParams::default() };
     for case in (0..CASES).step_by(10) {
         let skeleton = skeletons::tame(Seed(case));
-        let expected = skeletons::frusta_volume(&skeleton, params.radius_min);
+        let expected = skeletons::frusta_volume(&skeleton, params.min_radius);
         let tree = Tree::bare(skeleton, Species::default());
         let (_, found) = bark(&tree, &params).unwrap();
         let share = found.volume / expected;

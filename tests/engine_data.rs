@@ -33,7 +33,7 @@ fn oak() -> &'static Mesh {
 }
 
 /// Thick wood as (base, tip, radius at the base, radius at the tip), gathered anew.
-fn thick(skeleton: &Skeleton, radius_min: f32) -> Vec<(Vec3, Vec3, f32, f32)> {
+fn thick(skeleton: &Skeleton, min_radius: f32) -> Vec<(Vec3, Vec3, f32, f32)> {
     let axes = skeleton.axes(Continuation::Thickest);
     let (positions, radii) = (skeleton.positions(), skeleton.radii());
     skeleton
@@ -44,7 +44,7 @@ fn thick(skeleton: &Skeleton, radius_min: f32) -> Vec<(Vec3, Vec3, f32, f32)> {
             let (a, b) = (positions[parent as usize], positions[node as usize]);
             (a, b, base, radii[node as usize])
         })
-        .filter(|&(a, b, base, tip)| a != b && base.min(tip) >= radius_min)
+        .filter(|&(a, b, base, tip)| a != b && base.min(tip) >= min_radius)
         .collect()
 }
 
@@ -96,7 +96,7 @@ fn at_most_32_capsules_hold_95_percent_of_every_presets_thick_wood() {
         let made = capsules(tree.skeleton(), &params, &Control::default()).unwrap();
         let report = made.report;
         assert!(made.capsules.len() <= 32 && report.is_enough, "{}: {report:?}", preset.name());
-        let wood = thick(tree.skeleton(), report.radius_min);
+        let wood = thick(tree.skeleton(), report.min_radius);
         let found = held(&wood, &made.capsules, &mut rng);
         assert!(found >= 0.95, "{}: {found} {report:?}", preset.name());
         assert!((found - report.held).abs() < 0.02, "{}: {found} {report:?}", preset.name());
@@ -231,7 +231,7 @@ impl Wanted {
             pack::speedtree9::unpack(&pack::speedtree9::pack(self.mesh, self.number).unwrap());
         self.check(what, &back);
         self.places(what, &back.anchors, |v| self.wind[v].anchor, ROUNDING);
-        let limits = pack::speedtree9::Limits::of(self.mesh);
+        let limits = pack::speedtree9::StretchLimits::of(self.mesh);
         for (i, limit) in [limits.branch1, limits.branch2].into_iter().enumerate() {
             let branch = |v: usize| self.ancestor(v, i as u32 + 1);
             let free = |v: usize| {

@@ -4,7 +4,7 @@
 
 use tree_core::{Control, Seed, Tree};
 use tree_lod::preview::{self, Camera, Framing, View};
-use tree_mesh::instance::{InstancedTree, TwigParams, twigs};
+use tree_mesh::instance::{InstancedTree, InstancingParams, twigs};
 use tree_mesh::{Look, Mesh, MeshParams};
 use tree_model::path::Preset;
 
@@ -22,7 +22,7 @@ fn grow(preset: &str) -> Tree {
 fn instanced(tree: &Tree) -> (InstancedTree, Mesh) {
     let look = Look::built_in(tree.species()).unwrap();
     let (params, control) = (MeshParams::default(), Control::default());
-    let made = twigs(tree, &look, &params, &TwigParams::default(), &control).unwrap();
+    let made = twigs(tree, &look, &params, &InstancingParams::default(), &control).unwrap();
     let plain = tree_mesh::build(tree, &look, &params, &control).unwrap().mesh;
     (made, plain)
 }

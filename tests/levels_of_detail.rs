@@ -55,7 +55,7 @@ fn a_tree_of_cards_keeps_its_pixels_and_its_budgets() {
 
 #[test]
 fn modelled_leaves_lose_outline_before_they_are_dropped() {
-    let mesh = grown("oak", &LeafForm::Modelled { vertices_max: 12 });
+    let mesh = grown("oak", &LeafForm::Modelled { max_vertices: 12 });
     let model = pruned(&mesh);
     assert!(model.schedule().n_tiers() > 2);
     assert!(quality(&model, &mesh, 0.2) > 0.95);
@@ -80,7 +80,7 @@ fn a_scene_of_pruned_models_draws_windows_within_their_buffers() {
         projection: perspective_infinite_reverse(1.0, 1.5, 0.1),
     };
     let frame = Frame { eye, occlusion: Occlusion::None, seconds: 0.02, cut: true };
-    let selected = scene.select(&frame, &select::Params::default(), &mut state).unwrap();
+    let selected = scene.select(&frame, &select::SceneParams::default(), &mut state).unwrap();
     assert_eq!(selected.drawn, 19);
     let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
     let mut rows = vec![InstanceLod::default(); scene.len()];

@@ -143,7 +143,8 @@ fn a_real_photograph_goes_the_same_way() {
         return;
     };
     let (matte, _) =
-        matting::automatic(&photo, &matting::AutoParams::default(), &Control::default()).unwrap();
+        matting::automatic(&photo, &matting::AutomaticParams::default(), &Control::default())
+            .unwrap();
     let tree = from_photo(Shot::new(matte, Some(photo), 0.0));
     let side = within(&tree);
     let bent = walled(tree, side);
@@ -347,7 +348,7 @@ fn walk(occlusion: Occlusion<'_>) -> Vec<(select::Selected, Vec<DrawIndexed>, Ve
     let mut state = State::new(scene, &Control::default()).unwrap();
     let frames = (0..12).map(|n| {
         let frame = Frame { eye: eye(n), occlusion, seconds: 0.02, cut: n == 0 };
-        let selected = scene.select(&frame, &select::Params::default(), &mut state).unwrap();
+        let selected = scene.select(&frame, &select::SceneParams::default(), &mut state).unwrap();
         let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
         let mut rows = vec![InstanceLod::default(); scene.len()];
         let written = scene.draws(&state, &mut draws, &mut rows).unwrap();
@@ -387,7 +388,7 @@ fn nothing_far_is_drawn_in_detail_and_nothing_near_without() {
     let (scene, instances) = forest();
     let mut state = State::new(scene, &Control::default()).unwrap();
     let frame = Frame { eye: eye(0), occlusion: Occlusion::None, seconds: 0.02, cut: true };
-    scene.select(&frame, &select::Params::default(), &mut state).unwrap();
+    scene.select(&frame, &select::SceneParams::default(), &mut state).unwrap();
     let from = frame.eye.view.inverse().transform_point3(Vec3::ZERO);
     let (mut near, mut far) = (0, 0);
     for (number, instance) in instances.iter().enumerate() {

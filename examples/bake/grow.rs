@@ -142,8 +142,9 @@ fn photo(
     let (mut shots, mut warnings) = (Vec::new(), Vec::new());
     for (turn, path) in paths.iter().enumerate() {
         let photo = Photo::open(folder.join(path), &control.limits)?;
-        let (matte, report) = matting::automatic(&photo, &matting::AutoParams::default(), control)
-            .map_err(|error| input(path, error))?;
+        let (matte, report) =
+            matting::automatic(&photo, &matting::AutomaticParams::default(), control)
+                .map_err(|error| input(path, error))?;
         warnings
             .extend(report.warnings.iter().map(|warning| format!("{}: {warning}", path.display())));
         shots.push(Shot::new(matte, Some(photo), turn as f32 * std::f32::consts::FRAC_PI_2));
@@ -165,7 +166,7 @@ fn mesh(line: &Line, path: &Path, control: &Control) -> Result<Grown, BakeError>
     let params = MeshParams {
         flare: 0.0,
         error: ErrorBound::Metres((3e-4 * size).clamp(1e-5, 1.0)),
-        radius_min: (5e-5 * size).clamp(1e-5, 0.1),
+        min_radius: (5e-5 * size).clamp(1e-5, 0.1),
         ..MeshParams::default()
     };
     if line.species.is_some() {

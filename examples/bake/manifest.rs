@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Longest name of a tree: file systems allow 255 bytes, and files add endings.
 const NAME_MAX: usize = 100;
 /// Most levels of a file.
-const LEVELS_MAX: usize = 16;
+const MAX_LEVELS: usize = 16;
 /// Share of the leaf triangles at the last of a number of levels.
 const LAST_SHARE: f32 = 0.05;
 
@@ -155,13 +155,13 @@ impl Line {
             range("height", f64::from(height), 0.01, 1000.0)?;
         }
         if let Some(levels) = self.levels {
-            range("levels", levels as f64, 1.0, LEVELS_MAX as f64)?;
+            range("levels", levels as f64, 1.0, MAX_LEVELS as f64)?;
         }
         if let Some(views) = self.views {
             range("views", f64::from(views), 2.0, 64.0)?;
         }
         if let Some(shares) = &self.shares {
-            range("number of shares", shares.len() as f64, 1.0, LEVELS_MAX as f64)?;
+            range("number of shares", shares.len() as f64, 1.0, MAX_LEVELS as f64)?;
             let above = std::iter::once(1.0_f32.next_up()).chain(shares.iter().copied());
             let bad = shares.iter().zip(above).position(|(&s, above)| !(s > 0.0 && s < above));
             if let Some(row) = bad {

@@ -98,11 +98,11 @@ impl Frame {
     /// The view of a mesh that lines up.
     pub(crate) fn view(&self) -> View {
         let size = Vec2::new(self.width as f32, self.height as f32) / self.scale;
-        let centre = self.low + 0.5 * size;
+        let center = self.low + 0.5 * size;
         let far = 10.0 * size.max_element();
         let (target, away) = match self.side {
-            Side::Front => (Vec3::new(centre.x, centre.y, 0.0), Vec3::Z),
-            Side::Right => (Vec3::new(0.0, centre.y, -centre.x), Vec3::X),
+            Side::Front => (Vec3::new(center.x, center.y, 0.0), Vec3::Z),
+            Side::Right => (Vec3::new(0.0, center.y, -center.x), Vec3::X),
         };
         let lens = Lens::Orthographic { height: size.y };
         let pose = Pose { eye: target + far * away, target, up: Vec3::Y, lens };

@@ -125,7 +125,7 @@ public static class Oak
         tree_path_params parameters = TreeDefaults.Path("oak");
         parameters.n_levels = UIntPtr.Zero;
         tree_mesh_params coarse = TreeDefaults.Mesh;
-        coarse.sides_max = 4;
+        coarse.max_sides = 4;
         int calls = 0;
         using (var pool = new TreePool(2))
         {

@@ -476,10 +476,10 @@ namespace TreeFamily.Native
     /// on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
     /// and outlives it.
     /// </summary>
-    public struct tree_silhouette { }
+    public struct tree_silhouette_session { }
 
     /// <summary>
-    /// What an edit of a `tree_silhouette` changed.
+    /// What an edit of a `tree_silhouette_session` changed.
     /// </summary>
     public struct tree_silhouette_change { }
 
@@ -901,7 +901,7 @@ namespace TreeFamily.Native
         /// 2 d / (a + b + d) for the weights a and b of the trees and the cost d, 0 to 1: 0 for equal trees, 1 where nothing
         /// of one is left in the other. A metric, too.
         /// </summary>
-        public double normalised;
+        public double normalized;
         /// <summary>
         /// What deleting the first tree and what inserting the second costs.
         /// </summary>
@@ -1028,12 +1028,12 @@ namespace TreeFamily.Native
         /// <summary>
         /// Most capsules, 1 to 4096. Default 32.
         /// </summary>
-        public uint count_max;
+        public uint max_count;
         /// <summary>
         /// Wood thinner than this is passed over, in metres, 0 to 10. Default 0.05. When nothing is as
         /// thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
         /// </summary>
-        public float radius_min;
+        public float min_radius;
         /// <summary>
         /// Share of the volume of the other wood that must lie inside, 0 to 1. Default 0.95.
         /// </summary>
@@ -1074,7 +1074,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// The radius above which wood counted, in metres.
         /// </summary>
-        public float radius_min;
+        public float min_radius;
         /// <summary>
         /// Whether `held` reaches the share asked for.
         /// </summary>
@@ -2535,13 +2535,13 @@ namespace TreeFamily.Native
         /// </summary>
         public uint continuation; // tree_continuation
         /// <summary>
-        /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
+        /// Fewest sides of a tube, 3 to `max_sides`. Default 3.
         /// </summary>
-        public uint sides_min;
+        public uint min_sides;
         /// <summary>
         /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
         /// </summary>
-        public uint sides_max;
+        public uint max_sides;
         /// <summary>
         /// The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
         /// </summary>
@@ -2575,11 +2575,11 @@ namespace TreeFamily.Native
         /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
         /// bend in the wind.
         /// </summary>
-        public float strip_max;
+        public float max_strip;
         /// <summary>
         /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
         /// </summary>
-        public float radius_min;
+        public float min_radius;
         /// <summary>
         /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
         /// that it goes round a whole number of times.
@@ -3254,7 +3254,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Most unique twigs, 1 to 1000. Default 30.
         /// </summary>
-        public uint twigs_max;
+        public uint max_twigs;
         /// <summary>
         /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
         /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
@@ -4852,7 +4852,7 @@ namespace TreeFamily.Native
         /// With `TREE_LEAF_OUTLINE` and `TREE_LEAF_MODELLED`: most vertices of the polygon, 4 to 64. Default
         /// 8; a modelled leaf of 12 has up to 20 triangles when folded or bent.
         /// </summary>
-        public uint vertices_max;
+        public uint max_vertices;
         /// <summary>
         /// Copies of the leaf turned about its midrib, evenly over half a turn, 1 to 8. Two or three make
         /// clusters and needles look full from all sides. Default 1.
@@ -7317,7 +7317,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
         /// </summary>
-        public float centre;
+        public float center;
         /// <summary>
         /// How much more a step costs that leads back towards the base and down than one that leads away from
         /// it and up, 0 to 10. Default 0.6.
@@ -9694,7 +9694,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Its central point, where the branch ends: the middle of a round end, and about the tip of a sharp one.
         /// </summary>
-        public fixed float centre[2];
+        public fixed float center[2];
         /// <summary>
         /// Its outermost point, on the outline.
         /// </summary>
@@ -10511,7 +10511,7 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// What became of a drawing's strokes. `tree_silhouette_repairs` and `tree_silhouette_refused` tell more. Set
+    /// What became of a drawing's strokes. `tree_silhouette_session_repairs` and `tree_silhouette_session_refused` tell more. Set
     /// `struct_size` first.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -10681,7 +10681,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// The point of the drawing that the eye looks at: on the horizon, in units of the drawing.
         /// </summary>
-        public fixed float centre[2];
+        public fixed float center[2];
         /// <summary>
         /// The eye in metres; it looks level along -Z.
         /// </summary>
@@ -10816,9 +10816,9 @@ namespace TreeFamily.Native
         /// </summary>
         public double scale;
         /// <summary>
-        /// The file's upward axis. Default `TREE_SWC_UP_Z`.
+        /// The file's upward axis. Default `TREE_UP_Z`.
         /// </summary>
-        public uint up; // tree_swc_up
+        public uint up; // tree_up
         /// <summary>
         /// Whether reading moves the root to the origin. Default 1. The move is made in double precision, so
         /// that coordinates of a map grid lose nothing. Not used in writing.
@@ -11507,13 +11507,13 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How outlines are drawn. Begin with `tree_outline_params_init`.
+    /// How outlines are drawn. Begin with `tree_sketch_outline_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_outline_params
+    public unsafe struct tree_sketch_outline_params
     {
         /// <summary>
-        /// `sizeof(tree_outline_params)`.
+        /// `sizeof(tree_sketch_outline_params)`.
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
@@ -11570,13 +11570,13 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// Which branches of a tree a person would draw. Begin with `tree_main_branches_init`.
+    /// Which branches of a tree a person would draw. Begin with `tree_main_branch_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_main_branches
+    public unsafe struct tree_main_branch_params
     {
         /// <summary>
-        /// `sizeof(tree_main_branches)`.
+        /// `sizeof(tree_main_branch_params)`.
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
@@ -11617,7 +11617,7 @@ namespace TreeFamily.Native
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
-        /// Whose twigs and leaves: one of the names that `tree_foliage_species_name` gives. Default "oak", which an empty text
+        /// Whose twigs and leaves: one of the names that `tree_foliage_preset_name` gives. Default "oak", which an empty text
         /// is too.
         /// </summary>
         public tree_str species;
@@ -12249,13 +12249,13 @@ namespace TreeFamily.Native
     }
 
     /// <summary>
-    /// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
+    /// How much the parts of the comparison weigh. Begin with `tree_template_select_params_init`.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_select_params
+    public unsafe struct tree_template_select_params
     {
         /// <summary>
-        /// `sizeof(tree_select_params)`.
+        /// `sizeof(tree_template_select_params)`.
         /// </summary>
         public UIntPtr struct_size;
         /// <summary>
@@ -12288,7 +12288,7 @@ namespace TreeFamily.Native
     /// A template, and how well it suits a drawing.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe struct tree_choice
+    public unsafe struct tree_template_choice
     {
         /// <summary>
         /// Index of the template.
@@ -12336,7 +12336,7 @@ namespace TreeFamily.Native
         /// </summary>
         public tree_str template_name;
         /// <summary>
-        /// Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_species_name` gives. Empty,
+        /// Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_preset_name` gives. Empty,
         /// the default: the template's.
         /// </summary>
         public tree_str species;
@@ -12351,7 +12351,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// How templates are compared with the drawing.
         /// </summary>
-        public tree_select_params* select;
+        public tree_template_select_params* select;
         /// <summary>
         /// How depths are inferred. Its `slenderness` is not used here.
         /// </summary>
@@ -12517,7 +12517,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Which branches are main ones; NULL for the default.
         /// </summary>
-        public tree_main_branches* main;
+        public tree_main_branch_params* main;
         /// <summary>
         /// Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
         /// </summary>
@@ -12723,7 +12723,7 @@ namespace TreeFamily.Native
         /// Levels as prefixes: `tree_multires_new` sorts a tree such that a level is a prefix of its columns, `tree_multires_level`.
         /// `tree_multires_to_stream` makes bytes of which every prefix is a coarser tree; a `tree_stream_reader` takes them as they
         /// arrive. `tree_multi_mesh_new` draws it, `tree_multi_mesh_draws` says how much of each index buffer a level draws, and
-        /// `tree_grow_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
+        /// `tree_multi_mesh_shader` lets branches grow in. Chains of modules, with brackets: `tree_adt_of_tokens`, `tree_multi_paths_new`,
         /// `tree_multi_chain_new`.
         /// Impostors: `tree_leaf_bearers_of_tree` says which branch carries each leaf (elements of `TREE_GRAIN_LEAF`),
         /// `tree_leaf_boxes_along` finds boxes along the branches, `tree_cards_bake` pictures of their leaves.
@@ -12753,7 +12753,7 @@ namespace TreeFamily.Native
         /// by any number of threads at once, and end by their `_free`, which accepts NULL. A handle that was
         /// freed, or is of another kind, is `TREE_ERROR_HANDLE` (unless its address has been given to a new object of
         /// its kind). Handles keep alive what they are made of. Some kinds change, `tree_photo_session`,
-        /// `tree_sketch_session`, `tree_silhouette`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
+        /// `tree_sketch_session`, `tree_silhouette_session`, `tree_scene`, `tree_scene_state`, `tree_card_choice`,
         /// `tree_hybrid_choice`, `tree_growth`, `tree_plastic_scene` and `tree_stream_reader`: one thread at a time.
         /// * Out parameters come last. A handle's place is set to NULL first, so after an error it is NULL; what
         /// stood there before is not freed.
@@ -13405,7 +13405,7 @@ namespace TreeFamily.Native
         public const int TREE_LEAF_CARD = 0;
 
         /// <summary>
-        /// A polygon of at most `vertices_max` vertices around all of the picture that is not cut away: no visible
+        /// A polygon of at most `max_vertices` vertices around all of the picture that is not cut away: no visible
         /// pixel is lost, few invisible ones are drawn. A picture without a mask, or all of it cut away, stays a
         /// card; the report says so.
         /// </summary>
@@ -14132,15 +14132,15 @@ namespace TreeFamily.Native
         /// <summary>
         /// +Y, as in this library.
         /// </summary>
-        public const int TREE_SWC_UP_Y = 0;
+        public const int TREE_UP_Y = 0;
 
         /// <summary>
         /// +Z, as laser scanners and foresters have it.
         /// </summary>
-        public const int TREE_SWC_UP_Z = 1;
+        public const int TREE_UP_Z = 1;
 
         /// <summary>
-        /// They stay 0, for example to be found by `tree_skeleton_by_rule`.
+        /// They stay 0, for example to be found by `tree_skeleton_with_rule`.
         /// </summary>
         public const int TREE_SWC_RADIUS_KEEP = 0;
 
@@ -14632,7 +14632,7 @@ namespace TreeFamily.Native
         /// there is `tree_skeleton_with_radii`. Free it with `tree_skeleton_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_skeleton_by_rule(tree_skeleton* skeleton, tree_radius_rule* rule, tree_skeleton** changed);
+        public static extern int tree_skeleton_with_rule(tree_skeleton* skeleton, tree_radius_rule* rule, tree_skeleton** changed);
 
         /// <summary>
         /// The radius of every node by distance to the tip, in metres, with levels of your own in place of the
@@ -15034,7 +15034,7 @@ namespace TreeFamily.Native
         /// Grows twigs on the youngest shoots of a tree: the new tree has the old skeleton with twigs, and the
         /// old leaves and species. Old nodes keep number, position, radius and parent, so leaves stay where they
         /// are; twigs come after them, each starting at the node nearest to its place. What bears twigs is not
-        /// made thicker: `tree_skeleton_by_rule` does that.
+        /// made thicker: `tree_skeleton_with_rule` does that.
         ///
         /// `params` may be NULL for the default. `density` may be NULL for 1 everywhere, and is handed `user`.
         /// The same seed gives the same twigs. `report` may be NULL. Free the tree with `tree_tree_free`.
@@ -15059,14 +15059,14 @@ namespace TreeFamily.Native
         /// Number of species whose leaves and twigs are known by name.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern UIntPtr tree_foliage_species_count();
+        public static extern UIntPtr tree_foliage_preset_count();
 
         /// <summary>
-        /// Name of the species with this number, from 0 up to, but not including, `tree_foliage_species_count`.
+        /// Name of the species with this number, from 0 up to, but not including, `tree_foliage_preset_count`.
         /// Valid for ever.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_foliage_species_name(UIntPtr index, tree_str* name);
+        public static extern int tree_foliage_preset_name(UIntPtr index, tree_str* name);
 
         /// <summary>
         /// Leaves and twigs of a species by its name, of `len` bytes. Set `struct_size` of `leaves` and `twigs`
@@ -15853,7 +15853,7 @@ namespace TreeFamily.Native
         public static extern int tree_card_noise(float* pixel, float* share);
 
         /// <summary>
-        /// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
+        /// Divides a tree into a base mesh and instances of at most `max_twigs` unique twigs. Light-map
         /// coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
         /// textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
         /// with `tree_twigs_free`.
@@ -15871,7 +15871,7 @@ namespace TreeFamily.Native
         /// What the twigs weigh and how near they come. Set `report-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_twigs_report(tree_twigs* twigs, tree_instancing_report* report);
+        public static extern int tree_twigs_measure(tree_twigs* twigs, tree_instancing_report* report);
 
         /// <summary>
         /// The base mesh: wood and leaves that are not part of a twig, surfaces as `tree_mesh_build` makes them.
@@ -16352,7 +16352,7 @@ namespace TreeFamily.Native
         /// Number of points.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_metaballs_n_points(tree_metaballs* metaballs, UIntPtr* n_points);
+        public static extern int tree_metaballs_count(tree_metaballs* metaballs, UIntPtr* n_points);
 
         /// <summary>
         /// The box around the points: its lower corner, then its upper one, in metres.
@@ -16756,7 +16756,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Scores of a simplified mesh against the full one, one for each view; both are framed as the full one is.
         /// `around`, NULL for the default, says from where to look; `scores` has room for `capacity` scores, at least
-        /// `tree_around_n_views`. `control` may be NULL; `pixels` of its limits caps those of all views.
+        /// `tree_around_count`. `control` may be NULL; `pixels` of its limits caps those of all views.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_mesh_score(tree_mesh* simplified, tree_mesh* full, tree_around* around, tree_control* control, tree_score* scores, UIntPtr capacity);
@@ -16801,7 +16801,7 @@ namespace TreeFamily.Native
         /// Number of the instances that were in view in the last frame: rows of `tree_instance_lod` that it needs.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_scene_state_n_drawn(tree_scene_state* state, UIntPtr* n_drawn);
+        public static extern int tree_scene_state_count_drawn(tree_scene_state* state, UIntPtr* n_drawn);
 
         /// <summary>
         /// How an instance of `scene` was drawn in the last frame; not in view when there is no such instance.
@@ -16892,7 +16892,7 @@ namespace TreeFamily.Native
         /// Scores of a pruned model against the full one, one for each view: with a share of `lambda` of the
         /// foliage's triangles, 0 to 1, and elements grown to `scale` times their area, 0.01 to 10,000 (lengths grow by
         /// its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
-        /// scores, at least `tree_around_n_views`. `control` may be NULL.
+        /// scores, at least `tree_around_count`. `control` may be NULL.
         ///
         /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
         /// `TREE_ERROR_PARAMETER` names what is out of range.
@@ -17055,7 +17055,7 @@ namespace TreeFamily.Native
         /// Number of the views: azimuths times pitches.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_around_n_views(tree_around* around, UIntPtr* n_views);
+        public static extern int tree_around_count(tree_around* around, UIntPtr* n_views);
 
         /// <summary>
         /// View `number` (0 is the first), for pictures and masks from there: a framed camera, as wide and high as the
@@ -17834,7 +17834,7 @@ namespace TreeFamily.Native
         /// Counts what a mesh has. Set `totals-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_mesh_count(tree_mesh* mesh, tree_mesh_totals* totals);
+        public static extern int tree_mesh_measure(tree_mesh* mesh, tree_mesh_totals* totals);
 
         /// <summary>
         /// Number of surfaces of a mesh.
@@ -18003,14 +18003,14 @@ namespace TreeFamily.Native
         /// comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_grow_shader(uint language, tree_str* text);
+        public static extern int tree_multi_mesh_shader(uint language, tree_str* text);
 
         /// <summary>
         /// Where a shader draws a vertex at a level: `vertex`, three floats, drawn together about its fork while its path grows
         /// in. `branch` is four floats of `tree_multi_mesh_column.branches`. For shaders of your own, and for checking them.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_grow_position(float* vertex, float* branch, float level, float* drawn);
+        public static extern int tree_multi_mesh_position(float* vertex, float* branch, float level, float* drawn);
 
         /// <summary>
         /// Draws a tree: each path is a closed tube of its own, with a cap at either end, and begins inside the wood that bears
@@ -18107,7 +18107,7 @@ namespace TreeFamily.Native
         /// Nodes and leaves of the first `n_levels` levels, at least one level, at most all.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_multires_counts(tree_multires* multires, UIntPtr n_levels, UIntPtr* n_nodes, UIntPtr* n_leaves);
+        public static extern int tree_multires_level_counts(tree_multires* multires, UIntPtr n_levels, UIntPtr* n_nodes, UIntPtr* n_leaves);
 
         /// <summary>
         /// Views the first `n_levels` levels, at least one, at most all: their nodes are a skeleton, and their leaves stand on
@@ -18482,7 +18482,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Makes `params`, of `size` bytes, those of a species by its name, of `len` bytes or
         /// `TREE_NUL_TERMINATED`: the defaults with its twigs, and sprays of its leaves or needles. Names are
-        /// those of `tree_foliage_species_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
+        /// those of `tree_foliage_preset_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_finish_params_find(tree_finish_params* @params, UIntPtr size, byte* name, UIntPtr len);
@@ -18751,7 +18751,7 @@ namespace TreeFamily.Native
         /// `tree_photo_session_set_params` or `tree_photo_session_free`. Set `params-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_photo_session_params(tree_photo_session* session, tree_photo_params* @params);
+        public static extern int tree_photo_session_get_params(tree_photo_session* session, tree_photo_params* @params);
 
         /// <summary>
         /// How often a stage has been done so far.
@@ -19028,7 +19028,7 @@ namespace TreeFamily.Native
         /// an oak; `control` may be NULL, only its limits matter.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_path_check(tree_path_params* @params, tree_control* control);
+        public static extern int tree_path_params_check(tree_path_params* @params, tree_control* control);
 
         /// <summary>
         /// Radius in metres of the subgraphs of `params-&gt;levels[index]`: its own, or the one that follows from
@@ -19336,7 +19336,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Finds paths from every seed to the base through what a photograph and its matte show, and joins them:
         /// main branches as least-cost paths. `photo` may be NULL: then the matte alone is looked at. `base_pixel`
-        /// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_silhouette_seeds`, or
+        /// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_matte_seeds`, or
         /// what a person clicked on. The root of the graph is at the base, its tips are at the seeds; without seeds the
         /// graph is the base alone. `params`, `control` and `report` may be NULL. Free the graph with
         /// `tree_attractor_free`. `TREE_ERROR_NO_RESULT` where the matte is empty, or the photograph is of another
@@ -19358,7 +19358,7 @@ namespace TreeFamily.Native
         /// `params` and `control` may be NULL. `TREE_ERROR_NO_RESULT` where the matte is empty.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_seeds(tree_matte* matte, float* base_pixel, uint most, tree_seed_params* @params, ulong seed, tree_control* control, float* seeds, UIntPtr capacity, UIntPtr* n_seeds);
+        public static extern int tree_matte_seeds(tree_matte* matte, float* base_pixel, uint most, tree_seed_params* @params, ulong seed, tree_control* control, float* seeds, UIntPtr capacity, UIntPtr* n_seeds);
 
         /// <summary>
         /// Makes a matte of `width * height` floats, which are copied, rows from top to bottom; clamped to 0 to 1,
@@ -20707,34 +20707,34 @@ namespace TreeFamily.Native
         public static extern int tree_revolved_free(tree_revolved* revolved);
 
         /// <summary>
-        /// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_free`.
+        /// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_session_free`.
         /// `TREE_ERROR_PARAMETER` names what is out of range.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_new(tree_silhouette_params* @params, ulong seed, tree_silhouette** silhouette);
+        public static extern int tree_silhouette_session_new(tree_silhouette_params* @params, ulong seed, tree_silhouette_session** silhouette);
 
         /// <summary>
         /// Draws all strokes of one tree of a drawing, the first being number 0; its height becomes that of the parameters.
-        /// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_repairs` and
-        /// `tree_silhouette_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
-        /// NULL. Free it with `tree_silhouette_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
+        /// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_session_repairs` and
+        /// `tree_silhouette_session_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
+        /// NULL. Free it with `tree_silhouette_session_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_of_drawing(tree_outline_drawing* drawing, UIntPtr tree, tree_silhouette_params* @params, ulong seed, tree_control* control, tree_silhouette_play_report* report, tree_silhouette** silhouette);
+        public static extern int tree_silhouette_session_of_drawing(tree_outline_drawing* drawing, UIntPtr tree, tree_silhouette_params* @params, ulong seed, tree_control* control, tree_silhouette_play_report* report, tree_silhouette_session** silhouette);
 
         /// <summary>
         /// A second one in the state of the first, with all that can be undone: to try something, and go back. Free it
         /// too.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_copy(tree_silhouette* silhouette, tree_silhouette** copy);
+        public static extern int tree_silhouette_session_copy(tree_silhouette_session* silhouette, tree_silhouette_session** copy);
 
         /// <summary>
         /// Frees it. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a progress callback
         /// for instance: it lives on then.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_free(tree_silhouette* silhouette);
+        public static extern int tree_silhouette_session_free(tree_silhouette_session* silhouette);
 
         /// <summary>
         /// Views a change. Valid until `tree_silhouette_change_free`.
@@ -20755,156 +20755,156 @@ namespace TreeFamily.Native
         /// `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_draw_trunk(tree_silhouette* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_draw_trunk(tree_silhouette_session* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
         /// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
-        /// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
+        /// `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
         /// the trunk stays away from it.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_draw_crown(tree_silhouette* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_draw_crown(tree_silhouette_session* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
         /// Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
         /// drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
-        /// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
+        /// `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_draw_section(tree_silhouette* silhouette, float azimuth, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_draw_section(tree_silhouette_session* silhouette, float azimuth, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
         /// Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
         /// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
-        /// and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
+        /// and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
         /// branch of that level.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_refine(tree_silhouette* silhouette, uint level, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_refine(tree_silhouette_session* silhouette, uint level, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
         /// Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
-        /// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
+        /// `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_refine_branch(tree_silhouette* silhouette, uint id, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_refine_branch(tree_silhouette_session* silhouette, uint id, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
         /// Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
         /// Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
         /// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. `stroke`,
-        /// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
+        /// `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
         /// there is no axis of that level.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_redraw(tree_silhouette* silhouette, uint level, float* stroke, UIntPtr n_points, uint transfer, uint* only, UIntPtr n_only, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_redraw(tree_silhouette_session* silhouette, uint level, float* stroke, UIntPtr n_points, uint transfer, uint* only, UIntPtr n_only, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
         /// Draws a branch on the trunk as it is seen by a viewer who has gone round the tree by `yaw` radians, -2π to 2π,
         /// against the clock seen from above (0 is in front, +X to the right), and looks down by `pitch`, within ±1.4. It lies
         /// in the upright plane through the trunk that faces the viewer. A branch drawn from near there before, with ends near
-        /// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_redraw`, which this is from in
+        /// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_session_redraw`, which this is from in
         /// front.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_redraw_from(tree_silhouette* silhouette, float yaw, float pitch, float* stroke, UIntPtr n_points, uint transfer, uint* only, UIntPtr n_only, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_redraw_from(tree_silhouette_session* silhouette, float yaw, float pitch, float* stroke, UIntPtr n_points, uint transfer, uint* only, UIntPtr n_only, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
-        /// Takes a branch away, with all on it. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for an id
+        /// Takes a branch away, with all on it. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for an id
         /// that is not there.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_remove(tree_silhouette* silhouette, uint id, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_remove(tree_silhouette_session* silhouette, uint id, tree_silhouette_change** change);
 
         /// <summary>
-        /// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_draw_trunk`.
+        /// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_session_draw_trunk`.
         /// `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_draw_leaf(tree_silhouette* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_draw_leaf(tree_silhouette_session* silhouette, float* stroke, UIntPtr n_points, tree_control* control, tree_silhouette_change** change);
 
         /// <summary>
         /// Has `n_targets` branches take the style of the branch `source`, whose outline was drawn; 0: of the nearest such branch
-        /// again. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
+        /// again. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
         /// whose outline was not drawn.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_copy_style(tree_silhouette* silhouette, uint source, uint* targets, UIntPtr n_targets, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_copy_style(tree_silhouette_session* silhouette, uint source, uint* targets, UIntPtr n_targets, tree_silhouette_change** change);
 
         /// <summary>
         /// Other parameters, NULL for the defaults. Where those of branches or angles differ, branches are inferred anew.
-        /// `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
+        /// `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_set_params(tree_silhouette* silhouette, tree_silhouette_params* @params, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_set_params(tree_silhouette_session* silhouette, tree_silhouette_params* @params, tree_silhouette_change** change);
 
         /// <summary>
         /// Another seed: only what is drawn by chance differs. This is no edit, and is not undone.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_set_seed(tree_silhouette* silhouette, ulong seed);
+        public static extern int tree_silhouette_session_set_seed(tree_silhouette_session* silhouette, ulong seed);
 
         /// <summary>
-        /// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_draw_trunk`.
+        /// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_session_draw_trunk`.
         /// `TREE_ERROR_NO_RESULT` where there is none.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_undo(tree_silhouette* silhouette, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_undo(tree_silhouette_session* silhouette, tree_silhouette_change** change);
 
         /// <summary>
-        /// Does again what was taken back last. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
+        /// Does again what was taken back last. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
         /// is nothing.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_redo(tree_silhouette* silhouette, tree_silhouette_change** change);
+        public static extern int tree_silhouette_session_redo(tree_silhouette_session* silhouette, tree_silhouette_change** change);
 
         /// <summary>
         /// The seed.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_seed(tree_silhouette* silhouette, ulong* seed);
+        public static extern int tree_silhouette_session_seed(tree_silhouette_session* silhouette, ulong* seed);
 
         /// <summary>
         /// The parameters, all parts given; a trunk drawn as an area tells its radius there. What they point at belongs to the
-        /// session and stays until `tree_silhouette_set_params`, `tree_silhouette_undo`, `tree_silhouette_redo` or
-        /// `tree_silhouette_free`. Set `params-&gt;struct_size` first.
+        /// session and stays until `tree_silhouette_session_set_params`, `tree_silhouette_session_undo`, `tree_silhouette_session_redo` or
+        /// `tree_silhouette_session_free`. Set `params-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_get_params(tree_silhouette* silhouette, tree_silhouette_params* @params);
+        public static extern int tree_silhouette_session_get_params(tree_silhouette_session* silhouette, tree_silhouette_params* @params);
 
         /// <summary>
         /// Numbers of edits that can be undone, and done again.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_depth(tree_silhouette* silhouette, UIntPtr* n_undo, UIntPtr* n_redo);
+        public static extern int tree_silhouette_session_depth(tree_silhouette_session* silhouette, UIntPtr* n_undo, UIntPtr* n_redo);
 
         /// <summary>
         /// How well the outlines of branches cover the crown: shares of its area, 0 to 1, in those of branches from bumps, and in
         /// those of all. 0 before a crown was drawn.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_coverage(tree_silhouette* silhouette, float* by_bumps, float* by_all);
+        public static extern int tree_silhouette_session_coverage(tree_silhouette_session* silhouette, float* by_bumps, float* by_all);
 
         /// <summary>
         /// What was repaired in the drawing it began with, a line each, for a person to read. Free the lines with
         /// `tree_lines_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_repairs(tree_silhouette* silhouette, tree_lines** lines);
+        public static extern int tree_silhouette_session_repairs(tree_silhouette_session* silhouette, tree_lines** lines);
 
         /// <summary>
         /// Which strokes of the drawing it began with could not be used, and why, a line each. Free the lines with
         /// `tree_lines_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_refused(tree_silhouette* silhouette, tree_lines** lines);
+        public static extern int tree_silhouette_session_refused(tree_silhouette_session* silhouette, tree_lines** lines);
 
         /// <summary>
         /// The plan as it is now: a copy, which later edits do not change. Free it with `tree_outline_plan_free`.
         /// `TREE_ERROR_NO_RESULT` before a crown was drawn.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_plan(tree_silhouette* silhouette, tree_outline_plan** plan);
+        public static extern int tree_silhouette_session_plan(tree_silhouette_session* silhouette, tree_outline_plan** plan);
 
         /// <summary>
         /// The tree in space. The same strokes, parameters and seed give the same bits for any number of threads. `control` and
@@ -20912,7 +20912,7 @@ namespace TreeFamily.Native
         /// `TREE_ERROR_LIMIT` comes before the memory is asked for.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_silhouette_tree(tree_silhouette* silhouette, tree_control* control, tree_silhouette_grown* report, tree_tree** tree);
+        public static extern int tree_silhouette_session_tree(tree_silhouette_session* silhouette, tree_control* control, tree_silhouette_grown* report, tree_tree** tree);
 
         /// <summary>
         /// Makes `params`, of `size` bytes, the default.
@@ -20965,10 +20965,10 @@ namespace TreeFamily.Native
         /// <summary>
         /// What was drawn and borrowed of tree `index`, to be looked at or drawn on: a copy, its base at the origin. `report`,
         /// which may be NULL, tells what became of its strokes. Its
-        /// `tree_silhouette_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_free`.
+        /// `tree_silhouette_session_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_session_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_stand_silhouette(tree_stand* stand, UIntPtr index, tree_silhouette_play_report* report, tree_silhouette** silhouette);
+        public static extern int tree_stand_silhouette(tree_stand* stand, UIntPtr index, tree_silhouette_play_report* report, tree_silhouette_session** silhouette);
 
         /// <summary>
         /// Frees a stand. What it handed out lives on.
@@ -21515,7 +21515,7 @@ namespace TreeFamily.Native
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_outline_params_init(tree_outline_params* @params, UIntPtr size);
+        public static extern int tree_sketch_outline_params_init(tree_sketch_outline_params* @params, UIntPtr size);
 
         /// <summary>
         /// The outlines of a cloud of `n_spots` points, two floats each, such as a tree's leaves as seen from one side, drawn
@@ -21524,7 +21524,7 @@ namespace TreeFamily.Native
         /// with `tree_strokes_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_strokes_outline(float* spots, UIntPtr n_spots, tree_outline_params* @params, tree_control* control, tree_strokes** strokes);
+        public static extern int tree_strokes_outline(float* spots, UIntPtr n_spots, tree_sketch_outline_params* @params, tree_control* control, tree_strokes** strokes);
 
         /// <summary>
         /// Makes a drawing of strokes, which are copied; there may be none. `control` may be NULL; `nodes` of its
@@ -21644,13 +21644,13 @@ namespace TreeFamily.Native
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_main_branches_init(tree_main_branches* @params, UIntPtr size);
+        public static extern int tree_main_branch_params_init(tree_main_branch_params* @params, UIntPtr size);
 
         /// <summary>
         /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_main_branches_check(tree_main_branches* @params);
+        public static extern int tree_main_branch_params_check(tree_main_branch_params* @params);
 
         /// <summary>
         /// The drawing that a person would make of a tree, in metres, y down: a stroke for each main branch, the trunk first, as
@@ -21659,7 +21659,7 @@ namespace TreeFamily.Native
         /// `tree_drawing_free`.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_drawing_of_tree(tree_tree* tree, float yaw, uint with_crown, tree_main_branches* main, tree_outline_params* outline, tree_control* control, tree_drawing** drawing);
+        public static extern int tree_drawing_of_tree(tree_tree* tree, float yaw, uint with_crown, tree_main_branch_params* main, tree_sketch_outline_params* outline, tree_control* control, tree_drawing** drawing);
 
         /// <summary>
         /// Makes `params`, of `size` bytes, the default.
@@ -21967,13 +21967,13 @@ namespace TreeFamily.Native
         /// Makes `params`, of `size` bytes, the default.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_select_params_init(tree_select_params* @params, UIntPtr size);
+        public static extern int tree_template_select_params_init(tree_template_select_params* @params, UIntPtr size);
 
         /// <summary>
         /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_select_params_check(tree_select_params* @params);
+        public static extern int tree_template_select_params_check(tree_template_select_params* @params);
 
         /// <summary>
         /// Compares a plan with templates: one row for each into `choices`, best first; `capacity` is the number of templates or
@@ -21981,7 +21981,7 @@ namespace TreeFamily.Native
         /// `TREE_ERROR_INVALID` where there are no templates.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_templates_select(tree_templates* templates, tree_plan* plan, tree_crown* crown, tree_select_params* @params, tree_control* control, tree_choice* choices, UIntPtr capacity);
+        public static extern int tree_templates_select(tree_templates* templates, tree_plan* plan, tree_crown* crown, tree_template_select_params* @params, tree_control* control, tree_template_choice* choices, UIntPtr capacity);
 
         /// <summary>
         /// Begins with a drawing, which is copied. `params` may be NULL for the defaults. No work is done yet: what is wrong
@@ -22089,7 +22089,7 @@ namespace TreeFamily.Native
         /// `tree_sketch_session_set_params` or `tree_sketch_session_free`. Set `params-&gt;struct_size` first.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_sketch_session_params(tree_sketch_session* session, tree_sketch_params* @params);
+        public static extern int tree_sketch_session_get_params(tree_sketch_session* session, tree_sketch_params* @params);
 
         /// <summary>
         /// How often a stage has been done so far.
@@ -22117,7 +22117,7 @@ namespace TreeFamily.Native
         /// NULL they are only counted. There are none where the template was taken by name, or kept through an edit.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_sketch_session_choices(tree_sketch_session* session, tree_control* control, tree_choice* choices, UIntPtr capacity, UIntPtr* n_choices);
+        public static extern int tree_sketch_session_choices(tree_sketch_session* session, tree_control* control, tree_template_choice* choices, UIntPtr capacity, UIntPtr* n_choices);
 
         /// <summary>
         /// The template taken: templates of one row. Free them with `tree_templates_free`. `TREE_ERROR_UNKNOWN_NAME` lists

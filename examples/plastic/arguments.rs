@@ -8,7 +8,7 @@ use tree_model::lsystem::LSystem;
 use tree_model::path::Preset;
 
 pub(crate) const USAGE: &str = "plastic [PRESET|FILE.swc|FILE.glb] [--scene wall|pair|sun] [--frames N] [--distance METRES] \
-                                [--species NAME] [--colours] [--regrow] [--out FOLDER]";
+                                [--species NAME] [--colors] [--regrow] [--out FOLDER]";
 
 /// What happens.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -34,7 +34,7 @@ pub(crate) struct Request {
     pub(crate) frames: u32,
     pub(crate) distance: Option<f32>,
     pub(crate) species: Option<String>,
-    pub(crate) colours: bool,
+    pub(crate) colors: bool,
     pub(crate) regrow: bool,
     pub(crate) out: PathBuf,
 }
@@ -49,7 +49,7 @@ impl Request {
             frames: 4,
             distance: None,
             species: None,
-            colours: false,
+            colors: false,
             regrow: false,
             out: "out".into(),
         };
@@ -71,7 +71,7 @@ impl Request {
                 "--frames" => request.frames = number::<u32>(&name, &value()?)?.clamp(1, 1000),
                 "--distance" => request.distance = Some(number(&name, &value()?)?),
                 "--species" => request.species = Some(value()?),
-                "--colours" => request.colours = true,
+                "--colors" => request.colors = true,
                 "--regrow" => request.regrow = true,
                 "--out" => request.out = value()?.into(),
                 flag if flag.starts_with("--") => {

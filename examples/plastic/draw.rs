@@ -28,14 +28,14 @@ pub(crate) fn frame(
     scene: &Scene,
     trees: &[TreeId],
     wall: Option<(Vec3, Vec3)>,
-    colours: bool,
+    colors: bool,
     control: &Control,
 ) -> Result<Mesh, Box<dyn Error>> {
     let mut all = Mesh::default();
     for &id in trees {
         let adapted = scene.adapted(id, control)?;
         let input = scene.model(id)?.tree();
-        let mesh = if colours { coloured(input, &adapted) } else { leafy(&adapted.tree, control)? };
+        let mesh = if colors { colored(input, &adapted) } else { leafy(&adapted.tree, control)? };
         let pose = scene.pose(id)?;
         append(&mut all, mesh, |point| pose.rotation * point + pose.position);
     }
@@ -50,7 +50,7 @@ pub(crate) fn leafy(tree: &Tree, control: &Control) -> Result<Mesh, Box<dyn Erro
     let look = Look::built_in(tree.species()).unwrap_or_else(|_| Look::plain(tree.species()));
     let params = MeshParams {
         error: ErrorBound::Metres((3e-4 * size).clamp(1e-5, 1.0)),
-        radius_min: (5e-5 * size).clamp(1e-5, 0.1),
+        min_radius: (5e-5 * size).clamp(1e-5, 0.1),
         ..MeshParams::default()
     };
     Ok(tree_mesh::build(tree, &look, &params, control)?.mesh)
@@ -93,7 +93,7 @@ pub(crate) fn append(all: &mut Mesh, mesh: Mesh, place: impl Fn(Vec3) -> Vec3) {
 }
 
 /// The main branches: red as they moved, blue where the input's were pruned.
-fn coloured(input: &Tree, adapted: &Adapted) -> Mesh {
+fn colored(input: &Tree, adapted: &Adapted) -> Mesh {
     let farthest = adapted.report.farthest.max(1e-6);
     let mut mesh = Mesh::default();
     for shade in 0..SHADES {

@@ -1,10 +1,10 @@
 //! Trees that react (Pirk et al. 2012): a wall approaches, two trees meet, the sun turns.
 //!
 //! `cargo run --release --example plastic -- [PRESET|FILE.swc|FILE.glb] [--scene wall|pair|sun] [--frames N] [--distance METRES]
-//! [--species NAME] [--colours] [--regrow] [--out FOLDER]`
+//! [--species NAME] [--colors] [--regrow] [--out FOLDER]`
 //!
 //! Writes a picture a frame, `NAME_SCENE_000.png` and so on, the trees of the last frame as `NAME_SCENE.glb`, and with more than one
-//! frame the whole act as `NAME_SCENE_moving.glb`, which every viewer of glTF plays. With `--colours` the main branches are drawn
+//! frame the whole act as `NAME_SCENE_moving.glb`, which every viewer of glTF plays. With `--colors` the main branches are drawn
 //! instead of the tree: red as they bend, blue what is pruned (the paper's Fig. 6). With `--regrow` the first tree of the last
 //! frame grows new branches where it lost old ones and there is light: `NAME_SCENE_regrown.png` and `.glb`.
 
@@ -72,8 +72,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         stage.scene.update(&control)?;
         let took = 1e3 * started.elapsed().as_secs_f64();
         film.take(&stage.scene, stage.at)?;
-        let mesh =
-            draw::frame(&stage.scene, &stage.trees, stage.wall(), request.colours, &control)?;
+        let mesh = draw::frame(&stage.scene, &stage.trees, stage.wall(), request.colors, &control)?;
         let path = request.out.join(format!("{name}_{act}_{frame:03}.png"));
         preview::render(&mesh, &stage.view, &Style::default(), &control)?.save_png(&path)?;
         let adapted = stage.scene.adapted(stage.trees[0], &control)?.report;

@@ -177,13 +177,13 @@ pub(crate) fn nasty(seed: Seed) -> Skeleton {
 
 /// Volume in m³ of a frustum for each segment. A lateral starts on the line of its parent axis, as thick
 /// as it is at its own first node; what lies within the parent's cylinder there is left out, so wood
-/// at junctions counts once. Radii under `radius_min` are raised to it.
+/// at junctions counts once. Radii under `min_radius` are raised to it.
 ///
 /// Honest for tame skeletons: the saddle where a lateral leaves its parent is taken for a flat cut at
 /// the distance at which its middle line leaves the wood, and bends count as sharp.
-pub(crate) fn frusta_volume(skeleton: &Skeleton, radius_min: f32) -> f64 {
+pub(crate) fn frusta_volume(skeleton: &Skeleton, min_radius: f32) -> f64 {
     let (positions, radii) = (skeleton.positions(), skeleton.radii());
-    let radius = |node: u32| f64::from(radii[node as usize].max(radius_min));
+    let radius = |node: u32| f64::from(radii[node as usize].max(min_radius));
     let mut sum = 0.0;
     for axis in skeleton.axes(Continuation::Thickest).iter() {
         let Some(&first) = axis.nodes.first() else { continue };

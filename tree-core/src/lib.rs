@@ -8,9 +8,24 @@
 //! * [`allometry`]: how thick branches are and at which angles they part.
 //! * [`branching`]: how a tree branches, measured: Horton-Strahler orders, pipe exponent, angles.
 //! * [`distance`]: how different two trees are, by the edits that turn one into the other.
-//! * [`swc`]: skeletons from and to the plain-text exchange format.
+//! * [`assignment`]: who is matched with whom at least cost.
+//! * [`swc`]: skeletons from and to the plain-text exchange format; [`file`]: files within limits, whole or absent.
 //! * [`Seed`], [`Control`], [`Limits`]: the same bits for the same seed, progress and cancellation,
 //!   and caps on memory.
+//!
+//! ```
+//! use tree_core::glam::Vec3;
+//! use tree_core::branching::Strahler;
+//! use tree_core::{Foliage, Skeleton, Species, Tree};
+//!
+//! let mut builder = Skeleton::builder(Vec3::ZERO, 0.2)?; // base, radius
+//! let fork = builder.add(0, Vec3::Y * 2.0, 0.15)?;
+//! builder.add(fork, Vec3::new(-1.0, 3.5, 0.0), 0.1)?;
+//! builder.add(fork, Vec3::new(1.0, 3.5, 0.0), 0.1)?;
+//! let tree = Tree::new(builder.finish(), Foliage::default(), Species::default())?;
+//! assert_eq!(Strahler::of(tree.skeleton()).highest(), 2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! Conventions: right-handed, +Y up, metres, radians, the base of the tree at the origin.
 
@@ -41,5 +56,6 @@ pub use skeleton::{
     Axes, Axis, Children, Continuation, NO_PARENT, Reordered, Skeleton, SkeletonBuilder,
     SkeletonColumns,
 };
+pub use swc::UpAxis;
 pub use tree::{Species, Tree, TreeParts};
 pub use volume::{Solid, Volume};

@@ -19,7 +19,7 @@ use std::fmt::Write;
 const NULL_IS_FINE: &[&str] = &[
     "tree_branching_angles_at",
     "tree_mesh_params_check",
-    "tree_path_check",
+    "tree_path_params_check",
     "tree_convert_positions",
     "tree_convert_directions",
     "tree_convert_tangents",
@@ -146,19 +146,19 @@ const MAKERS: &[(&str, &str)] = &[
          NULL, &made)",
     ),
     (
-        "tree_silhouette",
-        "(tree_silhouette_new(few_boughs(), 1, &made), \
-         tree_silhouette_draw_crown(made, triangle_points, 3, NULL, NULL))",
+        "tree_silhouette_session",
+        "(tree_silhouette_session_new(few_boughs(), 1, &made), \
+         tree_silhouette_session_draw_crown(made, triangle_points, 3, NULL, NULL))",
     ),
     (
         "tree_silhouette_change",
-        "tree_silhouette_draw_crown(live_tree_silhouette(), triangle_points, 3, NULL, &made)",
+        "tree_silhouette_session_draw_crown(live_tree_silhouette_session(), triangle_points, 3, NULL, &made)",
     ),
     (
         "tree_outline_plan",
         // Other calls may have taken the crown back.
-        "(tree_silhouette_draw_crown(live_tree_silhouette(), triangle_points, 3, NULL, NULL), \
-         tree_silhouette_plan(live_tree_silhouette(), &made))",
+        "(tree_silhouette_session_draw_crown(live_tree_silhouette_session(), triangle_points, 3, NULL, NULL), \
+         tree_silhouette_session_plan(live_tree_silhouette_session(), &made))",
     ),
     (
         "tree_stand",

@@ -13,7 +13,7 @@ use tree_lod::impostor::choose::{Choice, ChooseParams, Watcher};
 use tree_lod::impostor::octahedral::{Octahedral, OctahedralParams};
 use tree_lod::impostor::texel::mips;
 use tree_lod::preview::{Camera, Lens, Pose};
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 
 /// Limbs in all directions, and branches on each.
 fn skeleton() -> Skeleton {
@@ -36,7 +36,7 @@ fn skeleton() -> Skeleton {
 fn bench(criterion: &mut Criterion) {
     let control = Control::default();
     let mesh = synthetic::tree(50_000);
-    let foliage = Foliage::Surfaces(vec![1]);
+    let foliage = LeafSurfaces::Surfaces(vec![1]);
     let elements = Elements::of_mesh(&mesh, &foliage, Grain::Blade, &control).unwrap();
     let skeleton = skeleton();
     let mut group = criterion.benchmark_group("impostor");

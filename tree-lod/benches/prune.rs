@@ -11,12 +11,12 @@ use tree_lod::order::{CoverageParams, Ranking, combined, coverage, stochastic};
 use tree_lod::outline::Tier;
 use tree_lod::prune::{MakeParams, PruneParams, PrunedModel};
 use tree_lod::quality::{Subject, Table, TableParams};
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 
 fn bench(criterion: &mut Criterion) {
     let control = Control::default();
     let mesh = synthetic::tree(20_000);
-    let foliage = Foliage::Surfaces(vec![1]);
+    let foliage = LeafSurfaces::Surfaces(vec![1]);
     let elements = Elements::of_mesh(&mesh, &foliage, Grain::Blade, &control).unwrap();
     let tier = Tier::full(&mesh, &elements);
     let camera = Around::default().cameras().remove(0);

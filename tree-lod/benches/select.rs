@@ -5,7 +5,9 @@ mod forest;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use tree_lod::select::{DepthBuffer, DrawIndexed, Frame, InstanceLod, Occlusion, Params, State};
+use tree_lod::select::{
+    DepthBuffer, DrawIndexed, Frame, InstanceLod, Occlusion, SceneParams, State,
+};
 use tree_lod::tree_core::Control;
 
 /// Pixels of the engine's depth buffer.
@@ -14,7 +16,7 @@ const SIZE: (u32, u32) = (640, 360);
 fn select(c: &mut Criterion) {
     let mut group = c.benchmark_group("select");
     let depths = forest::depths(SIZE.0, SIZE.1);
-    let params = Params::default();
+    let params = SceneParams::default();
     for n in [5_000, 100_000] {
         let scene = forest::forest(n);
         let mut draws = vec![DrawIndexed::default(); scene.most_draws()];

@@ -11,7 +11,7 @@ use tree_lod::quality::{Row, Subject, Table};
 use tree_lod::tree_core::Control;
 use tree_lod::tree_mesh::io::gltf::GlbOptions;
 use tree_lod::tree_mesh::{Material, Mesh, Surface};
-use tree_lod::{Elements, Foliage, Grain, LodError};
+use tree_lod::{Elements, Grain, LeafSurfaces, LodError};
 
 /// Forty cards along x, above a triangle of wood.
 fn model() -> PrunedModel {
@@ -35,7 +35,7 @@ fn model() -> PrunedModel {
     let materials = vec![Material::default(); 2];
     let mesh = Mesh { surfaces: vec![wood, leaves], materials, ..Mesh::default() };
     let control = Control::default();
-    let foliage = Foliage::Surfaces(vec![1]);
+    let foliage = LeafSurfaces::Surfaces(vec![1]);
     let elements = Elements::of_mesh(&mesh, &foliage, Grain::Blade, &control).unwrap();
     let full = Tier::full(&mesh, &elements);
     let half = Tier {

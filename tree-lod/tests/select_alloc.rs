@@ -6,7 +6,9 @@ mod counting;
 mod forest;
 
 use counting::allocations;
-use tree_lod::select::{DepthBuffer, DrawIndexed, Frame, InstanceLod, Occlusion, Params, State};
+use tree_lod::select::{
+    DepthBuffer, DrawIndexed, Frame, InstanceLod, Occlusion, SceneParams, State,
+};
 use tree_lod::tree_core::Control;
 
 #[test]
@@ -17,7 +19,7 @@ fn a_frame_allocates_nothing() {
     let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
     let mut rows = vec![InstanceLod::default(); scene.len()];
     let depths = forest::depths(160, 90);
-    let params = Params::default();
+    let params = SceneParams::default();
     let before = allocations();
     let mut drawn = 0;
     for i in 0..30 {

@@ -24,7 +24,7 @@ use tree_core::{Control, Resource, Tree};
 /// overflows far beyond.
 const EXTENT_MAX: f32 = 1e6;
 /// Most vertices in a surface; the last index is kept for engines that restart strips with it.
-const VERTICES_MAX: u64 = u32::MAX as u64 - 1;
+const MAX_VERTICES: u64 = u32::MAX as u64 - 1;
 /// A mesh and what became of the tree on the way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Built {
@@ -197,10 +197,10 @@ fn check_extent(tree: &Tree) -> Result<()> {
 }
 
 fn check_vertices(surface: usize, found: u64) -> Result<()> {
-    if found <= VERTICES_MAX {
+    if found <= MAX_VERTICES {
         return Ok(());
     }
-    Err(MeshError::TooManyVertices { surface: Some(surface), found, max: VERTICES_MAX })
+    Err(MeshError::TooManyVertices { surface: Some(surface), found, max: MAX_VERTICES })
 }
 
 /// A surface of zeros. The system hands out such pages lazily, so each is first touched by the thread

@@ -163,10 +163,10 @@ fn what_cannot_be_meshed_is_named() {
     let naked = Look { leaves: vec![], ..look.clone() };
     let error = build(&tree, &naked, &plain(), &control).unwrap_err();
     assert!(matches!(error, MeshError::LeafMaterials { found: 0, expected: 1 }));
-    let flat = MeshParams { sides_max: 2, ..plain() };
+    let flat = MeshParams { max_sides: 2, ..plain() };
     assert!(matches!(
         build(&tree, &look, &flat, &control),
-        Err(MeshError::Parameter { field: "sides_max", .. })
+        Err(MeshError::Parameter { field: "max_sides", .. })
     ));
     let stop = CancelFlag::default();
     stop.cancel();

@@ -39,7 +39,7 @@ pub struct Look {
 /// use tree_mesh::{LeafForm, LeafLook, Look};
 /// let mut look = Look::built_in(&Default::default())?;
 /// // A polygon around each leaf instead of a card, slightly folded and bent.
-/// look.leaves[0].form = LeafForm::Outline { vertices_max: 8 };
+/// look.leaves[0].form = LeafForm::Outline { max_vertices: 8 };
 /// look.leaves[0].bend = 0.6;
 /// let model = look.leaves[0].model()?;
 /// assert!(model.drawn < 0.8, "less is drawn than of a card");
@@ -104,8 +104,8 @@ impl LeafLook {
     pub fn check(&self) -> Result<()> {
         let vertices = match &self.form {
             LeafForm::Card => 4,
-            LeafForm::Outline { vertices_max } | LeafForm::Modelled { vertices_max } => {
-                *vertices_max
+            LeafForm::Outline { max_vertices } | LeafForm::Modelled { max_vertices } => {
+                *max_vertices
             }
             LeafForm::Mesh(mesh) => {
                 mesh.check()?;
@@ -114,7 +114,7 @@ impl LeafLook {
         };
         for (field, found, min, max) in [
             ("look.leaves.width", f64::from(self.width), WIDTH_MIN, WIDTH_MAX),
-            ("look.leaves.form.vertices_max", f64::from(vertices), 4.0, 64.0),
+            ("look.leaves.form.max_vertices", f64::from(vertices), 4.0, 64.0),
             ("look.leaves.sheets", f64::from(self.sheets), 1.0, 8.0),
             ("look.leaves.fold", f64::from(self.fold), 0.0, 1.4),
             ("look.leaves.bend", f64::from(self.bend), 0.0, std::f64::consts::PI),

@@ -7,17 +7,17 @@ use tree_core::Continuation;
 ///
 /// ```
 /// use tree_mesh::MeshParams;
-/// let coarse = MeshParams { sides_max: 6, error: tree_mesh::ErrorBound::Metres(0.02), ..Default::default() };
+/// let coarse = MeshParams { max_sides: 6, error: tree_mesh::ErrorBound::Metres(0.02), ..Default::default() };
 /// assert!(coarse.validate().is_ok());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshParams {
     /// Which child goes on at a fork and which start tubes of their own. Default the thickest.
     pub continuation: Continuation,
-    /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
-    pub sides_min: u32,
+    /// Fewest sides of a tube, 3 to `max_sides`. Default 3.
+    pub min_sides: u32,
     /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
-    pub sides_max: u32,
+    pub max_sides: u32,
     /// How far the mesh may leave the round, curved branch. Default 3 mm. Rules the number of sides
     /// between the two bounds above, and the number of rings.
     pub error: ErrorBound,
@@ -25,9 +25,9 @@ pub struct MeshParams {
     pub fit: CurveFit,
     /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
     /// bend in the wind.
-    pub strip_max: f32,
+    pub max_strip: f32,
     /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
-    pub radius_min: f32,
+    pub min_radius: f32,
     /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
     /// that it goes round a whole number of times.
     pub bark_width: f32,
@@ -128,12 +128,12 @@ impl Default for MeshParams {
     fn default() -> Self {
         Self {
             continuation: Continuation::Thickest,
-            sides_min: 3,
-            sides_max: 20,
+            min_sides: 3,
+            max_sides: 20,
             error: ErrorBound::default(),
             fit: CurveFit::default(),
-            strip_max: 1.0,
-            radius_min: 0.0005,
+            max_strip: 1.0,
+            min_radius: 0.0005,
             bark_width: 0.5,
             bark_length: 0.5,
             flare: 0.35,
@@ -156,12 +156,12 @@ impl MeshParams {
     /// [`MeshError::Parameter`], naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         self.error.validate()?;
-        let sides_max = f64::from(self.sides_max);
+        let max_sides = f64::from(self.max_sides);
         for (field, found, min, max) in [
-            ("sides_max", sides_max, 3.0, 128.0),
-            ("sides_min", f64::from(self.sides_min), 3.0, sides_max),
-            ("strip_max", f64::from(self.strip_max), 0.001, 1000.0),
-            ("radius_min", f64::from(self.radius_min), 1e-5, 0.1),
+            ("max_sides", max_sides, 3.0, 128.0),
+            ("min_sides", f64::from(self.min_sides), 3.0, max_sides),
+            ("max_strip", f64::from(self.max_strip), 0.001, 1000.0),
+            ("min_radius", f64::from(self.min_radius), 1e-5, 0.1),
             ("bark_width", f64::from(self.bark_width), 0.001, 1000.0),
             ("bark_length", f64::from(self.bark_length), 0.001, 1000.0),
             ("flare", f64::from(self.flare), 0.0, 3.0),
@@ -195,10 +195,10 @@ mod tests {
     fn defaults_and_the_ends_of_ranges_pass() {
         MeshParams::default().validate().unwrap();
         let ends = MeshParams {
-            sides_min: 3,
-            sides_max: 3,
+            min_sides: 3,
+            max_sides: 3,
             error: ErrorBound::Metres(1e-5),
-            radius_min: 0.1,
+            min_radius: 0.1,
             leaf_rounding: 1.0,
             flare_lobe_depth: 0.9,
             ..Default::default()
@@ -213,15 +213,15 @@ mod tests {
             change(&mut params);
             params.validate().unwrap_err().to_string()
         };
-        assert!(error(|p| p.sides_min = 25).starts_with("sides_min is 25, allowed is 3 to 20"));
-        assert!(error(|p| p.sides_max = 2).starts_with("sides_max"));
+        assert!(error(|p| p.min_sides = 25).starts_with("min_sides is 25, allowed is 3 to 20"));
+        assert!(error(|p| p.max_sides = 2).starts_with("max_sides"));
         assert!(error(|p| p.error = ErrorBound::Metres(f32::NAN)).starts_with("error"));
         let far = ErrorBound::Pixels { pixels: 1.0, distance: -1.0, fov_y: 1.0, height: 1080 };
         assert!(
             format!("{:?}", MeshParams { error: far, ..Default::default() }.validate())
                 .contains("error.distance")
         );
-        assert!(error(|p| p.radius_min = 0.0).starts_with("radius_min"));
+        assert!(error(|p| p.min_radius = 0.0).starts_with("min_radius"));
         assert!(error(|p| p.leaf_rounding = -0.1).starts_with("leaf_rounding"));
     }
 }

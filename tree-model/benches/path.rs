@@ -9,7 +9,7 @@ use tree_core::{Control, Seed, Volume};
 use tree_model::path::graph::{Graph, Terrain};
 use tree_model::path::nodes::{Nodes, strew};
 use tree_model::path::search::{Routes, Scratch, search_with};
-use tree_model::path::{Linking, PRESETS};
+use tree_model::path::{LinkParams, PRESETS};
 
 const SIZES: [u32; 3] = [100, 10_000, 300_000];
 
@@ -22,7 +22,7 @@ fn nodes(wanted: u32, seed: Seed) -> Nodes {
 }
 
 fn graph(nodes: &Nodes) -> Graph {
-    let (linking, terrain) = (Linking::default(), Terrain::default());
+    let (linking, terrain) = (LinkParams::default(), Terrain::default());
     Graph::link(nodes, &linking, &terrain, Seed(2), &Control::default()).expect("a graph")
 }
 

@@ -12,7 +12,20 @@
 //! * [`plastic`]: trees that react to light, obstacles and neighbours (Pirk et al. 2012).
 //! * [`growth`]: buds that compete for light or space become a tree (Palubicki et al. 2009).
 //! * [`foliage`]: leaves on the shoots of any skeleton.
-//! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves.
+//! * [`skeletonize`]: a polygon tree becomes a skeleton and leaves, a laser scan skeletons.
+//!
+//! Whatever has a model takes a seed and gives a [`Tree`], by [`Modeler`] or with a report by functions of its own:
+//!
+//! ```
+//! use tree_core::{Control, Seed};
+//! use tree_model::path::Preset;
+//!
+//! let mut params = Preset::find("c")?.params()?;
+//! params.graph_nodes = 1000; // coarser than the preset, and quicker
+//! let grown = params.grow(Seed(42), &Control::default())?;
+//! assert!(grown.tree.skeleton().len() > 100);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod error;
 pub mod foliage;

@@ -255,13 +255,13 @@ fn outline(node: Node<'_, '_>) -> Result<Option<BezPath>> {
             Some(rounded(rect, rx, ry))
         }
         "circle" => {
-            let (centre, r) = (Point::new(number("cx")?, number("cy")?), number("r")?.abs());
-            Some(Circle::new(centre, r).to_path(FLATNESS * r))
+            let (center, r) = (Point::new(number("cx")?, number("cy")?), number("r")?.abs());
+            Some(Circle::new(center, r).to_path(FLATNESS * r))
         }
         "ellipse" => {
-            let centre = Point::new(number("cx")?, number("cy")?);
+            let center = Point::new(number("cx")?, number("cy")?);
             let radii = (number("rx")?.abs(), number("ry")?.abs());
-            Some(Ellipse::new(centre, radii, 0.0).to_path(FLATNESS * radii.0.max(radii.1)))
+            Some(Ellipse::new(center, radii, 0.0).to_path(FLATNESS * radii.0.max(radii.1)))
         }
         _ => None,
     })

@@ -11,7 +11,7 @@ use tree_core::{Control, Seed, Volume};
 use tree_model::path::graph::{Graph, Terrain};
 use tree_model::path::nodes::strew;
 use tree_model::path::search::{Routes, Scratch, search_with};
-use tree_model::path::{Endpoints, Level, Linking, PRESETS, PathParams, PathTree};
+use tree_model::path::{Endpoints, Level, LinkParams, PRESETS, PathParams, PathTree};
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
@@ -248,7 +248,7 @@ fn search_against_petgraph(table: &mut Table, case: &str, nodes: u32, n_graphs: 
         let nodes = strew(&crown, None, nodes, &[Vec3::ZERO], seed, &control)?;
         let root = nodes.forced[0];
         graphs.push((
-            Graph::link(&nodes, &Linking::default(), &Terrain::default(), seed, &control)?,
+            Graph::link(&nodes, &LinkParams::default(), &Terrain::default(), seed, &control)?,
             root,
         ));
     }

@@ -57,7 +57,7 @@ pub struct EditDistance {
     pub value: f64,
     /// 2 d / (a + b + d) for the weights a and b of the trees, 0 to 1: 0 for equal trees, 1 where nothing
     /// of one is left in the other. A metric, too.
-    pub normalised: f64,
+    pub normalized: f64,
     /// What deleting the first tree and what inserting the second costs.
     pub weights: [f64; 2],
     /// Nodes compared, after the reduction.
@@ -79,7 +79,7 @@ pub struct EditDistance {
 /// builder.add(fork, Vec3::new(-1.0, 2.0, 0.0), 0.1)?;
 /// let two = builder.finish();
 /// let found = distance(&one, &two, &EditParams::default(), &Control::default())?;
-/// assert!(found.value > 0.0 && found.normalised < 1.0);
+/// assert!(found.value > 0.0 && found.normalized < 1.0);
 /// # Ok::<(), tree_core::CoreError>(())
 /// ```
 ///
@@ -148,7 +148,7 @@ pub fn distance_with(
     let sum = weights[0] + weights[1] + value;
     Ok(EditDistance {
         value,
-        normalised: if sum > 0.0 { 2.0 * value / sum } else { 0.0 },
+        normalized: if sum > 0.0 { 2.0 * value / sum } else { 0.0 },
         weights,
         n_nodes: [first.len(), second.len()],
         mapping: if mapping { table.trace() } else { Vec::new() },

@@ -158,11 +158,11 @@ proptest! {
     #[test]
     fn it_is_a_metric(a in any_tree(20), b in any_tree(20), c in any_tree(20)) {
         let [ab, bc, ac] = [between(&a, &b), between(&b, &c), between(&a, &c)];
-        prop_assert!(ab.value >= 0.0 && (0.0..=1.0).contains(&ab.normalised));
+        prop_assert!(ab.value >= 0.0 && (0.0..=1.0).contains(&ab.normalized));
         prop_assert!((ab.value - between(&b, &a).value).abs() < 1e-9);
         prop_assert!(between(&a, &a).value.abs() < 1e-9);
         prop_assert!(ac.value <= ab.value + bc.value + 1e-9);
-        prop_assert!(ac.normalised <= ab.normalised + bc.normalised + 1e-9);
+        prop_assert!(ac.normalized <= ab.normalized + bc.normalized + 1e-9);
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub unsafe extern "C" fn tree_skeleton_radii(
 /// A new skeleton with the radii that a rule gives, see `tree_skeleton_radii`. For radii of your own
 /// there is `tree_skeleton_with_radii`. Free it with `tree_skeleton_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_skeleton_by_rule(
+pub unsafe extern "C" fn tree_skeleton_with_rule(
     skeleton: *const tree_skeleton,
     rule: *const tree_radius_rule,
     changed: *mut *mut tree_skeleton,

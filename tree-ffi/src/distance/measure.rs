@@ -23,7 +23,7 @@ pub struct tree_edit_distance {
     pub value: f64,
     /// 2 d / (a + b + d) for the weights a and b of the trees and the cost d, 0 to 1: 0 for equal trees, 1 where nothing
     /// of one is left in the other. A metric, too.
-    pub normalised: f64,
+    pub normalized: f64,
     /// What deleting the first tree and what inserting the second costs.
     pub weights: [f64; 2],
     /// Nodes compared, after the reduction.
@@ -44,7 +44,7 @@ impl tree_edit_distance {
         Self {
             struct_size: size_of::<Self>(),
             value: found.value,
-            normalised: found.normalised,
+            normalized: found.normalized,
             weights: found.weights,
             n_nodes: found.n_nodes.map(|n| n as u64),
         }

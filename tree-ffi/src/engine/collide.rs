@@ -46,10 +46,10 @@ pub struct tree_capsule_params {
     /// `sizeof(tree_capsule_params)`.
     pub struct_size: usize,
     /// Most capsules, 1 to 4096. Default 32.
-    pub count_max: u32,
+    pub max_count: u32,
     /// Wood thinner than this is passed over, in metres, 0 to 10. Default 0.05. When nothing is as
     /// thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
-    pub radius_min: f32,
+    pub min_radius: f32,
     /// Share of the volume of the other wood that must lie inside, 0 to 1. Default 0.95.
     pub share: f32,
     /// Which child goes on at a fork. Default `TREE_CONTINUATION_THICKEST`.
@@ -64,8 +64,8 @@ unsafe impl Versioned for tree_capsule_params {
         let default = CapsuleParams::default();
         Self {
             struct_size: size_of::<Self>(),
-            count_max: default.count_max,
-            radius_min: default.radius_min,
+            max_count: default.max_count,
+            min_radius: default.min_radius,
             share: default.share,
             continuation: continuation_of(default.continuation),
         }
@@ -75,8 +75,8 @@ unsafe impl Versioned for tree_capsule_params {
 impl tree_capsule_params {
     fn rust(&self) -> Result<CapsuleParams> {
         Ok(CapsuleParams {
-            count_max: self.count_max,
-            radius_min: self.radius_min,
+            max_count: self.max_count,
+            min_radius: self.min_radius,
             share: self.share,
             continuation: continuation(self.continuation, "params.continuation")?,
         })
@@ -108,7 +108,7 @@ pub struct tree_capsule_report {
     /// be perfect. 0 when there is no wood.
     pub bulk: f64,
     /// The radius above which wood counted, in metres.
-    pub radius_min: f32,
+    pub min_radius: f32,
     /// Whether `held` reaches the share asked for.
     pub is_enough: u32,
 }
@@ -130,7 +130,7 @@ impl tree_capsule_report {
             volume: report.volume,
             held: report.held,
             bulk: report.bulk,
-            radius_min: report.radius_min,
+            min_radius: report.min_radius,
             is_enough: report.is_enough.into(),
         }
     }

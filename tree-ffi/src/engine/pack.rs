@@ -66,7 +66,7 @@ fn pack(mesh: &Mesh, surface: usize, layout: tree_layout) -> Result<tree_packed>
         TREE_LAYOUT_SPEEDTREE8 => speedtree8::pack(mesh, surface),
         TREE_LAYOUT_SPEEDTREE9 => {
             let packed = speedtree9::pack(mesh, surface)?;
-            let limits = speedtree9::Limits::of(mesh);
+            let limits = speedtree9::StretchLimits::of(mesh);
             return Ok(tree_packed::streams(layout, packed)?.with_limits(limits));
         }
         TREE_LAYOUT_TREE_CREATOR => tree_creator::pack(mesh, surface),

@@ -8,7 +8,7 @@ use crate::border::{
     write,
 };
 use crate::mesh::column;
-use ::tree_mesh::pack::speedtree9::Limits;
+use ::tree_mesh::pack::speedtree9::StretchLimits;
 use ::tree_mesh::pack::vertex::PackedSurface;
 use ::tree_mesh::pack::{Data, Indices, Packed, Stream};
 use std::ffi::c_void;
@@ -18,7 +18,7 @@ pub struct tree_packed {
     pub(super) layout: tree_layout,
     pub(super) content: Content,
     space: tree_convention,
-    limits: Limits,
+    limits: StretchLimits,
     pub(super) pivots: Option<Pivots>,
     streams: Vec<tree_stream>,
 }
@@ -42,7 +42,7 @@ impl tree_packed {
         Ok(Self {
             layout,
             space: convention_number(packed.space)?,
-            limits: Limits::default(),
+            limits: StretchLimits::default(),
             pivots: None,
             streams: packed.streams.iter().map(tree_stream::of).collect::<Result<_>>()?,
             content: Content::Streams(packed),
@@ -53,14 +53,14 @@ impl tree_packed {
         Self {
             layout: TREE_LAYOUT_VERTEX,
             space: TREE_CONVENTION_GLTF,
-            limits: Limits::default(),
+            limits: StretchLimits::default(),
             pivots: None,
             streams: Vec::new(),
             content: Content::Vertices(packed),
         }
     }
 
-    pub(super) fn with_limits(self, limits: Limits) -> Self {
+    pub(super) fn with_limits(self, limits: StretchLimits) -> Self {
         Self { limits, ..self }
     }
 

@@ -97,7 +97,7 @@ fn leafy(
 /// Grows twigs on the youngest shoots of a tree: the new tree has the old skeleton with twigs, and the
 /// old leaves and species. Old nodes keep number, position, radius and parent, so leaves stay where they
 /// are; twigs come after them, each starting at the node nearest to its place. What bears twigs is not
-/// made thicker: `tree_skeleton_by_rule` does that.
+/// made thicker: `tree_skeleton_with_rule` does that.
 ///
 /// `params` may be NULL for the default. `density` may be NULL for 1 everywhere, and is handed `user`.
 /// The same seed gives the same twigs. `report` may be NULL. Free the tree with `tree_tree_free`.

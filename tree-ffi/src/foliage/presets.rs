@@ -10,14 +10,14 @@ use tree_model::foliage::{SPECIES, SpeciesPreset};
 
 /// Number of species whose leaves and twigs are known by name.
 #[unsafe(no_mangle)]
-pub extern "C" fn tree_foliage_species_count() -> usize {
+pub extern "C" fn tree_foliage_preset_count() -> usize {
     SPECIES.len()
 }
 
-/// Name of the species with this number, from 0 up to, but not including, `tree_foliage_species_count`.
+/// Name of the species with this number, from 0 up to, but not including, `tree_foliage_preset_count`.
 /// Valid for ever.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_foliage_species_name(
+pub unsafe extern "C" fn tree_foliage_preset_name(
     index: usize,
     name: *mut tree_str,
 ) -> tree_status {

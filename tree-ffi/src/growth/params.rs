@@ -4,7 +4,7 @@ use super::habit::tree_growth_habit;
 use super::world::tree_growth_world;
 use crate::border::{Result, Versioned, call, init, read, read_or_default, read_rows, tree_status};
 use glam::Vec3;
-use tree_model::growth::{GrowthParams, Habit, MAX_PLANTS, Planting, World};
+use tree_model::growth::{GrowthParams, Habit, MAX_PLANTS, Plant, World};
 
 /// Everything that shapes a tree that grows alone. Begin with `tree_growth_params_init`, or with `tree_growth_preset`.
 #[repr(C)]
@@ -114,12 +114,12 @@ unsafe fn habit(given: *const tree_growth_habit, name: &str) -> Result<Habit> {
 }
 
 /// The caller's plants.
-pub(super) unsafe fn plants(first: *const tree_growth_plant, n: usize) -> Result<Vec<Planting>> {
+pub(super) unsafe fn plants(first: *const tree_growth_plant, n: usize) -> Result<Vec<Plant>> {
     unsafe { read_rows(first, n, MAX_PLANTS, "plants") }?
         .iter()
         .enumerate()
         .map(|(i, plant)| {
-            Ok(Planting {
+            Ok(Plant {
                 habit: unsafe { habit(plant.habit, &format!("plants[{i}].habit")) }?,
                 base: Vec3::from(plant.base),
                 direction: Vec3::from(plant.direction),

@@ -9,7 +9,7 @@ use crate::border::{
 };
 use crate::control::{limits, run, tree_control};
 use std::sync::{Mutex, MutexGuard};
-use tree_model::growth::{MAX_ITERATIONS, Planting, Simulation, World};
+use tree_model::growth::{MAX_ITERATIONS, Plant, Simulation, World};
 use tree_model::tree_core::{Control, Resource, Seed};
 
 /// Trees that compete for the same light or space, in the middle of their growth.
@@ -54,7 +54,7 @@ unsafe fn given(
     world: *const tree_growth_world,
     first: *const tree_growth_plant,
     n_plants: usize,
-) -> Result<(World, Vec<Planting>)> {
+) -> Result<(World, Vec<Plant>)> {
     let world = unsafe { self::world(world, "world") }?;
     Ok((world, unsafe { plants(first, n_plants) }?))
 }

@@ -9,7 +9,7 @@ use crate::mesh::ask_for_copies;
 use std::ffi::c_char;
 
 /// More levels than are sensible in a file.
-const LEVELS_MAX: usize = 1 << 10;
+const MAX_LEVELS: usize = 1 << 10;
 
 /// Levels as the `MSFT_lod` of one GLB file, each a mesh of its own, as `tree_hybrid_choice_mesh` makes it: for programs
 /// without shaders of ours. `heights` are `n_heights` heights of the tree on the screen in pixels, falling, at most 1024:
@@ -30,7 +30,7 @@ pub unsafe extern "C" fn tree_hybrid_to_glb_levels(
     call(|| {
         let place = unsafe { out(bytes, "bytes") }?;
         let hybrid = unsafe { get(hybrid, "hybrid") }?.rust();
-        let heights = unsafe { few(heights, n_heights, LEVELS_MAX, "heights") }?;
+        let heights = unsafe { few(heights, n_heights, MAX_LEVELS, "heights") }?;
         let options = unsafe { read_options(options) }?;
         let made = unsafe {
             run(control, |control| {
@@ -58,7 +58,7 @@ pub unsafe extern "C" fn tree_hybrid_write_glb_levels(
 ) -> tree_status {
     call(|| {
         let hybrid = unsafe { get(hybrid, "hybrid") }?.rust();
-        let heights = unsafe { few(heights, n_heights, LEVELS_MAX, "heights") }?;
+        let heights = unsafe { few(heights, n_heights, MAX_LEVELS, "heights") }?;
         let path = unsafe { border::path(path, path_len, "path") }?;
         let options = unsafe { read_options(options) }?;
         unsafe {

@@ -12,7 +12,7 @@ use crate::io::tree_bytes;
 use crate::lod::{TREE_SHADER_GLSL, TREE_SHADER_HLSL, TREE_SHADER_WGSL, tree_shader};
 use crate::mesh::tree_mesh;
 use crate::preview::{tree_mask, tree_picture, tree_pixels, tree_view};
-use tree_lod::impostor::octahedral::{GLSL, HLSL, Octahedral, Report, WGSL};
+use tree_lod::impostor::octahedral::{GLSL, HLSL, Octahedral, OctahedralReport, WGSL};
 use tree_model::tree_core::{Control, Resource};
 
 /// An octahedral impostor: a whole tree as pictures from all sides, with depths (Brucks 2018), for trees far away.
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn tree_octahedral_from_pictures(
         let body = |control: &Control| {
             control.check()?;
             control.limits.check(Resource::Pixels, bytes as u64 / 4)?;
-            let report = Report { bytes, ..Report::default() };
+            let report = OctahedralReport { bytes, ..OctahedralReport::default() };
             let made = Octahedral { meta, color: color.clone(), detail: detail.clone(), report };
             made.check()?;
             Ok(made)

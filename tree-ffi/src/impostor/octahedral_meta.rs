@@ -1,7 +1,7 @@
 //! Numbers that go with the two pictures of an octahedral impostor.
 
 use crate::border::{Versioned, call, out_value, read, tree_status};
-use tree_lod::impostor::octahedral::Meta;
+use tree_lod::impostor::octahedral::OctahedralMeta;
 
 /// Numbers that go with the two pictures of an octahedral impostor: what a shader needs to know. Set `struct_size` first.
 #[repr(C)]
@@ -54,7 +54,7 @@ unsafe impl Versioned for tree_octahedral_meta {
 }
 
 impl tree_octahedral_meta {
-    pub(super) fn of(meta: &Meta) -> Self {
+    pub(super) fn of(meta: &OctahedralMeta) -> Self {
         Self {
             struct_size: size_of::<Self>(),
             grid: meta.grid,
@@ -70,8 +70,8 @@ impl tree_octahedral_meta {
         }
     }
 
-    pub(super) fn rust(&self) -> Meta {
-        Meta {
+    pub(super) fn rust(&self) -> OctahedralMeta {
+        OctahedralMeta {
             grid: self.grid,
             hemi: self.hemi != 0,
             side: self.side,

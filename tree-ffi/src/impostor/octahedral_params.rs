@@ -1,7 +1,7 @@
 //! How a whole tree is baked, and what was baked.
 
 use crate::border::{Versioned, call, init, read, tree_status};
-use tree_lod::impostor::octahedral::{OctahedralParams, Report};
+use tree_lod::impostor::octahedral::{OctahedralParams, OctahedralReport};
 
 /// How a whole tree is baked. Begin with `tree_octahedral_params_init`.
 #[repr(C)]
@@ -94,12 +94,12 @@ unsafe impl Versioned for tree_octahedral_report {
     const NAME: &'static str = "tree_octahedral_report";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self::of(&Report::default())
+        Self::of(&OctahedralReport::default())
     }
 }
 
 impl tree_octahedral_report {
-    pub(super) fn of(report: &Report) -> Self {
+    pub(super) fn of(report: &OctahedralReport) -> Self {
         Self {
             struct_size: size_of::<Self>(),
             n_views: report.n_views,

@@ -35,7 +35,7 @@ impl tree_twigs {
     }
 }
 
-/// Divides a tree into a base mesh and instances of at most `twigs_max` unique twigs. Light-map
+/// Divides a tree into a base mesh and instances of at most `max_twigs` unique twigs. Light-map
 /// coordinates are left out, since instances share their vertices. `look` may be NULL: the built-in
 /// textures that the tree's species names. `mesh_params`, `params` and `report` may be NULL. Free the twigs
 /// with `tree_twigs_free`.
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn tree_twigs_count(
 
 /// What the twigs weigh and how near they come. Set `report->struct_size` first.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_twigs_report(
+pub unsafe extern "C" fn tree_twigs_measure(
     twigs: *const tree_twigs,
     report: *mut tree_instancing_report,
 ) -> tree_status {

@@ -1,7 +1,7 @@
 //! How a tree is divided into twigs, and what came of it.
 
 use crate::border::{Versioned, call, init, tree_status};
-use ::tree_mesh::instance::{TwigParams, TwigReport};
+use ::tree_mesh::instance::{InstancingParams, InstancingReport};
 use tree_model::tree_core::Seed;
 
 /// How a tree is divided into twigs. Begin with `tree_instancing_params_init`.
@@ -11,7 +11,7 @@ pub struct tree_instancing_params {
     /// `sizeof(tree_instancing_params)`.
     pub struct_size: usize,
     /// Most unique twigs, 1 to 1000. Default 30.
-    pub twigs_max: u32,
+    pub max_twigs: u32,
     /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
     /// and some room. The truest way that reaches it is taken. Small trees may not reach it: see `ratio`
     /// of `tree_instancing_report`.
@@ -27,16 +27,16 @@ unsafe impl Versioned for tree_instancing_params {
     const NAME: &'static str = "tree_instancing_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        let TwigParams { twigs_max, ratio, reach, seed: _ } = TwigParams::default();
+        let InstancingParams { max_twigs, ratio, reach, seed: _ } = InstancingParams::default();
         let struct_size = size_of::<Self>();
-        Self { struct_size, twigs_max, ratio, reach: reach.unwrap_or(0.0), reserved: 0 }
+        Self { struct_size, max_twigs, ratio, reach: reach.unwrap_or(0.0), reserved: 0 }
     }
 }
 
 impl tree_instancing_params {
-    pub(super) fn rust(&self, seed: u64) -> TwigParams {
-        TwigParams {
-            twigs_max: self.twigs_max,
+    pub(super) fn rust(&self, seed: u64) -> InstancingParams {
+        InstancingParams {
+            max_twigs: self.max_twigs,
             ratio: self.ratio,
             // NaN is not 0, and refused with the other ranges.
             reach: (self.reach != 0.0).then_some(self.reach),
@@ -88,12 +88,12 @@ unsafe impl Versioned for tree_instancing_report {
     const NAME: &'static str = "tree_instancing_report";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self::of(&TwigReport::default())
+        Self::of(&InstancingReport::default())
     }
 }
 
 impl tree_instancing_report {
-    pub(super) fn of(report: &TwigReport) -> Self {
+    pub(super) fn of(report: &InstancingReport) -> Self {
         let (n_leaves, n_leaves_instanced) = report.n_leaves;
         Self {
             struct_size: size_of::<Self>(),

@@ -10,7 +10,7 @@ use glam::{Quat, Vec3};
 use tree_model::tree_core::{Control, Limits, Resource};
 
 /// Most levels of a file.
-const LEVELS_MAX: usize = 256;
+const MAX_LEVELS: usize = 256;
 /// Most rows of instances or attributes of a level.
 const ROWS_MAX: usize = 1 << 16;
 
@@ -262,7 +262,7 @@ impl GltfLevels<'_> {
         control: *const tree_control,
     ) -> Result<Self> {
         let limits = unsafe { limits(control) }?;
-        let rows = unsafe { read_rows(levels, n_levels, LEVELS_MAX, "levels") }?;
+        let rows = unsafe { read_rows(levels, n_levels, MAX_LEVELS, "levels") }?;
         let mut sum = Sum { limits: &limits, triangles: 0, places: 0, values: 0 };
         let level = |(number, row): (usize, &tree_gltf_level)| unsafe {
             row.rust(&mut sum, &format!("levels[{number}]"))

@@ -7,7 +7,7 @@ use crate::border::{
 };
 use crate::control::{limits, run, tree_control};
 use crate::mesh::{column, tree_mesh};
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 use tree_model::tree_core::{Limits, Resource};
 
 /// What one element is: one of the `TREE_GRAIN_` constants.
@@ -123,8 +123,11 @@ pub unsafe extern "C" fn tree_elements_of_mesh(
         let place = unsafe { out(elements, "elements") }?;
         let mesh = unsafe { get(mesh, "mesh") }?.rust();
         let named = unsafe { few(surfaces, n_surfaces, SURFACES_MAX, "surfaces") }?;
-        let foliage =
-            if named.is_empty() { Foliage::Found } else { Foliage::Surfaces(named.to_vec()) };
+        let foliage = if named.is_empty() {
+            LeafSurfaces::Found
+        } else {
+            LeafSurfaces::Surfaces(named.to_vec())
+        };
         let grain = grain_of(grain)?;
         let body = |control: &_| Ok(Elements::of_mesh(mesh, &foliage, grain, control)?);
         place.put(tree_elements(unsafe { run(control, body) }?));

@@ -4,19 +4,19 @@ use super::elements::tree_elements;
 use super::take::{ask, fill_points, fill_some, room_for};
 use crate::border::{Handle, call, free, get, out, out_value, tree_status, vec3s};
 use crate::control::{limits, run, tree_control};
-use tree_lod::implicit::Field;
+use tree_lod::implicit::Metaballs;
 use tree_model::tree_core::Resource;
 
 /// A sum of metaballs (Neubert 2012, 7.3.1): every point adds `(1 - (distance / radius)^2)^2` to the places within
 /// its radius. 1 or more at each point, 0 far from all.
-pub struct tree_metaballs(Field);
+pub struct tree_metaballs(Metaballs);
 
 impl Handle for tree_metaballs {
     const NAME: &'static str = "tree_metaballs";
 }
 
 impl tree_metaballs {
-    pub(super) fn rust(&self) -> &Field {
+    pub(super) fn rust(&self) -> &Metaballs {
         &self.0
     }
 }
@@ -36,7 +36,7 @@ pub unsafe extern "C" fn tree_metaballs_new(
         let place = unsafe { out(metaballs, "metaballs") }?;
         let limits = unsafe { limits(control) }?;
         let points = unsafe { vec3s(points, n_points, &limits, Resource::Nodes, "points") }?;
-        let made = unsafe { run(control, |_| Ok(Field::new(points, radius)?)) }?;
+        let made = unsafe { run(control, |_| Ok(Metaballs::new(points, radius)?)) }?;
         place.put(tree_metaballs(made));
         Ok(())
     })
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn tree_metaballs_of_elements(
     call(|| {
         let place = unsafe { out(metaballs, "metaballs") }?;
         let elements = unsafe { get(elements, "elements") }?.rust();
-        let body = |_: &_| Ok(Field::of_elements(elements, radius, height)?);
+        let body = |_: &_| Ok(Metaballs::of_elements(elements, radius, height)?);
         place.put(tree_metaballs(unsafe { run(control, body) }?));
         Ok(())
     })
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn tree_metaballs_radius(
 
 /// Number of points.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_metaballs_n_points(
+pub unsafe extern "C" fn tree_metaballs_count(
     metaballs: *const tree_metaballs,
     n_points: *mut usize,
 ) -> tree_status {

@@ -15,7 +15,7 @@ use tree_lod::prune::Screen;
 use tree_lod::quality::Distance;
 
 /// More levels than are sensible in a file.
-const LEVELS_MAX: usize = 1 << 10;
+const MAX_LEVELS: usize = 1 << 10;
 
 /// When levels in a file change. Begin with `tree_lod_screen_init`.
 #[repr(C)]
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn tree_pruned_to_glb_levels(
     call(|| {
         let place = unsafe { out(bytes, "bytes") }?;
         let model = unsafe { get(pruned, "pruned") }?.rust();
-        let lambdas = unsafe { few(lambdas, n_lambdas, LEVELS_MAX, "lambdas") }?;
+        let lambdas = unsafe { few(lambdas, n_lambdas, MAX_LEVELS, "lambdas") }?;
         let screen = unsafe { tree_lod_screen::read(screen) }?;
         let options = unsafe { read_options(options) }?;
         let made = unsafe {
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn tree_pruned_write_glb_levels(
 ) -> tree_status {
     call(|| {
         let model = unsafe { get(pruned, "pruned") }?.rust();
-        let lambdas = unsafe { few(lambdas, n_lambdas, LEVELS_MAX, "lambdas") }?;
+        let lambdas = unsafe { few(lambdas, n_lambdas, MAX_LEVELS, "lambdas") }?;
         let screen = unsafe { tree_lod_screen::read(screen) }?;
         let path = unsafe { border::path(path, path_len, "path") }?;
         let options = unsafe { read_options(options) }?;

@@ -12,7 +12,7 @@ use bytemuck::{Pod, Zeroable};
 use tree_lod::prune::{Level, Window};
 
 /// Most levels of a list, and most windows of a level; beyond what a model has.
-const LEVELS_MAX: usize = 1 << 16;
+const MAX_LEVELS: usize = 1 << 16;
 const WINDOWS_MAX: usize = 1 << 24;
 
 /// What is drawn for a lambda, and the numbers that the shader needs. Its windows stand in an array of their own.
@@ -205,7 +205,7 @@ unsafe fn levels(
     n_windows: usize,
     parts: usize,
 ) -> Result<Vec<Level>> {
-    let levels = unsafe { few(levels, n_levels, LEVELS_MAX, "levels") }?;
+    let levels = unsafe { few(levels, n_levels, MAX_LEVELS, "levels") }?;
     let windows = unsafe { few(windows, n_windows, WINDOWS_MAX, "windows") }?;
     if levels.len().checked_mul(parts) != Some(windows.len()) {
         let text = format!(

@@ -11,7 +11,7 @@ use crate::border::{Result, Versioned, call, get, init, out, read, read_or_defau
 use crate::control::{run, tree_control};
 use crate::mesh::tree_mesh;
 use std::ptr::null;
-use tree_lod::Foliage;
+use tree_lod::LeafSurfaces;
 use tree_lod::prune::{MakeParams, PruneParams, PrunedModel};
 
 /// How a model is pruned. Begin with `tree_prune_params_init`.
@@ -116,8 +116,8 @@ impl tree_prune_make_params {
         };
         Ok(MakeParams {
             foliage: match named.is_empty() {
-                true => Foliage::Found,
-                false => Foliage::Surfaces(named.to_vec()),
+                true => LeafSurfaces::Found,
+                false => LeafSurfaces::Surfaces(named.to_vec()),
             },
             grain: grain_of(self.grain)?,
             outlines: unsafe { tree_tiers_params::read(self.outlines, "params.outlines") }?,

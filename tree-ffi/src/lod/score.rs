@@ -78,7 +78,7 @@ pub unsafe extern "C" fn tree_score_mean_quality(
 
 /// Scores of a simplified mesh against the full one, one for each view; both are framed as the full one is.
 /// `around`, NULL for the default, says from where to look; `scores` has room for `capacity` scores, at least
-/// `tree_around_n_views`. `control` may be NULL; `pixels` of its limits caps those of all views.
+/// `tree_around_count`. `control` may be NULL; `pixels` of its limits caps those of all views.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_mesh_score(
     simplified: *const tree_mesh,

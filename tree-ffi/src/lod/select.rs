@@ -205,7 +205,7 @@ pub unsafe extern "C" fn tree_scene_state_new(
 
 /// Number of the instances that were in view in the last frame: rows of `tree_instance_lod` that it needs.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_scene_state_n_drawn(
+pub unsafe extern "C" fn tree_scene_state_count_drawn(
     state: *const tree_scene_state,
     n_drawn: *mut usize,
 ) -> tree_status {

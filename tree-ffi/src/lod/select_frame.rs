@@ -7,7 +7,7 @@ use crate::border::{
 };
 use glam::Mat4;
 use std::ptr::null;
-use tree_lod::select::{DepthBuffer, Eye, Frame, Occlusion, Params, Selected};
+use tree_lod::select::{DepthBuffer, Eye, Frame, Occlusion, SceneParams, Selected};
 use tree_lod::tree_core::{Limits, Resource};
 
 /// How it is found out what stands before a tree: one of the `TREE_SCENE_OCCLUSION_` constants.
@@ -42,18 +42,18 @@ unsafe impl Versioned for tree_scene_params {
     const NAME: &'static str = "tree_scene_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        let Params { hidden, band, time } = Params::default();
+        let SceneParams { hidden, band, time } = SceneParams::default();
         Self { struct_size: size_of::<Self>(), hidden, band, time, reserved: 0 }
     }
 }
 
 impl tree_scene_params {
-    fn rust(&self) -> Params {
-        Params { hidden: self.hidden, band: self.band, time: self.time }
+    fn rust(&self) -> SceneParams {
+        SceneParams { hidden: self.hidden, band: self.band, time: self.time }
     }
 
     /// The default for NULL.
-    pub(super) unsafe fn read(params: *const Self) -> Result<Params> {
+    pub(super) unsafe fn read(params: *const Self) -> Result<SceneParams> {
         Ok(unsafe { read_or_default(params, "params") }?.rust())
     }
 }

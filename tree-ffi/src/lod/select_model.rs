@@ -10,7 +10,7 @@ use glam::{Quat, Vec3};
 use std::ptr::null;
 use tree_lod::quality::Distance;
 use tree_lod::select::{
-    Draw, Instance, LEVELS_MAX, Level, Model, Occluder, PARTS_MAX, SAMPLES_MAX,
+    Draw, Instance, Level, MAX_LEVELS, MAX_PARTS, MAX_SAMPLES, Model, Occluder,
 };
 
 /// A window of an index buffer.
@@ -138,9 +138,9 @@ impl tree_scene_model {
     pub(super) unsafe fn rust(&self, name: &str) -> Result<Model> {
         let part = |field: &str| format!("{name}.{field}");
         let (samples, n) = (self.samples.cast::<Vec3>(), self.n_samples);
-        let samples = unsafe { few(samples, n, SAMPLES_MAX, &part("samples")) }?.to_vec();
+        let samples = unsafe { few(samples, n, MAX_SAMPLES, &part("samples")) }?.to_vec();
         let (occluders, n) = (self.occluders, self.n_occluders);
-        let occluders = unsafe { few(occluders, n, PARTS_MAX, &part("occluders")) }?;
+        let occluders = unsafe { few(occluders, n, MAX_PARTS, &part("occluders")) }?;
         let distance = if self.distance.is_null() {
             Distance::default()
         } else {
@@ -164,15 +164,15 @@ impl tree_scene_model {
 
     unsafe fn levels(&self, part: &impl Fn(&str) -> String) -> Result<Vec<Level>> {
         let n = self.n_levels;
-        let lambdas = unsafe { few(self.lambdas, n, LEVELS_MAX, &part("lambdas")) }?;
+        let lambdas = unsafe { few(self.lambdas, n, MAX_LEVELS, &part("lambdas")) }?;
         let optional = |first: *const f32, name: &str| match first.is_null() {
             true => Ok(&[][..]),
-            false => unsafe { few(first, n, LEVELS_MAX, &part(name)) },
+            false => unsafe { few(first, n, MAX_LEVELS, &part(name)) },
         };
         let (scales, fades) = (optional(self.scales, "scales")?, optional(self.fades, "fades")?);
         let parts = self.n_parts;
-        if parts > PARTS_MAX {
-            let text = format!("{} is {parts}, at most {PARTS_MAX} are allowed", part("n_parts"));
+        if parts > MAX_PARTS {
+            let text = format!("{} is {parts}, at most {MAX_PARTS} are allowed", part("n_parts"));
             return Err(Failure::new(TREE_ERROR_PARAMETER, text));
         }
         // Both are small by now.

@@ -124,7 +124,7 @@ pub unsafe extern "C" fn tree_lod_subject_init(
 /// Scores of a pruned model against the full one, one for each view: with a share of `lambda` of the
 /// foliage's triangles, 0 to 1, and elements grown to `scale` times their area, 0.01 to 10,000 (lengths grow by
 /// its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
-/// scores, at least `tree_around_n_views`. `control` may be NULL.
+/// scores, at least `tree_around_count`. `control` may be NULL.
 ///
 /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
 /// `TREE_ERROR_PARAMETER` names what is out of range.

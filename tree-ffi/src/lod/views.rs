@@ -149,7 +149,7 @@ pub unsafe extern "C" fn tree_around_check(around: *const tree_around) -> tree_s
 
 /// Number of the views: azimuths times pitches.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_around_n_views(
+pub unsafe extern "C" fn tree_around_count(
     around: *const tree_around,
     n_views: *mut usize,
 ) -> tree_status {

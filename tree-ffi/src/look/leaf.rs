@@ -10,7 +10,7 @@ use tree_model::tree_core::Limits;
 pub type tree_leaf_form = u32;
 /// A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
 pub const TREE_LEAF_CARD: u32 = 0;
-/// A polygon of at most `vertices_max` vertices around all of the picture that is not cut away: no visible
+/// A polygon of at most `max_vertices` vertices around all of the picture that is not cut away: no visible
 /// pixel is lost, few invisible ones are drawn. A picture without a mask, or all of it cut away, stays a
 /// card; the report says so.
 pub const TREE_LEAF_OUTLINE: u32 = 1;
@@ -43,7 +43,7 @@ pub struct tree_leaf_look {
     pub form: tree_leaf_form,
     /// With `TREE_LEAF_OUTLINE` and `TREE_LEAF_MODELLED`: most vertices of the polygon, 4 to 64. Default
     /// 8; a modelled leaf of 12 has up to 20 triangles when folded or bent.
-    pub vertices_max: u32,
+    pub max_vertices: u32,
     /// Copies of the leaf turned about its midrib, evenly over half a turn, 1 to 8. Two or three make
     /// clusters and needles look full from all sides. Default 1.
     pub sheets: u32,
@@ -70,10 +70,10 @@ unsafe impl Versioned for tree_leaf_look {
 impl tree_leaf_look {
     /// A view.
     pub(super) fn of(look: &LeafLook) -> Self {
-        let (form, vertices_max) = match &look.form {
+        let (form, max_vertices) = match &look.form {
             LeafForm::Card => (TREE_LEAF_CARD, VERTICES),
-            LeafForm::Outline { vertices_max } => (TREE_LEAF_OUTLINE, *vertices_max),
-            LeafForm::Modelled { vertices_max } => (TREE_LEAF_MODELLED, *vertices_max),
+            LeafForm::Outline { max_vertices } => (TREE_LEAF_OUTLINE, *max_vertices),
+            LeafForm::Modelled { max_vertices } => (TREE_LEAF_MODELLED, *max_vertices),
             LeafForm::Mesh(_) => (TREE_LEAF_MESH, VERTICES),
         };
         Self {
@@ -82,7 +82,7 @@ impl tree_leaf_look {
             mesh: std::ptr::null(),
             width: look.width,
             form,
-            vertices_max,
+            max_vertices,
             sheets: look.sheets,
             fold: look.fold,
             bend: look.bend,
@@ -92,11 +92,11 @@ impl tree_leaf_look {
     }
 
     unsafe fn form(&self, limits: &Limits, argument: &str) -> Result<LeafForm> {
-        let vertices_max = self.vertices_max;
+        let max_vertices = self.max_vertices;
         match self.form {
             TREE_LEAF_CARD => Ok(LeafForm::Card),
-            TREE_LEAF_OUTLINE => Ok(LeafForm::Outline { vertices_max }),
-            TREE_LEAF_MODELLED => Ok(LeafForm::Modelled { vertices_max }),
+            TREE_LEAF_OUTLINE => Ok(LeafForm::Outline { max_vertices }),
+            TREE_LEAF_MODELLED => Ok(LeafForm::Modelled { max_vertices }),
             TREE_LEAF_MESH => {
                 let name = format!("{argument}.mesh");
                 let mesh = unsafe { read(self.mesh, &name)?.rust(limits, &name) }?;

@@ -3,7 +3,7 @@
 use super::{ask_for_copies, tree_mesh};
 use crate::border::{Result, Versioned, call, get, init, out, read_or_default, tree_status};
 use crate::control::{run, tree_control};
-use ::tree_mesh::displace::{Displacement, displace};
+use ::tree_mesh::displace::{DisplaceParams, displace};
 use ::tree_mesh::occlusion::{OcclusionParams, bake};
 use ::tree_mesh::subdivide::{SubdivideParams, subdivide};
 use ::tree_mesh::topology::weld;
@@ -120,7 +120,7 @@ unsafe impl Versioned for tree_displace_params {
     const NAME: &'static str = "tree_displace_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        let default = Displacement::default();
+        let default = DisplaceParams::default();
         Self {
             struct_size: size_of::<Self>(),
             amplitude: default.amplitude,
@@ -136,8 +136,8 @@ unsafe impl Versioned for tree_displace_params {
 }
 
 impl tree_displace_params {
-    fn rust(&self, seed: u64) -> Displacement {
-        Displacement {
+    fn rust(&self, seed: u64) -> DisplaceParams {
+        DisplaceParams {
             amplitude: self.amplitude,
             scale: self.scale,
             stretch: self.stretch,

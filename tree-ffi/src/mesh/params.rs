@@ -33,10 +33,10 @@ pub struct tree_mesh_params {
     /// Which child goes on at a fork and which start tubes of their own. Default
     /// `TREE_CONTINUATION_THICKEST`.
     pub continuation: tree_continuation,
-    /// Fewest sides of a tube, 3 to `sides_max`. Default 3.
-    pub sides_min: u32,
+    /// Fewest sides of a tube, 3 to `max_sides`. Default 3.
+    pub min_sides: u32,
     /// Most sides of a tube, 3 to 128. Default 20. The cost of trunk and boughs grows with it.
-    pub sides_max: u32,
+    pub max_sides: u32,
     /// The line drawn through the nodes of an axis. Default `TREE_CURVE_THROUGH`.
     pub fit: tree_curve_fit,
     /// How it is said how far the mesh may leave the round, curved branch, which rules the number of
@@ -54,9 +54,9 @@ pub struct tree_mesh_params {
     pub error_height: u32,
     /// Longest stretch of an axis without a ring, 1 mm to 1 km. Default 1 m: branches need rings to
     /// bend in the wind.
-    pub strip_max: f32,
+    pub max_strip: f32,
     /// Thinner wood is drawn with this radius, 0.01 mm to 0.1 m. Default 0.5 mm.
-    pub radius_min: f32,
+    pub min_radius: f32,
     /// Width of the bark texture on the tree, 1 mm to 1 km. Default 0.5 m. Rounded for each axis so
     /// that it goes round a whole number of times.
     pub bark_width: f32,
@@ -96,8 +96,8 @@ unsafe impl Versioned for tree_mesh_params {
         Self {
             struct_size: size_of::<Self>(),
             continuation: continuation_of(default.continuation),
-            sides_min: default.sides_min,
-            sides_max: default.sides_max,
+            min_sides: default.min_sides,
+            max_sides: default.max_sides,
             fit: match default.fit {
                 CurveFit::Straight => TREE_CURVE_STRAIGHT,
                 CurveFit::Through => TREE_CURVE_THROUGH,
@@ -109,8 +109,8 @@ unsafe impl Versioned for tree_mesh_params {
             error_distance: bound.distance,
             error_fov_y: bound.fov_y,
             error_height: bound.height,
-            strip_max: default.strip_max,
-            radius_min: default.radius_min,
+            max_strip: default.max_strip,
+            min_radius: default.min_radius,
             bark_width: default.bark_width,
             bark_length: default.bark_length,
             flare: default.flare,
@@ -175,8 +175,8 @@ impl tree_mesh_params {
     pub(crate) fn rust(&self) -> Result<MeshParams> {
         Ok(MeshParams {
             continuation: continuation(self.continuation, "params.continuation")?,
-            sides_min: self.sides_min,
-            sides_max: self.sides_max,
+            min_sides: self.min_sides,
+            max_sides: self.max_sides,
             error: self.bound()?,
             fit: match self.fit {
                 TREE_CURVE_STRAIGHT => CurveFit::Straight,
@@ -184,8 +184,8 @@ impl tree_mesh_params {
                 TREE_CURVE_NEAR => CurveFit::Near,
                 other => return Err(Failure::not_one_of("params.fit", other, "TREE_CURVE_")),
             },
-            strip_max: self.strip_max,
-            radius_min: self.radius_min,
+            max_strip: self.max_strip,
+            min_radius: self.min_radius,
             bark_width: self.bark_width,
             bark_length: self.bark_length,
             flare: self.flare,

@@ -170,7 +170,7 @@ unsafe impl Versioned for tree_mesh_totals {
 
 /// Counts what a mesh has. Set `totals->struct_size` first.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_mesh_count(
+pub unsafe extern "C" fn tree_mesh_measure(
     mesh: *const tree_mesh,
     totals: *mut tree_mesh_totals,
 ) -> tree_status {

@@ -14,7 +14,7 @@ use tree_lod::tree_mesh::io::gltf::GlbOptions;
 use tree_model::tree_core::{Limits, Resource};
 
 /// More levels than are sensible in a file.
-const LEVELS_MAX: u64 = 1 << 10;
+const MAX_LEVELS: u64 = 1 << 10;
 
 /// A level in a file, and when it is shown.
 #[repr(C)]
@@ -52,7 +52,7 @@ unsafe fn levels_file(
     options: *const tree_glb_options,
     control: *const tree_control,
 ) -> Result<Vec<u8>> {
-    let limits = Limits { nodes: LEVELS_MAX, ..Limits::default() };
+    let limits = Limits { nodes: MAX_LEVELS, ..Limits::default() };
     let levels = unsafe { slice(levels, n_levels, &limits, Resource::Nodes, "levels") }?;
     let rows: Vec<_> = levels.iter().map(|row| (row.level, row.share)).collect();
     let write = |multi: &MultiMesh, options: &_| multi.to_glb_levels(&rows, options);

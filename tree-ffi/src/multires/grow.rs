@@ -7,7 +7,7 @@ use tree_lod::multires::grow::{GLSL, HLSL, WGSL, position};
 /// The function `tree_grow_position` for a shader: text to be put into your own. It tells what it takes and where that
 /// comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_grow_shader(
+pub unsafe extern "C" fn tree_multi_mesh_shader(
     language: tree_shader,
     text: *mut tree_str,
 ) -> tree_status {
@@ -25,7 +25,7 @@ pub unsafe extern "C" fn tree_grow_shader(
 /// Where a shader draws a vertex at a level: `vertex`, three floats, drawn together about its fork while its path grows
 /// in. `branch` is four floats of `tree_multi_mesh_column.branches`. For shaders of your own, and for checking them.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_grow_position(
+pub unsafe extern "C" fn tree_multi_mesh_position(
     vertex: *const f32,
     branch: *const f32,
     level: f32,

@@ -136,7 +136,7 @@ pub unsafe extern "C" fn tree_multires_count(
 
 /// Nodes and leaves of the first `n_levels` levels, at least one level, at most all.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_multires_counts(
+pub unsafe extern "C" fn tree_multires_level_counts(
     multires: *const tree_multires,
     n_levels: usize,
     n_nodes: *mut usize,

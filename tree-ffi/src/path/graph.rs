@@ -9,7 +9,7 @@ use crate::border::{
 use crate::control::{limits, run, tree_control};
 use crate::mesh::column;
 use std::mem::offset_of;
-use tree_model::path::Linking;
+use tree_model::path::LinkParams;
 use tree_model::path::graph::{Arc, Graph, Terrain};
 use tree_model::path::search::search;
 use tree_model::tree_core::{Resource, Seed};
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn tree_graph_link(
         let paint = unsafe { paints(params.paints, params.n_paints, "params.paints") }?;
         let cost = cost_field(params.cost, params.cost_user);
         let obstacle = unsafe { obstacle(params.obstacle, params.clearance, "params.obstacle") }?;
-        let linking = Linking { reach: params.reach, low: params.low, bias: params.bias };
+        let linking = LinkParams { reach: params.reach, low: params.low, bias: params.bias };
         let linked = unsafe {
             run(control, |control| {
                 let obstacle = obstacle.as_ref();

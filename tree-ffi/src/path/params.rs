@@ -13,7 +13,7 @@ use crate::foliage::tree_leaf_params;
 use crate::tree::tree_species;
 use crate::volume::tree_volume;
 use std::ffi::c_void;
-use tree_model::path::{Endpoints, Lifespan, Linking, MAX_LEVELS, PathParams};
+use tree_model::path::{Endpoints, Lifespan, LinkParams, MAX_LEVELS, PathParams};
 use tree_model::tree_core::{Limits, Resource};
 
 /// How many levels a branch goes on for: one of the `TREE_PATH_LIFESPAN_` constants.
@@ -158,7 +158,7 @@ impl tree_path_params {
                 .map(|(i, level)| unsafe { level.rust(&part(&format!("levels[{i}]"))) })
                 .collect::<Result<_>>()?,
             lifespan: self.lifespan(name)?,
-            linking: Linking {
+            linking: LinkParams {
                 reach: self.linking_reach,
                 low: self.linking_low,
                 bias: self.linking_bias,
@@ -210,7 +210,7 @@ pub unsafe extern "C" fn tree_path_params_init(
 /// Checks that all parameters lie in their ranges, as `tree_path_grow` does first. `params` may be NULL for
 /// an oak; `control` may be NULL, only its limits matter.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_path_check(
+pub unsafe extern "C" fn tree_path_params_check(
     params: *const tree_path_params,
     control: *const tree_control,
 ) -> tree_status {

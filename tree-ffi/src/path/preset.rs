@@ -13,7 +13,7 @@ use crate::tree::tree_species;
 use crate::volume::tree_volume;
 use std::ptr::null;
 use std::sync::OnceLock;
-use tree_model::path::{Lifespan, Linking, PRESETS, PathParams, Preset};
+use tree_model::path::{Lifespan, LinkParams, PRESETS, PathParams, Preset};
 use tree_model::tree_core::{Species, Volume};
 
 /// The presets in C's form, in the order of [`PRESETS`].
@@ -87,7 +87,7 @@ fn keep(params: &PathParams) -> tree_path_params {
     });
     let placed = params.endpoints.placed.iter().map(|point| point.to_array());
     let obstacle = params.obstacle.as_ref();
-    let Linking { reach, low, bias } = params.linking;
+    let LinkParams { reach, low, bias } = params.linking;
     tree_path_params {
         volume: keep_volume(&params.volume),
         root: params.root.to_array(),

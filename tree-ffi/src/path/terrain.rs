@@ -8,7 +8,7 @@ use crate::volume::{tree_volume, vec3};
 use glam::Vec3;
 use std::ffi::c_void;
 use std::sync::Arc;
-use tree_model::path::{CostField, Linking, Obstacle, Paint};
+use tree_model::path::{CostField, LinkParams, Obstacle, Paint};
 
 /// Most paints of one tree.
 const PAINTS_MAX: usize = 1 << 16;
@@ -113,7 +113,7 @@ unsafe impl Versioned for tree_link_params {
     const NAME: &'static str = "tree_link_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        let Linking { reach, low, bias } = Linking::default();
+        let LinkParams { reach, low, bias } = LinkParams::default();
         Self {
             struct_size: size_of::<Self>(),
             paints: std::ptr::null(),

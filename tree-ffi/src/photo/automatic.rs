@@ -9,7 +9,7 @@ use crate::border::{
     Result, Versioned, call, foresee, get, init, out, out_opt, read_or_default, tree_status, view,
 };
 use crate::control::{run, tree_control};
-use tree_model::particle::matting::{AutoParams, AutoReport, automatic};
+use tree_model::particle::matting::{AutomaticParams, AutomaticReport, automatic};
 
 /// How a tree against sky is found. Begin with `tree_automatic_params_init`.
 #[repr(C)]
@@ -33,9 +33,9 @@ unsafe impl Versioned for tree_automatic_params {
 impl tree_automatic_params {
     /// # Safety
     /// As [`read_or_default`], for the inner struct too.
-    pub(crate) unsafe fn rust(&self) -> Result<AutoParams> {
+    pub(crate) unsafe fn rust(&self) -> Result<AutomaticParams> {
         let natural = unsafe { read_or_default(self.natural, "params.natural") }?.rust();
-        Ok(AutoParams { natural })
+        Ok(AutomaticParams { natural })
     }
 }
 
@@ -83,12 +83,12 @@ unsafe impl Versioned for tree_automatic_report {
     const NAME: &'static str = "tree_automatic_report";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self::of(&AutoReport::default())
+        Self::of(&AutomaticReport::default())
     }
 }
 
 impl tree_automatic_report {
-    pub(crate) fn of(report: &AutoReport) -> Self {
+    pub(crate) fn of(report: &AutomaticReport) -> Self {
         let natural = &report.natural;
         Self {
             struct_size: size_of::<Self>(),

@@ -29,7 +29,7 @@ pub struct tree_livewire_params {
     /// Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
     pub outside: f32,
     /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
-    pub centre: f32,
+    pub center: f32,
     /// How much more a step costs that leads back towards the base and down than one that leads away from
     /// it and up, 0 to 10. Default 0.6.
     pub outwards: f32,
@@ -61,7 +61,7 @@ impl tree_livewire_params {
             rows,
             follow,
             outside,
-            centre,
+            center,
             outwards,
             join,
             smoothing,
@@ -73,7 +73,7 @@ impl tree_livewire_params {
             rows,
             follow,
             outside,
-            centre,
+            center,
             outwards,
             join,
             smoothing,
@@ -88,7 +88,7 @@ impl tree_livewire_params {
             rows: self.rows,
             follow: self.follow,
             outside: self.outside,
-            centre: self.centre,
+            center: self.center,
             outwards: self.outwards,
             join: self.join,
             smoothing: self.smoothing,
@@ -167,7 +167,7 @@ impl tree_livewire_report {
 
 /// Finds paths from every seed to the base through what a photograph and its matte show, and joins them:
 /// main branches as least-cost paths. `photo` may be NULL: then the matte alone is looked at. `base_pixel`
-/// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_silhouette_seeds`, or
+/// is two floats, `seeds` two floats each, in pixels from the top left: those of `tree_matte_seeds`, or
 /// what a person clicked on. The root of the graph is at the base, its tips are at the seeds; without seeds the
 /// graph is the base alone. `params`, `control` and `report` may be NULL. Free the graph with
 /// `tree_attractor_free`. `TREE_ERROR_NO_RESULT` where the matte is empty, or the photograph is of another
@@ -253,7 +253,7 @@ pub unsafe extern "C" fn tree_seed_params_init(
 /// must be twice the number found or more: `2 * most` is enough. `base_pixel`, two floats, is the tree's base.
 /// `params` and `control` may be NULL. `TREE_ERROR_NO_RESULT` where the matte is empty.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_seeds(
+pub unsafe extern "C" fn tree_matte_seeds(
     matte: *const tree_matte,
     base_pixel: *const f32,
     most: u32,

@@ -18,7 +18,7 @@ use tree_model::silhouette::branch::{
 use tree_model::tree_core::{Limits, Resource};
 
 /// Most samples of a branching angle function.
-const SAMPLES_MAX: u64 = 10_000;
+const MAX_SAMPLES: u64 = 10_000;
 
 /// The branching angle function: the angle between a parent's direction and that of its branches where they leave,
 /// along the parent. Between samples it is interpolated, beyond them it is constant. Begin with
@@ -70,7 +70,7 @@ impl tree_branching_angles {
         if self.n_samples == 0 {
             return Ok(BranchingAngles::default());
         }
-        let limits = Limits { nodes: SAMPLES_MAX, ..Limits::default() };
+        let limits = Limits { nodes: MAX_SAMPLES, ..Limits::default() };
         let (name, nodes) = (format!("{argument}.samples"), Resource::Nodes);
         let samples: &[[f32; 2]] =
             unsafe { slice(self.samples.cast(), self.n_samples, &limits, nodes, &name) }?;

@@ -62,7 +62,7 @@ pub unsafe extern "C" fn tree_bump_params_check(params: *const tree_bump_params)
 #[derive(Clone, Copy, Debug)]
 pub struct tree_bump {
     /// Its central point, where the branch ends: the middle of a round end, and about the tip of a sharp one.
-    pub centre: [f32; 2],
+    pub center: [f32; 2],
     /// Its outermost point, on the outline.
     pub tip: [f32; 2],
     /// Direction of the chordal axis at the centre, outwards, of unit length.
@@ -76,9 +76,9 @@ pub struct tree_bump {
 
 impl tree_bump {
     fn of(bump: &Bump) -> Self {
-        let Bump { centre, tip, tangent, radius, stretch } = *bump;
-        let (centre, tip, tangent) = (centre.to_array(), tip.to_array(), tangent.to_array());
-        Self { centre, tip, tangent, radius, stretch }
+        let Bump { center, tip, tangent, radius, stretch } = *bump;
+        let (center, tip, tangent) = (center.to_array(), tip.to_array(), tangent.to_array());
+        Self { center, tip, tangent, radius, stretch }
     }
 }
 

@@ -14,7 +14,7 @@ use tree_model::silhouette::grow::{GrowParams, GrowReport, Leaves, LevelParams, 
 use tree_model::tree_core::{Control, Seed};
 
 /// Most levels that parameters are given for.
-const LEVELS_MAX: usize = 64;
+const MAX_LEVELS: usize = 64;
 
 /// How the branches on axes of one level stand, and what they are like where nobody drew any. Begin with
 /// `tree_silhouette_level_init`.
@@ -250,7 +250,7 @@ impl tree_silhouette_grow_params {
     pub(super) unsafe fn rust(&self, name: &str) -> Result<GrowParams> {
         let part = |field: &str| format!("{name}.{field}");
         let (own, levels) = (part("leaves"), part("levels"));
-        let rows = unsafe { read_rows(self.levels, self.n_levels, LEVELS_MAX, &levels) }?;
+        let rows = unsafe { read_rows(self.levels, self.n_levels, MAX_LEVELS, &levels) }?;
         let level = |(i, row): (usize, &tree_silhouette_level)| unsafe {
             row.rust(&format!("{levels}[{i}]"))
         };

@@ -10,7 +10,7 @@ use crate::border::{
 use crate::control::{limits, run, tree_control};
 use crate::sketch::{answers, fill_some, spots};
 use glam::Vec2;
-use tree_model::silhouette::place::revolve::{Section, Surface};
+use tree_model::silhouette::place::revolve::{Revolved, Section};
 use tree_model::tree_core::{Limits, Resource};
 
 /// Most sections of one surface.
@@ -18,7 +18,7 @@ const SECTIONS_MAX: u64 = 1000;
 
 /// A closed surface round an axis, through outlines in planes through it: how far a branch reaches at any azimuth. Its frame
 /// has y along the straight span of the axis from its start, and r across.
-pub struct tree_revolved(Surface);
+pub struct tree_revolved(Revolved);
 
 impl Handle for tree_revolved {
     const NAME: &'static str = "tree_revolved";
@@ -61,7 +61,7 @@ pub unsafe extern "C" fn tree_revolved_of(
             let text = "n_sections is 0: a surface needs one outline at least";
             return Err(Failure::new(TREE_ERROR_PARAMETER, text));
         }
-        let body = |_: &_| Ok(Surface::of(&axis, &sections));
+        let body = |_: &_| Ok(Revolved::of(&axis, &sections));
         place.put(tree_revolved(unsafe { run(control, body) }?));
         Ok(())
     })

@@ -1,7 +1,7 @@
 //! A whole stand from one outline for each tree.
 
 use super::params::{silhouette_of, tree_silhouette_params};
-use super::session::{tree_silhouette, tree_silhouette_play_report};
+use super::session::{tree_silhouette_play_report, tree_silhouette_session};
 use super::{tree_outline_drawing, tree_silhouette_grown};
 use crate::border::{
     Failure, Handle, Result, TREE_ERROR_PARAMETER, Versioned, call, foresee, free, get, init, out,
@@ -174,7 +174,7 @@ pub struct tree_stand_whole {
     /// Distance of the drawing from the eye, in units of the drawing.
     pub focal: f32,
     /// The point of the drawing that the eye looks at: on the horizon, in units of the drawing.
-    pub centre: [f32; 2],
+    pub center: [f32; 2],
     /// The eye in metres; it looks level along -Z.
     pub eye: [f32; 3],
     /// 0.
@@ -192,7 +192,7 @@ unsafe impl Versioned for tree_stand_whole {
             n_elements: 0,
             has_view: 0,
             focal: 0.0,
-            centre: [0.0; 2],
+            center: [0.0; 2],
             eye: [0.0; 3],
             reserved: 0,
         }
@@ -213,7 +213,7 @@ pub unsafe extern "C" fn tree_stand_view(
             n_elements: stand.elements(),
             has_view: seen.is_some().into(),
             focal: seen.map_or(0.0, |view| view.focal),
-            centre: seen.map_or([0.0; 2], |view| view.centre.to_array()),
+            center: seen.map_or([0.0; 2], |view| view.center.to_array()),
             eye: seen.map_or([0.0; 3], |view| view.eye.to_array()),
             ..tree_stand_whole::default_value()
         };
@@ -324,13 +324,13 @@ pub unsafe extern "C" fn tree_stand_grown(
 
 /// What was drawn and borrowed of tree `index`, to be looked at or drawn on: a copy, its base at the origin. `report`,
 /// which may be NULL, tells what became of its strokes. Its
-/// `tree_silhouette_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_free`.
+/// `tree_silhouette_session_seed` is the stand's, from which its own comes. Free it with `tree_silhouette_session_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_stand_silhouette(
     stand: *const tree_stand,
     index: usize,
     report: *mut tree_silhouette_play_report,
-    silhouette: *mut *mut tree_silhouette,
+    silhouette: *mut *mut tree_silhouette_session,
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(silhouette, "silhouette") }?;
@@ -338,7 +338,11 @@ pub unsafe extern "C" fn tree_stand_silhouette(
         let stand = unsafe { get(stand, "stand") }?;
         let tree = tree_at(stand, index)?;
         unsafe { view(report, "report", &tree_silhouette_play_report::of(&tree.strokes)) }?;
-        place.put(tree_silhouette::new(tree.session.clone(), stand.seed, tree.strokes.clone()));
+        place.put(tree_silhouette_session::new(
+            tree.session.clone(),
+            stand.seed,
+            tree.strokes.clone(),
+        ));
         Ok(())
     })
 }

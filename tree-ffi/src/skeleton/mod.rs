@@ -1,11 +1,13 @@
 //! Skeletons: the branches of a tree, node by node.
 
 mod axes;
+mod branching;
 mod column;
 mod measure;
 mod swc;
 
 pub use axes::*;
+pub use branching::*;
 pub(crate) use column::column;
 pub use column::*;
 pub use measure::*;

@@ -10,19 +10,19 @@ use crate::io::tree_bytes;
 use crate::mesh::column;
 use std::ffi::c_char;
 use std::sync::Arc;
-use tree_model::tree_core::Skeleton;
-use tree_model::tree_core::swc::{self, SwcImport, SwcOptions, SwcReport, UnknownRadius, UpAxis};
+use tree_model::tree_core::swc::{self, SwcImport, SwcOptions, SwcReport, UnknownRadius};
+use tree_model::tree_core::{Skeleton, UpAxis};
 
-/// Which axis of an SWC file points up: one of the `TREE_SWC_UP_` constants.
-pub type tree_swc_up = u32;
+/// Which axis of a file or a cloud points up: one of the `TREE_UP_` constants.
+pub type tree_up = u32;
+/// +Z, as laser scanners and foresters have it: (x, y, z) becomes (x, z, -y). The default.
+pub const TREE_UP_Z: u32 = 0;
 /// +Y, as in this library.
-pub const TREE_SWC_UP_Y: u32 = 0;
-/// +Z, as laser scanners and foresters have it.
-pub const TREE_SWC_UP_Z: u32 = 1;
+pub const TREE_UP_Y: u32 = 1;
 
 /// What becomes of radii that an SWC file does not know: one of the `TREE_SWC_RADIUS_` constants.
 pub type tree_swc_radius = u32;
-/// They stay 0, for example to be found by `tree_skeleton_by_rule`.
+/// They stay 0, for example to be found by `tree_skeleton_with_rule`.
 pub const TREE_SWC_RADIUS_KEEP: u32 = 0;
 /// They go from the radius below to the thickest known radius above, in proportion to the path length.
 /// Where nothing is known above, the radius below is taken; where nothing is known below, the one above;
@@ -37,8 +37,8 @@ pub struct tree_swc_options {
     pub struct_size: usize,
     /// Metres per unit of the file, for positions and radii; 1e-9 to 1e9. Default 1.
     pub scale: f64,
-    /// The file's upward axis. Default `TREE_SWC_UP_Z`.
-    pub up: tree_swc_up,
+    /// The file's upward axis. Default `TREE_UP_Z`.
+    pub up: tree_up,
     /// Whether reading moves the root to the origin. Default 1. The move is made in double precision, so
     /// that coordinates of a map grid lose nothing. Not used in writing.
     pub base_at_origin: u32,
@@ -59,8 +59,8 @@ unsafe impl Versioned for tree_swc_options {
             struct_size: size_of::<Self>(),
             scale: default.scale,
             up: match default.up {
-                UpAxis::Y => TREE_SWC_UP_Y,
-                UpAxis::Z => TREE_SWC_UP_Z,
+                UpAxis::Y => TREE_UP_Y,
+                UpAxis::Z => TREE_UP_Z,
             },
             base_at_origin: default.base_at_origin.into(),
             unknown_radius: match default.unknown_radius {
@@ -80,9 +80,9 @@ impl tree_swc_options {
         Ok(SwcOptions {
             scale: self.scale,
             up: match self.up {
-                TREE_SWC_UP_Y => UpAxis::Y,
-                TREE_SWC_UP_Z => UpAxis::Z,
-                other => return Err(Failure::not_one_of("options.up", other, "TREE_SWC_UP_")),
+                TREE_UP_Y => UpAxis::Y,
+                TREE_UP_Z => UpAxis::Z,
+                other => return Err(Failure::not_one_of("options.up", other, "TREE_UP_")),
             },
             base_at_origin: self.base_at_origin != 0,
             unknown_radius: match self.unknown_radius {

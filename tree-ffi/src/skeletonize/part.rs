@@ -10,7 +10,7 @@ use tree_model::skeletonize::{Hint, Part};
 use tree_model::tree_core::{Limits, Resource};
 
 /// Most parts of a mesh.
-const PARTS_MAX: usize = 1 << 20;
+const MAX_PARTS: usize = 1 << 20;
 
 /// What a part of a mesh is made of, as far as the caller knows: one of the `TREE_HINT_` constants.
 pub type tree_hint = u32;
@@ -126,7 +126,7 @@ pub(super) unsafe fn read_parts<'a>(
     n: usize,
     limits: &Limits,
 ) -> Result<Vec<Part<'a>>> {
-    unsafe { read_rows(first, n, PARTS_MAX, "parts") }?
+    unsafe { read_rows(first, n, MAX_PARTS, "parts") }?
         .iter()
         .enumerate()
         .map(|(i, part)| unsafe { part.rust(limits, &format!("parts[{i}]")) })

@@ -389,11 +389,11 @@ pub unsafe extern "C" fn tree_crown_free(crown: *mut tree_crown) -> tree_status 
     call(|| unsafe { free(crown, "crown") })
 }
 
-/// How outlines are drawn. Begin with `tree_outline_params_init`.
+/// How outlines are drawn. Begin with `tree_sketch_outline_params_init`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct tree_outline_params {
-    /// `sizeof(tree_outline_params)`.
+pub struct tree_sketch_outline_params {
+    /// `sizeof(tree_sketch_outline_params)`.
     pub struct_size: usize,
     /// Bays narrower than twice this share of the size are drawn across, 0.01 to 0.5. Default 0.06.
     pub closing: f32,
@@ -402,8 +402,8 @@ pub struct tree_outline_params {
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_outline_params {
-    const NAME: &'static str = "tree_outline_params";
+unsafe impl Versioned for tree_sketch_outline_params {
+    const NAME: &'static str = "tree_sketch_outline_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
         let OutlineParams { closing, corners } = OutlineParams::default();
@@ -411,7 +411,7 @@ unsafe impl Versioned for tree_outline_params {
     }
 }
 
-impl tree_outline_params {
+impl tree_sketch_outline_params {
     pub(crate) fn rust(&self) -> OutlineParams {
         OutlineParams { closing: self.closing, corners: self.corners }
     }
@@ -419,8 +419,8 @@ impl tree_outline_params {
 
 /// Makes `params`, of `size` bytes, the default.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_outline_params_init(
-    params: *mut tree_outline_params,
+pub unsafe extern "C" fn tree_sketch_outline_params_init(
+    params: *mut tree_sketch_outline_params,
     size: usize,
 ) -> tree_status {
     call(|| unsafe { init(params, size) })
@@ -434,7 +434,7 @@ pub unsafe extern "C" fn tree_outline_params_init(
 pub unsafe extern "C" fn tree_strokes_outline(
     spots: *const f32,
     n_spots: usize,
-    params: *const tree_outline_params,
+    params: *const tree_sketch_outline_params,
     control: *const tree_control,
     strokes: *mut *mut tree_strokes,
 ) -> tree_status {

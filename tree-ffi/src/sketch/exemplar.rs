@@ -1,6 +1,6 @@
 //! Trees to measure templates by, and what a person would draw of a tree.
 
-use super::crown::tree_outline_params;
+use super::crown::tree_sketch_outline_params;
 use super::drawing::{at, tree_drawing};
 use crate::border::{
     Result, Versioned, call, get, init, out, out_value, read, read_or_default, text, tree_status,
@@ -12,7 +12,7 @@ use crate::tree::tree_tree;
 use std::ffi::c_char;
 use tree_model::sketch::crown::outline_of;
 use tree_model::sketch::template::{
-    EXEMPLARS, Exemplar, MainBranches, crown_points, main_branches, project,
+    EXEMPLARS, Exemplar, MainBranchParams, crown_points, main_branches, project,
 };
 use tree_model::tree_core::Seed;
 
@@ -68,11 +68,11 @@ pub unsafe extern "C" fn tree_exemplar_grow(
     })
 }
 
-/// Which branches of a tree a person would draw. Begin with `tree_main_branches_init`.
+/// Which branches of a tree a person would draw. Begin with `tree_main_branch_params_init`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct tree_main_branches {
-    /// `sizeof(tree_main_branches)`.
+pub struct tree_main_branch_params {
+    /// `sizeof(tree_main_branch_params)`.
     pub struct_size: usize,
     /// Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
     pub least: f32,
@@ -90,12 +90,12 @@ pub struct tree_main_branches {
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_main_branches {
-    const NAME: &'static str = "tree_main_branches";
+unsafe impl Versioned for tree_main_branch_params {
+    const NAME: &'static str = "tree_main_branch_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        let MainBranches { least, least_second, most, gather, continuation } =
-            MainBranches::default();
+        let MainBranchParams { least, least_second, most, gather, continuation } =
+            MainBranchParams::default();
         Self {
             struct_size: size_of::<Self>(),
             least,
@@ -108,9 +108,9 @@ unsafe impl Versioned for tree_main_branches {
     }
 }
 
-impl tree_main_branches {
-    pub(crate) fn rust(&self) -> Result<MainBranches> {
-        Ok(MainBranches {
+impl tree_main_branch_params {
+    pub(crate) fn rust(&self) -> Result<MainBranchParams> {
+        Ok(MainBranchParams {
             least: self.least,
             least_second: self.least_second,
             most: self.most,
@@ -122,8 +122,8 @@ impl tree_main_branches {
 
 /// Makes `params`, of `size` bytes, the default.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_main_branches_init(
-    params: *mut tree_main_branches,
+pub unsafe extern "C" fn tree_main_branch_params_init(
+    params: *mut tree_main_branch_params,
     size: usize,
 ) -> tree_status {
     call(|| unsafe { init(params, size) })
@@ -131,8 +131,8 @@ pub unsafe extern "C" fn tree_main_branches_init(
 
 /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_main_branches_check(
-    params: *const tree_main_branches,
+pub unsafe extern "C" fn tree_main_branch_params_check(
+    params: *const tree_main_branch_params,
 ) -> tree_status {
     call(|| Ok(unsafe { read(params, "params") }?.rust()?.validate()?))
 }
@@ -146,8 +146,8 @@ pub unsafe extern "C" fn tree_drawing_of_tree(
     tree: *const tree_tree,
     yaw: f32,
     with_crown: u32,
-    main: *const tree_main_branches,
-    outline: *const tree_outline_params,
+    main: *const tree_main_branch_params,
+    outline: *const tree_sketch_outline_params,
     control: *const tree_control,
     drawing: *mut *mut tree_drawing,
 ) -> tree_status {

@@ -10,7 +10,7 @@ use crate::control::{run, tree_control};
 use crate::particle::Kept;
 use crate::skeleton::tree_skeleton;
 use crate::tree::tree_tree;
-use tree_model::sketch::finish::{FinishReport, SketchFinish, grow_crown, grow_wood};
+use tree_model::sketch::finish::{FinishParams, FinishReport, grow_crown, grow_wood};
 use tree_model::tree_core::{Control, Seed};
 
 /// How branches become a tree. Begin with `tree_sketch_finish_params_init`.
@@ -19,7 +19,7 @@ use tree_model::tree_core::{Control, Seed};
 pub struct tree_sketch_finish_params {
     /// `sizeof(tree_sketch_finish_params)`.
     pub struct_size: usize,
-    /// Whose twigs and leaves: one of the names that `tree_foliage_species_name` gives. Default "oak", which an empty text
+    /// Whose twigs and leaves: one of the names that `tree_foliage_preset_name` gives. Default "oak", which an empty text
     /// is too.
     pub species: tree_str,
     /// Whether there are leaves. Default 1.
@@ -41,12 +41,12 @@ unsafe impl Versioned for tree_sketch_finish_params {
     const NAME: &'static str = "tree_sketch_finish_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
-        Self::with_species(&SketchFinish::default(), tree_str::of("oak"))
+        Self::with_species(&FinishParams::default(), tree_str::of("oak"))
     }
 }
 
 impl tree_sketch_finish_params {
-    fn with_species(params: &SketchFinish, species: tree_str) -> Self {
+    fn with_species(params: &FinishParams, species: tree_str) -> Self {
         Self {
             struct_size: size_of::<Self>(),
             species,
@@ -60,15 +60,15 @@ impl tree_sketch_finish_params {
     }
 
     /// In C's form; the species' name is kept in `kept`.
-    pub(super) fn of(params: &SketchFinish, kept: &mut Kept) -> Self {
+    pub(super) fn of(params: &FinishParams, kept: &mut Kept) -> Self {
         Self::with_species(params, kept.text(&params.species))
     }
 
     /// In Rust's form, its ranges not yet checked.
-    pub(super) unsafe fn rust(&self, name: &str) -> Result<SketchFinish> {
+    pub(super) unsafe fn rust(&self, name: &str) -> Result<FinishParams> {
         let species = unsafe { self.species.get(&format!("{name}.species")) }?;
-        let default = SketchFinish::default().species;
-        Ok(SketchFinish {
+        let default = FinishParams::default().species;
+        Ok(FinishParams {
             species: if species.is_empty() { default } else { species.to_owned() },
             leaves: self.leaves != 0,
             twigs: self.twigs != 0,

@@ -9,11 +9,11 @@ use crate::control::{run, tree_control};
 use tree_model::sketch::crown::Crown;
 use tree_model::sketch::template::{Choice, DrawnShape, SelectParams, select};
 
-/// How much the parts of the comparison weigh. Begin with `tree_select_params_init`.
+/// How much the parts of the comparison weigh. Begin with `tree_template_select_params_init`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct tree_select_params {
-    /// `sizeof(tree_select_params)`.
+pub struct tree_template_select_params {
+    /// `sizeof(tree_template_select_params)`.
     pub struct_size: usize,
     /// Weight of the crown's footprint, 0 to 1000. Default 40.
     pub crown: f32,
@@ -30,15 +30,15 @@ pub struct tree_select_params {
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
-unsafe impl Versioned for tree_select_params {
-    const NAME: &'static str = "tree_select_params";
+unsafe impl Versioned for tree_template_select_params {
+    const NAME: &'static str = "tree_template_select_params";
     const FIRST: usize = size_of::<Self>();
     fn default_value() -> Self {
         Self::of(&SelectParams::default())
     }
 }
 
-impl tree_select_params {
+impl tree_template_select_params {
     pub(crate) fn of(params: &SelectParams) -> Self {
         let SelectParams { crown, branches, shape, directions, hand, most } = *params;
         Self { struct_size: size_of::<Self>(), crown, branches, shape, directions, hand, most }
@@ -58,8 +58,8 @@ impl tree_select_params {
 
 /// Makes `params`, of `size` bytes, the default.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_select_params_init(
-    params: *mut tree_select_params,
+pub unsafe extern "C" fn tree_template_select_params_init(
+    params: *mut tree_template_select_params,
     size: usize,
 ) -> tree_status {
     call(|| unsafe { init(params, size) })
@@ -67,8 +67,8 @@ pub unsafe extern "C" fn tree_select_params_init(
 
 /// Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_select_params_check(
-    params: *const tree_select_params,
+pub unsafe extern "C" fn tree_template_select_params_check(
+    params: *const tree_template_select_params,
 ) -> tree_status {
     call(|| Ok(unsafe { read(params, "params") }?.rust().validate()?))
 }
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn tree_select_params_check(
 /// A template, and how well it suits a drawing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
-pub struct tree_choice {
+pub struct tree_template_choice {
     /// Index of the template.
     pub index: u32,
     /// Where the eye stands round the template in the view that suits best, in radians, 0 to 2π.
@@ -93,7 +93,7 @@ pub struct tree_choice {
     pub directions: f32,
 }
 
-impl tree_choice {
+impl tree_template_choice {
     pub(crate) fn of(choice: &Choice) -> Self {
         let Choice { template, yaw, score, crown, branches, shape, directions } = *choice;
         Self { index: template as u32, yaw, score, crown, branches, shape, directions }
@@ -108,9 +108,9 @@ pub unsafe extern "C" fn tree_templates_select(
     templates: *const tree_templates,
     plan: *const tree_plan,
     crown: *const tree_crown,
-    params: *const tree_select_params,
+    params: *const tree_template_select_params,
     control: *const tree_control,
-    choices: *mut tree_choice,
+    choices: *mut tree_template_choice,
     capacity: usize,
 ) -> tree_status {
     call(|| {
@@ -124,7 +124,7 @@ pub unsafe extern "C" fn tree_templates_select(
             Ok(select(&drawn, templates, &params)?)
         };
         let found = unsafe { run(control, body) }?;
-        let rows: Vec<_> = found.iter().map(tree_choice::of).collect();
+        let rows: Vec<_> = found.iter().map(tree_template_choice::of).collect();
         unsafe { fill_some(choices, capacity, &rows, "choices") }
     })
 }

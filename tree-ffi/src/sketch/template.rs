@@ -1,7 +1,7 @@
 //! Templates: what is known of trees before one is sketched.
 
 use super::drawing::at;
-use super::exemplar::tree_main_branches;
+use super::exemplar::tree_main_branch_params;
 use super::{document, in_document};
 use crate::border::{
     Failure, Handle, Result, TREE_ERROR_INVALID, TREE_ERROR_UNKNOWN_NAME, Versioned, call, free,
@@ -88,7 +88,7 @@ pub struct tree_template_params {
     /// `sizeof(tree_template_params)`.
     pub struct_size: usize,
     /// Which branches are main ones; NULL for the default.
-    pub main: *const tree_main_branches,
+    pub main: *const tree_main_branch_params,
     /// Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
     pub views: u32,
     /// 0.

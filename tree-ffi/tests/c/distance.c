@@ -25,14 +25,14 @@ static void of_skeletons(void) {
 
     tree_edit_distance same = zeroed(), there = zeroed(), back = zeroed();
     OK(tree_skeleton_distance(fork, fork, NULL, NULL, &same));
-    CHECK(same.value == 0 && same.normalised == 0 && same.n_nodes[0] == 3);
+    CHECK(same.value == 0 && same.normalized == 0 && same.n_nodes[0] == 3);
     OK(tree_skeleton_distance(fork, whip, &params, NULL, &there));
     OK(tree_skeleton_distance(whip, fork, &params, NULL, &back));
     CHECK(there.value > 0 && there.value == back.value);
     CHECK(there.n_nodes[0] == 3 && there.n_nodes[1] == 1);
     CHECK(there.weights[0] == back.weights[1] && there.weights[1] == back.weights[0]);
     double sum = there.weights[0] + there.weights[1] + there.value;
-    CHECK(fabs(there.normalised - 2 * there.value / sum) < 1e-12);
+    CHECK(fabs(there.normalized - 2 * there.value / sum) < 1e-12);
 
     /* Every node for itself, by structure: one node too many, and three that stay. */
     params.weight = TREE_EDIT_WEIGHT_UNIT;

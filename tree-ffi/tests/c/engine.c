@@ -10,7 +10,7 @@ tree_mesh *a_leafy_mesh(void) {
     OK(tree_look_plain(NULL, &look));
     tree_mesh_params params;
     OK(tree_mesh_params_init(&params, sizeof params));
-    params.sides_max = 6;
+    params.max_sides = 6;
     params.error = 0.02f;
     params.tangents = params.lightmap = 1;
     tree_mesh *mesh = NULL;
@@ -333,8 +333,8 @@ static void capsules(void) {
     tree_skeleton *fork = a_fork();
     tree_capsule_params params;
     OK(tree_capsule_params_init(&params, sizeof params));
-    CHECK(params.count_max == 32 && params.radius_min == 0.05f && params.share == 0.95f);
-    params.count_max = 3;
+    CHECK(params.max_count == 32 && params.min_radius == 0.05f && params.share == 0.95f);
+    params.max_count = 3;
     tree_capsule_report report = {.struct_size = sizeof report};
     tree_capsules *capsules = NULL;
     OK(tree_skeleton_capsules(fork, &params, NULL, &report, &capsules));
@@ -353,7 +353,7 @@ static void capsules(void) {
     CHECK(n > 1 || fabs(volume - report.bulk * report.volume * report.held) < 1e-6);
     FAILS(TREE_ERROR_NULL, "capsule", tree_capsule_volume(NULL, &volume));
     CHECK(rows[0].radius >= 0.08f && report.is_enough && report.held >= 0.95 && report.bulk >= 1);
-    CHECK(report.radius_min == 0.05f && report.volume > 0);
+    CHECK(report.min_radius == 0.05f && report.volume > 0);
     OK(tree_capsules_free(capsules));
     params.share = 2;
     FAILS(TREE_ERROR_PARAMETER, "share", tree_skeleton_capsules(fork, &params, NULL, NULL, &capsules));

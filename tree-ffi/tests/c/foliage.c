@@ -29,14 +29,14 @@ static tree_skeleton_columns nodes_of(const tree_tree *tree) {
 }
 
 static void test_presets(void) {
-    size_t n = tree_foliage_species_count();
+    size_t n = tree_foliage_preset_count();
     CHECK(n >= 10);
     int has_ash = 0;
     tree_leaf_params leaves = {.struct_size = sizeof leaves};
     tree_twig_params twigs = {.struct_size = sizeof twigs};
     for (size_t i = 0; i < n; i++) {
         tree_str name, kind;
-        OK(tree_foliage_species_name(i, &name));
+        OK(tree_foliage_preset_name(i, &name));
         OK(tree_foliage_preset(name.data, name.len, &leaves, &twigs, &kind));
         CHECK(kind.len > 0);
         OK(tree_leaf_params_check(&leaves, 1));
@@ -45,7 +45,7 @@ static void test_presets(void) {
     }
     CHECK(has_ash == 1);
     tree_str name;
-    FAILS(TREE_ERROR_PARAMETER, "species", tree_foliage_species_name(n, &name));
+    FAILS(TREE_ERROR_PARAMETER, "species", tree_foliage_preset_name(n, &name));
 
     OK(tree_foliage_preset("ash", TREE_NUL_TERMINATED, &leaves, NULL, NULL));
     CHECK(leaves.form == TREE_LEAVES_PINNATE && leaves.pinnate_pairs == 5);

@@ -59,7 +59,7 @@ static void parts(const tree_tree *tree) {
     OK(tree_multi_mesh_measure(wood, &of_wood));
     CHECK(of_wood.n_levels == TIPS && of_wood.n_triangles == totals.n_triangles);
     tree_mesh_totals of_mesh = {.struct_size = sizeof of_mesh};
-    OK(tree_mesh_count(mesh, &of_mesh));
+    OK(tree_mesh_measure(mesh, &of_mesh));
     CHECK(of_mesh.n_triangles == totals.n_triangles);
     tree_cards_report report = {.struct_size = sizeof report};
     OK(tree_cards_measure(cards, &report));
@@ -132,11 +132,11 @@ static void meshes(const tree_tree *tree) {
     CHECK(none == NULL);
     OK(tree_hybrid_free(hybrid));
     OK(tree_hybrid_choice_mesh(near, NULL, &mesh));
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     CHECK(totals.n_triangles == all.n_triangles);
     OK(tree_mesh_free(mesh));
     OK(tree_hybrid_choice_mesh(far, NULL, &mesh));
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     CHECK(totals.n_triangles > 0 && totals.n_triangles < all.n_triangles / 2);
     OK(tree_mesh_free(mesh));
     OK(tree_hybrid_choice_free(near));

@@ -147,7 +147,7 @@ static void atlases(const tree_cards *cards) {
     tree_mesh *planes = NULL;
     OK(tree_cards_plain(cards, &box, 1, NULL, &planes));
     tree_mesh_totals totals = {.struct_size = sizeof totals};
-    OK(tree_mesh_count(planes, &totals));
+    OK(tree_mesh_measure(planes, &totals));
     CHECK(totals.n_triangles == 12);
     OK(tree_mesh_free(planes));
     FAILS(TREE_ERROR_INVALID, "box", tree_cards_plain(cards, &no_box, 1, NULL, &planes));
@@ -171,13 +171,13 @@ static void drawn(const tree_cards *cards) {
     tree_mesh *mesh = NULL;
     tree_mesh_totals totals = {.struct_size = sizeof totals};
     OK(tree_cards_mesh(cards, two, 2, NULL, &mesh));
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     CHECK(totals.n_triangles == 24 && totals.n_vertices == 48);
     OK(tree_mesh_free(mesh));
     FAILS(TREE_ERROR_INVALID, "no box", tree_cards_mesh(cards, missing, 1, NULL, &mesh));
     static const uint32_t planes[] = {0, 2, 4, 6, 0, 0, 0};
     OK(tree_cards_mesh_of_planes(cards, two, 2, planes, 3, NULL, &mesh));
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     CHECK(totals.n_triangles == 12 && totals.n_vertices == 24);
     OK(tree_mesh_free(mesh));
     FAILS(TREE_ERROR_INVALID, "no plane",

@@ -48,12 +48,12 @@ void test_instance(void) {
     OK(tree_look_of_tree(bush, 1, &look));
     tree_mesh_params mesh_params;
     OK(tree_mesh_params_init(&mesh_params, sizeof mesh_params));
-    mesh_params.sides_max = 4;
+    mesh_params.max_sides = 4;
     mesh_params.error = 0.05f;
     tree_instancing_params params;
     OK(tree_instancing_params_init(&params, sizeof params));
-    CHECK(params.twigs_max == 30 && params.ratio == 11.0f && params.reach == 0.0f);
-    params.twigs_max = 4;
+    CHECK(params.max_twigs == 30 && params.ratio == 11.0f && params.reach == 0.0f);
+    params.max_twigs = 4;
     params.ratio = 2;
     params.reach = 1.9f;
     tree_instancing_report report = {.struct_size = sizeof report}, again = report;
@@ -62,7 +62,7 @@ void test_instance(void) {
     CHECK(report.n_twigs >= 1 && report.n_twigs <= 4 && report.n_instances >= 8);
     CHECK(report.n_leaves == 32 && report.ratio > 1 && report.bytes < report.bytes_flat);
     CHECK(report.reach == 1.9f);
-    OK(tree_twigs_report(twigs, &again));
+    OK(tree_twigs_measure(twigs, &again));
     CHECK(again.bytes == report.bytes && again.deviation == report.deviation);
     size_t n_twigs = 0;
     OK(tree_twigs_count(twigs, &n_twigs));
@@ -72,7 +72,7 @@ void test_instance(void) {
     OK(tree_twigs_base(twigs, &base));
     tree_mesh_totals base_totals = {.struct_size = sizeof base_totals}, twig_totals = base_totals,
                      flat_totals = base_totals;
-    OK(tree_mesh_count(base, &base_totals));
+    OK(tree_mesh_measure(base, &base_totals));
     uint64_t expected = base_totals.n_triangles;
     size_t n_instances = 0;
     for (size_t i = 0; i < n_twigs; i++) {
@@ -87,14 +87,14 @@ void test_instance(void) {
             CHECK(instances.translations[3 * k + 1] > 0);
         }
         OK(tree_twigs_mesh(twigs, i, &twig));
-        OK(tree_mesh_count(twig, &twig_totals));
+        OK(tree_mesh_measure(twig, &twig_totals));
         CHECK(twig_totals.n_triangles > 0 && twig_totals.n_surfaces == base_totals.n_surfaces);
         expected += twig_totals.n_triangles * instances.n_instances;
         OK(tree_mesh_free(twig));
     }
     CHECK(n_instances == report.n_instances);
     OK(tree_twigs_flatten(twigs, NULL, &flat));
-    OK(tree_mesh_count(flat, &flat_totals));
+    OK(tree_mesh_measure(flat, &flat_totals));
     CHECK(flat_totals.n_triangles == expected);
     OK(tree_mesh_check(flat));
     OK(tree_mesh_free(flat));
@@ -110,11 +110,11 @@ void test_instance(void) {
     const tree_mesh *meshes[] = {twig};
     tree_twigs *made = NULL;
     OK(tree_twigs_from_parts(base, meshes, &own, 1, NULL, &made));
-    OK(tree_twigs_report(made, &again));
+    OK(tree_twigs_measure(made, &again));
     CHECK(again.n_twigs == 1 && again.n_instances == 3 && again.reach == 0);
     OK(tree_twigs_flatten(made, NULL, &flat));
-    OK(tree_mesh_count(flat, &flat_totals));
-    OK(tree_mesh_count(twig, &twig_totals));
+    OK(tree_mesh_measure(flat, &flat_totals));
+    OK(tree_mesh_measure(twig, &twig_totals));
     CHECK(flat_totals.n_triangles == base_totals.n_triangles + 3 * twig_totals.n_triangles);
     OK(tree_mesh_free(flat));
     OK(tree_twigs_free(made));

@@ -20,7 +20,7 @@ static void gone(const char *name) {
 
 static tree_mesh_totals totals_of(const tree_mesh *mesh) {
     tree_mesh_totals totals = {.struct_size = sizeof totals};
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     return totals;
 }
 
@@ -339,8 +339,8 @@ static void instanced(void) {
     OK(tree_mesh_free(bark));
     tree_mesh_params params;
     OK(tree_mesh_params_init(&params, sizeof params));
-    params.sides_min = 99;
-    FAILS(TREE_ERROR_PARAMETER, "sides_min",
+    params.min_sides = 99;
+    FAILS(TREE_ERROR_PARAMETER, "min_sides",
           tree_mesh_build_instanced(tree, look, &params, NULL, &bark, &leaves));
     CHECK(bark == NULL && leaves == NULL);
     OK(tree_look_free(look));

@@ -127,7 +127,7 @@ static void views(void) {
     size_t n_views;
     around.pitches = pitches;
     around.n_pitches = 2;
-    OK(tree_around_n_views(&around, &n_views));
+    OK(tree_around_count(&around, &n_views));
     CHECK(n_views == 8);
     tree_view view = {.struct_size = sizeof view};
     OK(tree_around_view(&around, 5, &view));
@@ -140,7 +140,7 @@ static void views(void) {
     FAILS(TREE_ERROR_PARAMETER, "pitches", tree_around_check(&around));
     around.n_pitches = 1;
     around.size = 7;
-    FAILS(TREE_ERROR_PARAMETER, "around.size", tree_around_n_views(&around, &n_views));
+    FAILS(TREE_ERROR_PARAMETER, "around.size", tree_around_count(&around, &n_views));
     FAILS(TREE_ERROR_NULL, "around", tree_around_check(NULL));
     OK(tree_around_for_order(&around, sizeof around, 100));
     CHECK(around.azimuths == 12 && around.n_pitches == 2 && around.pitches[1] > 0.3f);
@@ -366,7 +366,7 @@ static void fields(const tree_elements *elements) {
     tree_metaballs *field = NULL, *none = NULL;
     OK(tree_metaballs_new(points, 2, 1, NULL, &field));
     OK(tree_metaballs_radius(field, &radius));
-    OK(tree_metaballs_n_points(field, &n_points));
+    OK(tree_metaballs_count(field, &n_points));
     OK(tree_metaballs_bounds(field, &box));
     CHECK(radius == 1 && n_points == 2 && box[3] == 0.5f && box[1] == 0);
     OK(tree_metaballs_values(field, points, 3, NULL, values, 3));
@@ -381,7 +381,7 @@ static void fields(const tree_elements *elements) {
     FAILS(TREE_ERROR_PARAMETER, "radius", tree_metaballs_new(points, 2, 0, NULL, &none));
     FAILS(TREE_ERROR_INVALID, "no elements", tree_metaballs_new(NULL, 0, 1, NULL, &none));
     OK(tree_metaballs_of_elements(elements, 0.1f, 0, NULL, &field));
-    OK(tree_metaballs_n_points(field, &n_points));
+    OK(tree_metaballs_count(field, &n_points));
     OK(tree_metaballs_radius(field, &radius));
     CHECK(n_points == CARDS && fabsf(radius - 0.4f) < 0.01f);
     OK(tree_metaballs_free(field));
@@ -421,7 +421,7 @@ static tree_hull *hulls(const tree_elements *elements) {
     tree_mesh *mesh = NULL;
     OK(tree_hull_mesh(hull, &mesh));
     tree_mesh_totals totals = {.struct_size = sizeof totals};
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     CHECK(totals.n_surfaces == 1 && totals.n_triangles == view.n_indices / 3);
     OK(tree_mesh_free(mesh));
     float places[96], normals[96];

@@ -181,7 +181,7 @@ static void frames(tree_scene *scene, tree_scene_state *state) {
     frame.cut = 1;
     OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
     CHECK(report.drawn == TREES - 1 && report.culled == 1);
-    OK(tree_scene_state_n_drawn(state, &n_drawn));
+    OK(tree_scene_state_count_drawn(state, &n_drawn));
     CHECK(n_drawn == report.drawn);
     OK(tree_scene_state_draws(state, scene, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
     CHECK(n_rows == report.drawn && n_draws == PARTS * n_rows);

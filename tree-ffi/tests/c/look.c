@@ -245,7 +245,7 @@ static void own_looks(void) {
     OK(tree_texture_free(shared));
     tree_leaf_look back = {.struct_size = sizeof back};
     OK(tree_look_leaf(look, 0, &back));
-    CHECK(back.form == TREE_LEAF_OUTLINE && back.vertices_max == 8 && back.bend == 0.5f);
+    CHECK(back.form == TREE_LEAF_OUTLINE && back.max_vertices == 8 && back.bend == 0.5f);
     CHECK(!back.material && !back.mesh);
     tree_leaf_mesh mesh = {.struct_size = sizeof mesh};
     OK(tree_look_leaf_mesh(look, 0, &mesh));
@@ -294,9 +294,9 @@ static void bad_looks(void) {
     diamond.n_vertices = (size_t)1 << 60;
     FAILS(TREE_ERROR_LIMIT, "triangles", tree_look_new(NULL, &leaf, 1, NULL, &look));
     leaf.form = TREE_LEAF_MODELLED;
-    leaf.vertices_max = 65;
-    FAILS(TREE_ERROR_PARAMETER, "vertices_max", tree_look_new(NULL, &leaf, 1, NULL, &look));
-    leaf.vertices_max = 12;
+    leaf.max_vertices = 65;
+    FAILS(TREE_ERROR_PARAMETER, "max_vertices", tree_look_new(NULL, &leaf, 1, NULL, &look));
+    leaf.max_vertices = 12;
     leaf.struct_size = 1;
     FAILS(TREE_ERROR_STRUCT_SIZE, "leaves", tree_look_new(NULL, &leaf, 1, NULL, &look));
     CHECK(look == NULL);

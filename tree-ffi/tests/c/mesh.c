@@ -15,7 +15,7 @@ static tree_mesh *a_mesh(const tree_mesh_params *params) {
 static tree_mesh_params coarse(void) {
     tree_mesh_params params;
     OK(tree_mesh_params_init(&params, sizeof params));
-    params.sides_max = 6;
+    params.max_sides = 6;
     params.error = 0.02f;
     return params;
 }
@@ -23,7 +23,7 @@ static tree_mesh_params coarse(void) {
 static void parameters(void) {
     tree_mesh_params params;
     OK(tree_mesh_params_init(&params, sizeof params));
-    CHECK(params.sides_max == 20 && params.error == 0.003f && params.fit == TREE_CURVE_THROUGH);
+    CHECK(params.max_sides == 20 && params.error == 0.003f && params.fit == TREE_CURVE_THROUGH);
     CHECK(params.continuation == TREE_CONTINUATION_THICKEST && params.leaf_rounding == 0.6f);
     OK(tree_mesh_params_check(&params));
     float metres = 0;
@@ -58,7 +58,7 @@ static void building(void) {
     CHECK(report.n_tubes == 2 && report.n_leaf_fallbacks == 0 && report.leaf_fallbacks == NULL);
 
     tree_mesh_totals totals = {.struct_size = sizeof totals};
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     CHECK(totals.n_surfaces == 2 && totals.n_materials == 2 && totals.n_branches == 2);
     CHECK(totals.n_vertices == report.n_vertices && totals.n_triangles == report.n_triangles);
     size_t n_surfaces = 0;
@@ -73,16 +73,16 @@ static void building(void) {
 
     OK(tree_mesh_build_leaves(tree, NULL, &params, NULL, &mesh));
     tree_mesh_totals leaves = {.struct_size = sizeof leaves};
-    OK(tree_mesh_count(mesh, &leaves));
+    OK(tree_mesh_measure(mesh, &leaves));
     CHECK(leaves.n_surfaces == 2 && leaves.n_branches == 0 && leaves.n_triangles > 0);
     CHECK(leaves.n_triangles < totals.n_triangles);
     OK(tree_mesh_free(mesh));
 
     tree_look *look = NULL;
     OK(tree_look_plain(NULL, &look));
-    params.sides_min = 50;
-    FAILS(TREE_ERROR_PARAMETER, "sides_min", tree_mesh_build(tree, look, &params, NULL, NULL, &mesh));
-    FAILS(TREE_ERROR_PARAMETER, "sides_min", tree_mesh_build_leaves(tree, look, &params, NULL, &mesh));
+    params.min_sides = 50;
+    FAILS(TREE_ERROR_PARAMETER, "min_sides", tree_mesh_build(tree, look, &params, NULL, NULL, &mesh));
+    FAILS(TREE_ERROR_PARAMETER, "min_sides", tree_mesh_build_leaves(tree, look, &params, NULL, &mesh));
     CHECK(mesh == NULL);
     FAILS(TREE_ERROR_HANDLE, "tree_look",
           tree_mesh_build(tree, (const tree_look *)tree, NULL, NULL, NULL, &mesh));

@@ -113,7 +113,7 @@ static void prefixes(const tree_multires *multires) {
         tree_skeleton *skeleton = NULL;
         tree_skeleton_columns own = {.struct_size = sizeof own};
         size_t found = 0;
-        OK(tree_multires_counts(multires, k, &n_nodes, &n_leaves));
+        OK(tree_multires_level_counts(multires, k, &n_nodes, &n_leaves));
         OK(tree_multires_level(multires, k, &columns, &foliage));
         CHECK(n_nodes > before && columns.n_nodes == n_nodes && foliage.n_leaves == n_leaves);
         CHECK(columns.positions == all.positions && columns.parents == all.parents);
@@ -128,13 +128,13 @@ static void prefixes(const tree_multires *multires) {
         CHECK(found == k);
     }
     CHECK(n_nodes == NODES && n_leaves == LEAVES);
-    OK(tree_multires_counts(multires, 0, &n_nodes, &n_leaves));
+    OK(tree_multires_level_counts(multires, 0, &n_nodes, &n_leaves));
     CHECK(n_nodes == TRUNK + 2 && n_leaves == 2);
     OK(tree_multires_level_of_nodes(multires, 0, &n));
     CHECK(n == 1);
     foliage.struct_size = 3;
     FAILS(TREE_ERROR_STRUCT_SIZE, "foliage", tree_multires_level(multires, 1, &columns, &foliage));
-    FAILS(TREE_ERROR_NULL, "n_leaves", tree_multires_counts(multires, 1, &n_nodes, NULL));
+    FAILS(TREE_ERROR_NULL, "n_leaves", tree_multires_level_counts(multires, 1, &n_nodes, NULL));
 }
 
 static const char *a_path(const char *name) {
@@ -322,7 +322,7 @@ static void draws(const tree_multi_mesh *multi, const tree_multires *multires) {
         for (size_t k = 0; k < few.n_indices; k++) {
             float drawn[3];
             const float *branch = column.branches + 4 * all.indices[k];
-            OK(tree_grow_position(all.positions + 3 * all.indices[k], branch, 4.5f, &drawn));
+            OK(tree_multi_mesh_position(all.positions + 3 * all.indices[k], branch, 4.5f, &drawn));
             CHECK(memcmp(drawn, few.positions + 3 * few.indices[k], sizeof drawn) == 0 && branch[3] < 5);
         }
         /* The last path stems from a node of those before. */
@@ -346,22 +346,22 @@ static void shaders(void) {
     static const char *const words[] = {"vec3<f32>", "vec3 ", "float3 "};
     tree_str text = {0};
     for (tree_shader language = TREE_SHADER_WGSL; language <= TREE_SHADER_HLSL; language++) {
-        OK(tree_grow_shader(language, &text));
+        OK(tree_multi_mesh_shader(language, &text));
         char *copy = calloc(text.len + 1, 1);
         memcpy(copy, text.data, text.len);
         CHECK(strstr(copy, "tree_grow_position") && strstr(copy, words[language]));
         free(copy);
     }
-    FAILS(TREE_ERROR_ENUM, "TREE_SHADER_", tree_grow_shader(3, &text));
-    FAILS(TREE_ERROR_NULL, "text", tree_grow_shader(TREE_SHADER_WGSL, NULL));
+    FAILS(TREE_ERROR_ENUM, "TREE_SHADER_", tree_multi_mesh_shader(3, &text));
+    FAILS(TREE_ERROR_NULL, "text", tree_multi_mesh_shader(TREE_SHADER_WGSL, NULL));
     static const float vertex[3] = {2, 0, 0}, branch[4] = {1, 0, 0, 3};
     float drawn[3];
-    OK(tree_grow_position(vertex, branch, 3.25f, &drawn));
+    OK(tree_multi_mesh_position(vertex, branch, 3.25f, &drawn));
     CHECK(drawn[0] == 1.25f && drawn[1] == 0);
-    OK(tree_grow_position(vertex, branch, 9, &drawn));
+    OK(tree_multi_mesh_position(vertex, branch, 9, &drawn));
     CHECK(drawn[0] == 2);
-    FAILS(TREE_ERROR_NULL, "branch", tree_grow_position(vertex, NULL, 1, &drawn));
-    FAILS(TREE_ERROR_NULL, "drawn", tree_grow_position(vertex, branch, 1, NULL));
+    FAILS(TREE_ERROR_NULL, "branch", tree_multi_mesh_position(vertex, NULL, 1, &drawn));
+    FAILS(TREE_ERROR_NULL, "drawn", tree_multi_mesh_position(vertex, branch, 1, NULL));
 }
 
 static int holds(const tree_bytes *bytes, const char *word) {
@@ -409,8 +409,8 @@ static void bad_meshes(const tree_multires *multires) {
     tree_multi_mesh *none = NULL;
     tree_mesh_params params;
     OK(tree_mesh_params_init(&params, sizeof params));
-    params.radius_min = NAN;
-    FAILS(TREE_ERROR_PARAMETER, "radius_min", tree_multi_mesh_new(multires, NULL, &params, NULL, &none));
+    params.min_radius = NAN;
+    FAILS(TREE_ERROR_PARAMETER, "min_radius", tree_multi_mesh_new(multires, NULL, &params, NULL, &none));
     FAILS(TREE_ERROR_NULL, "multires", tree_multi_mesh_new(NULL, NULL, NULL, NULL, &none));
     tree_cancel *cancel = NULL;
     tree_control control;

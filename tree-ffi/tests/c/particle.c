@@ -79,14 +79,14 @@ static tree_finish_params sparse(tree_leaf_params *leaves) {
     params.blade = 0.28f;
     params.radii = &rule;
     FAILS(TREE_ERROR_PARAMETER, "TREE_RADII_PIPE", tree_finish_params_check(&params));
-    OK(tree_finish_params_find(&params, sizeof params, "pine", TREE_NUL_TERMINATED));
+    OK(tree_finish_params_find("pine", TREE_NUL_TERMINATED, &params, sizeof params));
     CHECK(params.species->name.len == 4 && memcmp(params.species->name.data, "pine", 4) == 0);
     CHECK(params.leaves->size > 0.2f);
     FAILS(TREE_ERROR_UNKNOWN_NAME, "pine",
-          tree_finish_params_find(&params, sizeof params, "no tree", TREE_NUL_TERMINATED));
-    OK(tree_finish_params_of(&params, sizeof params, "pine", 4));
+          tree_finish_params_find("no tree", TREE_NUL_TERMINATED, &params, sizeof params));
+    OK(tree_finish_params_of("pine", 4, &params, sizeof params));
     CHECK(params.leaves->size < 0.2f);
-    OK(tree_finish_params_find(&params, sizeof params, "oak", 3));
+    OK(tree_finish_params_find("oak", 3, &params, sizeof params));
     *leaves = *params.leaves;
     leaves->size = 0.6f;
     params.leaves = leaves;
@@ -534,7 +534,7 @@ static void stages(tree_photo_session *session) {
     OK(tree_photo_session_seed(session, &seed));
     CHECK(n_views == 2 && seed == 7 && ran(session, "0000000"));
     tree_photo_params params = {.struct_size = sizeof params};
-    OK(tree_photo_session_params(session, &params));
+    OK(tree_photo_session_get_params(session, &params));
     CHECK(params.height == 8 && params.flow->particles == 80 && params.density->resolution == 16);
     CHECK(params.livewire && params.seeds && params.strokes && params.field->rows == 24);
     CHECK(params.finish->twigs == NULL && params.finish->leaves->size == 0.6f);
@@ -659,7 +659,7 @@ static void edits(tree_photo_session *session, small *small, tree_matte *matte) 
     CHECK(ran(session, "1111122"));
     OK(tree_tree_free(tree));
     tree_photo_params now = {.struct_size = sizeof now};
-    OK(tree_photo_session_params(session, &now));
+    OK(tree_photo_session_get_params(session, &now));
     CHECK(now.finish->smoothing == 6);
     small->params.height = -1;
     FAILS(TREE_ERROR_PARAMETER, "height",

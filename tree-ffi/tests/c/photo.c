@@ -588,20 +588,20 @@ static void paths(void) {
     CHECK(near(spread.from_trunk, 0.08f) && spread.reserved == 0);
     float seeds[24], again[24];
     size_t n = 0;
-    OK(tree_silhouette_seeds(matte, base, 10, &spread, 7, NULL, seeds, 24, &n));
+    OK(tree_matte_seeds(matte, base, 10, &spread, 7, NULL, seeds, 24, &n));
     CHECK(n == 10);
-    OK(tree_silhouette_seeds(matte, base, 10, NULL, 7, NULL, again, 24, &n));
+    OK(tree_matte_seeds(matte, base, 10, NULL, 7, NULL, again, 24, &n));
     CHECK(memcmp(seeds, again, 2 * n * sizeof *seeds) == 0);
     for (size_t i = 0; i < n; i++) {
         float dx = seeds[2 * i] - 30, dy = seeds[2 * i + 1] - 28;
         CHECK(fabsf(sqrtf(dx * dx + dy * dy) - 22) < 3);
     }
     FAILS(TREE_ERROR_BUFFER, "seeds",
-          tree_silhouette_seeds(matte, base, 10, NULL, 7, NULL, seeds, 5, &n));
+          tree_matte_seeds(matte, base, 10, NULL, 7, NULL, seeds, 5, &n));
     FAILS(TREE_ERROR_PARAMETER, "seeds.n",
-          tree_silhouette_seeds(matte, base, 1 << 30, NULL, 7, NULL, seeds, 24, &n));
+          tree_matte_seeds(matte, base, 1 << 30, NULL, 7, NULL, seeds, 24, &n));
     FAILS(TREE_ERROR_NO_RESULT, "no silhouette",
-          tree_silhouette_seeds(empty, base, 10, NULL, 7, NULL, seeds, 24, &n));
+          tree_matte_seeds(empty, base, 10, NULL, 7, NULL, seeds, 24, &n));
 
     tree_livewire_params params;
     OK(tree_livewire_params_init(&params, sizeof params));

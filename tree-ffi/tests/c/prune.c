@@ -52,7 +52,7 @@ static tree_mesh *a_ball_of_discs(int with_leaves) {
 
 static size_t triangles_of(const tree_mesh *mesh) {
     tree_mesh_totals totals = {.struct_size = sizeof totals};
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     return totals.n_triangles;
 }
 

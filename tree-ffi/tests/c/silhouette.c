@@ -52,19 +52,19 @@ static const tree_silhouette_params *small(void) {
 }
 
 /* Trunk and crown. */
-static tree_silhouette *a_silhouette(void) {
+static tree_silhouette_session *a_silhouette(void) {
     float crown[2 * MOST];
     size_t n = ring(crown, 0, 5, 3, 0.16f, 7);
-    tree_silhouette *silhouette = NULL;
-    OK(tree_silhouette_new(small(), 5, &silhouette));
-    OK(tree_silhouette_draw_trunk(silhouette, trunk_points, 3, NULL, NULL));
-    OK(tree_silhouette_draw_crown(silhouette, crown, n, NULL, NULL));
+    tree_silhouette_session *silhouette = NULL;
+    OK(tree_silhouette_session_new(small(), 5, &silhouette));
+    OK(tree_silhouette_session_draw_trunk(silhouette, trunk_points, 3, NULL, NULL));
+    OK(tree_silhouette_session_draw_crown(silhouette, crown, n, NULL, NULL));
     return silhouette;
 }
 
-static tree_outline_plan *plan_of(const tree_silhouette *silhouette) {
+static tree_outline_plan *plan_of(const tree_silhouette_session *silhouette) {
     tree_outline_plan *plan = NULL;
-    OK(tree_silhouette_plan(silhouette, &plan));
+    OK(tree_silhouette_session_plan(silhouette, &plan));
     return plan;
 }
 
@@ -96,26 +96,26 @@ static double sum_of(const tree_tree *tree) {
     return sum;
 }
 
-static double sum_of_silhouette(const tree_silhouette *silhouette, const tree_control *control) {
+static double sum_of_silhouette(const tree_silhouette_session *silhouette, const tree_control *control) {
     tree_tree *tree = NULL;
-    OK(tree_silhouette_tree(silhouette, control, NULL, &tree));
+    OK(tree_silhouette_session_tree(silhouette, control, NULL, &tree));
     double sum = sum_of(tree);
     OK(tree_tree_free(tree));
     return sum;
 }
 
 static void test_first_strokes(void) {
-    tree_silhouette *silhouette = NULL;
+    tree_silhouette_session *silhouette = NULL;
     tree_outline_plan *plan = NULL;
     tree_tree *tree = NULL;
     tree_silhouette_change *change = NULL;
     float by_bumps = 9, by_all = 9, crown[2 * MOST];
-    OK(tree_silhouette_new(NULL, 5, &silhouette));
-    FAILS(TREE_ERROR_NO_RESULT, "crown", tree_silhouette_plan(silhouette, &plan));
-    FAILS(TREE_ERROR_INVALID, "crown", tree_silhouette_tree(silhouette, NULL, NULL, &tree));
+    OK(tree_silhouette_session_new(NULL, 5, &silhouette));
+    FAILS(TREE_ERROR_NO_RESULT, "crown", tree_silhouette_session_plan(silhouette, &plan));
+    FAILS(TREE_ERROR_INVALID, "crown", tree_silhouette_session_tree(silhouette, NULL, NULL, &tree));
     FAILS(TREE_ERROR_INVALID, "crown",
-          tree_silhouette_draw_leaf(silhouette, trunk_points, 3, NULL, &change));
-    OK(tree_silhouette_coverage(silhouette, &by_bumps, &by_all));
+          tree_silhouette_session_draw_leaf(silhouette, trunk_points, 3, NULL, &change));
+    OK(tree_silhouette_session_coverage(silhouette, &by_bumps, &by_all));
     CHECK(by_bumps == 0 && by_all == 0 && plan == NULL && tree == NULL && change == NULL);
 
     /* With the clock: it is turned. A point far away is left out, and that is told. */
@@ -126,7 +126,7 @@ static void test_first_strokes(void) {
         turned[2 * i + 1] = crown[2 * (n - 1 - i) + 1];
     }
     turned[6] = 1e30f;
-    OK(tree_silhouette_draw_crown(silhouette, turned, n, NULL, &change));
+    OK(tree_silhouette_session_draw_crown(silhouette, turned, n, NULL, &change));
     tree_silhouette_change_columns changed = view_of(change);
     CHECK(changed.trunk == 1 && changed.n_added >= 5);
     CHECK(changed.n_removed == 0 && changed.removed == NULL && changed.n_reshaped == 0);
@@ -176,7 +176,7 @@ static void test_first_strokes(void) {
                           columns.outline_starts[i + 1] - columns.outline_starts[i]));
     }
     CHECK(n_lefts > 1 && (size_t)n_lefts + 1 < columns.n_branches && n_of_bumps >= 5);
-    OK(tree_silhouette_coverage(silhouette, &by_bumps, &by_all));
+    OK(tree_silhouette_session_coverage(silhouette, &by_bumps, &by_all));
     CHECK(by_bumps > 0.3f && by_all >= by_bumps && by_all > 0.6f && by_all <= 1);
 
     /* What is not there. */
@@ -199,7 +199,7 @@ static void test_first_strokes(void) {
     /* The trunk drawn from the top down is turned. What was handed out stays as it was. */
     static const float down[] = {0, 5, 0.05f, 2, 0, 0};
     OK(tree_silhouette_change_free(change));
-    OK(tree_silhouette_draw_trunk(silhouette, down, 3, NULL, &change));
+    OK(tree_silhouette_session_draw_trunk(silhouette, down, 3, NULL, &change));
     changed = view_of(change);
     CHECK(changed.trunk == 1 && changed.n_repairs == 1);
     CHECK(trunk.axis_points[1] > 1 && columns.n_branches == columns_of(plan).n_branches);
@@ -212,13 +212,13 @@ static void test_first_strokes(void) {
 
     /* Far from the crown it bears nothing. */
     static const float aside[] = {40, 0, 40, 5};
-    FAILS(TREE_ERROR_INVALID, "trunk", tree_silhouette_draw_trunk(silhouette, aside, 2, NULL, &change));
+    FAILS(TREE_ERROR_INVALID, "trunk", tree_silhouette_session_draw_trunk(silhouette, aside, 2, NULL, &change));
     CHECK(change == NULL);
-    OK(tree_silhouette_free(silhouette));
+    OK(tree_silhouette_session_free(silhouette));
 }
 
 static void test_levels(void) {
-    tree_silhouette *silhouette = a_silhouette();
+    tree_silhouette_session *silhouette = a_silhouette();
     tree_silhouette_change *change = NULL;
     tree_outline_plan *plan = plan_of(silhouette);
     tree_outline_plan_columns columns = columns_of(plan);
@@ -226,7 +226,7 @@ static void test_levels(void) {
 
     /* Its own outline, drawn: the branch bears a system. */
     tree_outline_branch branch = branch_of(plan, first);
-    OK(tree_silhouette_refine_branch(silhouette, first, branch.outline_points,
+    OK(tree_silhouette_session_refine_branch(silhouette, first, branch.outline_points,
                                      branch.n_outline_points, NULL, &change));
     tree_silhouette_change_columns changed = view_of(change);
     CHECK(changed.n_restyled == 1 && changed.restyled[0] == first && changed.n_added > 0);
@@ -246,33 +246,33 @@ static void test_levels(void) {
     OK(tree_silhouette_change_free(change));
 
     /* The same by its place: the branch that runs through it. */
-    tree_silhouette *copy = NULL;
-    OK(tree_silhouette_copy(silhouette, &copy));
+    tree_silhouette_session *copy = NULL;
+    OK(tree_silhouette_session_copy(silhouette, &copy));
     branch = branch_of(plan, other);
-    OK(tree_silhouette_refine(copy, 1, branch.outline_points, branch.n_outline_points, NULL, &change));
+    OK(tree_silhouette_session_refine(copy, 1, branch.outline_points, branch.n_outline_points, NULL, &change));
     changed = view_of(change);
     CHECK(changed.n_restyled == 1 && changed.restyled[0] == other);
     OK(tree_silhouette_change_free(change));
     FAILS(TREE_ERROR_INVALID, "level 3",
-          tree_silhouette_refine(copy, 4, branch.outline_points, branch.n_outline_points, NULL, &change));
+          tree_silhouette_session_refine(copy, 4, branch.outline_points, branch.n_outline_points, NULL, &change));
     FAILS(TREE_ERROR_PARAMETER, "level",
-          tree_silhouette_refine(copy, 9, branch.outline_points, branch.n_outline_points, NULL, &change));
+          tree_silhouette_session_refine(copy, 9, branch.outline_points, branch.n_outline_points, NULL, &change));
     FAILS(TREE_ERROR_INVALID, "branch 9999",
-          tree_silhouette_refine_branch(copy, 9999, branch.outline_points, branch.n_outline_points,
+          tree_silhouette_session_refine_branch(copy, 9999, branch.outline_points, branch.n_outline_points,
                                         NULL, &change));
-    OK(tree_silhouette_free(copy));
+    OK(tree_silhouette_session_free(copy));
 
     /* Styles: the second takes that of the first, whatever is nearest. */
     uint32_t targets[] = {other};
-    OK(tree_silhouette_copy_style(silhouette, first, targets, 1, &change));
+    OK(tree_silhouette_session_copy_style(silhouette, first, targets, 1, &change));
     changed = view_of(change);
     CHECK(changed.n_restyled == 1 && changed.restyled[0] == other && changed.n_reshaped == 0);
     OK(tree_silhouette_change_free(change));
-    FAILS(TREE_ERROR_INVALID, "not drawn", tree_silhouette_copy_style(silhouette, other, targets, 1, &change));
+    FAILS(TREE_ERROR_INVALID, "not drawn", tree_silhouette_session_copy_style(silhouette, other, targets, 1, &change));
     OK(tree_outline_plan_free(refined));
     refined = plan_of(silhouette);
     CHECK(branch_of(refined, other).style == first);
-    OK(tree_silhouette_copy_style(silhouette, 0, targets, 1, NULL));
+    OK(tree_silhouette_session_copy_style(silhouette, 0, targets, 1, NULL));
     OK(tree_outline_plan_free(refined));
     refined = plan_of(silhouette);
     CHECK(branch_of(refined, other).style == TREE_NO_BRANCH);
@@ -282,7 +282,7 @@ static void test_levels(void) {
     float points[2 * MOST], length = 0;
     size_t n = ring(points, 8, 1, 0.05f, 0, 0);
     tree_leaf_outline *leaf = NULL;
-    OK(tree_silhouette_draw_leaf(silhouette, points, n, NULL, &change));
+    OK(tree_silhouette_session_draw_leaf(silhouette, points, n, NULL, &change));
     changed = view_of(change);
     CHECK(changed.leaf == 1 && changed.trunk == 0 && changed.n_added == 0 && changed.n_restyled == 0);
     OK(tree_silhouette_change_free(change));
@@ -295,7 +295,7 @@ static void test_levels(void) {
     /* The crown from the side. */
     tree_outline *outline = NULL;
     n = ring(points, 0, 5, 2, 0.1f, 5);
-    OK(tree_silhouette_draw_section(silhouette, 1.5708f, points, n, NULL, &change));
+    OK(tree_silhouette_session_draw_section(silhouette, 1.5708f, points, n, NULL, &change));
     CHECK(view_of(change).trunk == 1);
     OK(tree_silhouette_change_free(change));
     refined = plan_of(silhouette);
@@ -311,7 +311,7 @@ static void test_levels(void) {
     OK(tree_outline_free(outline));
     OK(tree_outline_plan_free(refined));
     OK(tree_outline_plan_free(plan));
-    OK(tree_silhouette_free(silhouette));
+    OK(tree_silhouette_session_free(silhouette));
 }
 
 /* The line of a branch with its tip moved up. */
@@ -326,7 +326,7 @@ static size_t bent(const tree_outline_branch *branch, float *points) {
 }
 
 static void test_redrawn(void) {
-    tree_silhouette *silhouette = a_silhouette();
+    tree_silhouette_session *silhouette = a_silhouette();
     tree_silhouette_change *change = NULL;
     tree_outline_plan *plan = plan_of(silhouette);
     tree_outline_plan_columns columns = columns_of(plan);
@@ -345,7 +345,7 @@ static void test_redrawn(void) {
                  {TREE_TRANSFER_SIDE, 2, n_side},
                  {TREE_TRANSFER_SIBLINGS, n_side, columns.n_branches}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        OK(tree_silhouette_redraw(silhouette, 1, points, n, cases[i].transfer, columns.ids + 1, 1,
+        OK(tree_silhouette_session_redraw(silhouette, 1, points, n, cases[i].transfer, columns.ids + 1, 1,
                                   NULL, &change));
         tree_silhouette_change_columns changed = view_of(change);
         CHECK(changed.n_added == 0 && changed.n_removed == 0 && has(changed.reshaped, changed.n_reshaped, id));
@@ -361,19 +361,19 @@ static void test_redrawn(void) {
         OK(tree_outline_plan_system(redrawn, TREE_NO_BRANCH, &trunk));
         CHECK(trunk.n_angles >= 2);
         OK(tree_outline_plan_free(redrawn));
-        OK(tree_silhouette_undo(silhouette, NULL));
+        OK(tree_silhouette_session_undo(silhouette, NULL));
     }
     FAILS(TREE_ERROR_ENUM, "TREE_TRANSFER_",
-          tree_silhouette_redraw(silhouette, 1, points, n, 4, NULL, 0, NULL, &change));
+          tree_silhouette_session_redraw(silhouette, 1, points, n, 4, NULL, 0, NULL, &change));
     FAILS(TREE_ERROR_NULL, "only",
-          tree_silhouette_redraw(silhouette, 1, points, n, TREE_TRANSFER_ONLY, NULL, 2, NULL, &change));
+          tree_silhouette_session_redraw(silhouette, 1, points, n, TREE_TRANSFER_ONLY, NULL, 2, NULL, &change));
     FAILS(TREE_ERROR_INVALID, "no length",
-          tree_silhouette_redraw(silhouette, 1, points, 1, TREE_TRANSFER_NOBODY, NULL, 0, NULL, &change));
+          tree_silhouette_session_redraw(silhouette, 1, points, 1, TREE_TRANSFER_NOBODY, NULL, 0, NULL, &change));
     CHECK(change == NULL);
 
     /* Seen from the side: a new branch, with an azimuth. From in front it is as before. */
     static const float towards[] = {0, 3.5f, 1, 4.2f, 1.8f, 5};
-    OK(tree_silhouette_redraw_from(silhouette, 1.5708f, 0, towards, 3, TREE_TRANSFER_NOBODY, NULL, 0,
+    OK(tree_silhouette_session_redraw_from(silhouette, 1.5708f, 0, towards, 3, TREE_TRANSFER_NOBODY, NULL, 0,
                                    NULL, &change));
     tree_silhouette_change_columns changed = view_of(change);
     CHECK(changed.n_added == 1 && changed.n_reshaped == 0);
@@ -384,50 +384,50 @@ static void test_redrawn(void) {
     OK(tree_outline_plan_free(more));
     uint32_t added = changed.added[0];
     OK(tree_silhouette_change_free(change));
-    OK(tree_silhouette_redraw_from(silhouette, 0, 0, points, n, TREE_TRANSFER_NOBODY, NULL, 0, NULL,
+    OK(tree_silhouette_session_redraw_from(silhouette, 0, 0, points, n, TREE_TRANSFER_NOBODY, NULL, 0, NULL,
                                    &change));
     changed = view_of(change);
     CHECK(changed.n_reshaped == 1 && changed.reshaped[0] == id && changed.n_added == 0);
     OK(tree_silhouette_change_free(change));
     FAILS(TREE_ERROR_PARAMETER, "view.pitch",
-          tree_silhouette_redraw_from(silhouette, 0, 1.5f, points, n, 0, NULL, 0, NULL, &change));
+          tree_silhouette_session_redraw_from(silhouette, 0, 1.5f, points, n, 0, NULL, 0, NULL, &change));
     FAILS(TREE_ERROR_PARAMETER, "view.yaw",
-          tree_silhouette_redraw_from(silhouette, NAN, 0, points, n, 0, NULL, 0, NULL, &change));
+          tree_silhouette_session_redraw_from(silhouette, NAN, 0, points, n, 0, NULL, 0, NULL, &change));
 
     /* Removed, undone, done again. */
-    OK(tree_silhouette_remove(silhouette, added, &change));
+    OK(tree_silhouette_session_remove(silhouette, added, &change));
     changed = view_of(change);
     CHECK(changed.n_removed == 1 && changed.removed[0] == added && changed.n_reshaped == 0);
     OK(tree_silhouette_change_free(change));
-    FAILS(TREE_ERROR_INVALID, "no branch", tree_silhouette_remove(silhouette, added, &change));
-    OK(tree_silhouette_depth(silhouette, &n_undo, &n_redo));
+    FAILS(TREE_ERROR_INVALID, "no branch", tree_silhouette_session_remove(silhouette, added, &change));
+    OK(tree_silhouette_session_depth(silhouette, &n_undo, &n_redo));
     /* Trunk, crown, two redrawn, one removed; those undone before are forgotten. */
     CHECK(n_undo == 5 && n_redo == 0);
-    OK(tree_silhouette_undo(silhouette, &change));
+    OK(tree_silhouette_session_undo(silhouette, &change));
     changed = view_of(change);
     CHECK(changed.n_added == 1 && changed.added[0] == added && changed.n_removed == 0);
     OK(tree_silhouette_change_free(change));
-    OK(tree_silhouette_depth(silhouette, &n_undo, &n_redo));
+    OK(tree_silhouette_session_depth(silhouette, &n_undo, &n_redo));
     CHECK(n_undo == 4 && n_redo == 1);
-    OK(tree_silhouette_redo(silhouette, &change));
+    OK(tree_silhouette_session_redo(silhouette, &change));
     changed = view_of(change);
     CHECK(changed.n_removed == 1 && changed.removed[0] == added);
     OK(tree_silhouette_change_free(change));
-    FAILS(TREE_ERROR_NO_RESULT, "again", tree_silhouette_redo(silhouette, &change));
-    for (int i = 0; i < 5; i++) OK(tree_silhouette_undo(silhouette, NULL));
-    FAILS(TREE_ERROR_NO_RESULT, "take back", tree_silhouette_undo(silhouette, &change));
+    FAILS(TREE_ERROR_NO_RESULT, "again", tree_silhouette_session_redo(silhouette, &change));
+    for (int i = 0; i < 5; i++) OK(tree_silhouette_session_undo(silhouette, NULL));
+    FAILS(TREE_ERROR_NO_RESULT, "take back", tree_silhouette_session_undo(silhouette, &change));
     CHECK(change == NULL);
     OK(tree_outline_plan_free(plan));
-    FAILS(TREE_ERROR_NO_RESULT, "", tree_silhouette_plan(silhouette, &plan));
-    OK(tree_silhouette_free(silhouette));
+    FAILS(TREE_ERROR_NO_RESULT, "", tree_silhouette_session_plan(silhouette, &plan));
+    OK(tree_silhouette_session_free(silhouette));
 }
 
 static void test_tree(void) {
-    tree_silhouette *silhouette = a_silhouette();
+    tree_silhouette_session *silhouette = a_silhouette();
     tree_outline_plan *plan = plan_of(silhouette);
     tree_tree *tree = NULL, *same = NULL;
     tree_silhouette_grown grown = {.struct_size = sizeof grown}, again = grown;
-    OK(tree_silhouette_tree(silhouette, NULL, &grown, &tree));
+    OK(tree_silhouette_session_tree(silhouette, NULL, &grown, &tree));
     tree_foliage foliage = {.struct_size = sizeof foliage};
     OK(tree_tree_foliage(tree, &foliage));
     size_t n_sketched = columns_of(plan).n_branches;
@@ -453,14 +453,14 @@ static void test_tree(void) {
 
     /* Another seed, another tree. */
     uint64_t seed = 0;
-    OK(tree_silhouette_set_seed(silhouette, 6));
-    OK(tree_silhouette_seed(silhouette, &seed));
+    OK(tree_silhouette_session_set_seed(silhouette, 6));
+    OK(tree_silhouette_session_seed(silhouette, &seed));
     CHECK(seed == 6 && sum_of_silhouette(silhouette, NULL) != sum_of(tree));
     OK(tree_tree_free(tree));
 
     /* Other parameters. */
     tree_silhouette_params params = {.struct_size = sizeof params};
-    OK(tree_silhouette_get_params(silhouette, &params));
+    OK(tree_silhouette_session_get_params(silhouette, &params));
     CHECK(params.grow->depth == 2 && params.grow->leaves->spacing == 2 && params.system->bumps != NULL);
     CHECK(params.system->cover->places == 24 && params.system->infer->points == 16);
     CHECK(params.angles->n_samples == 2 && params.grow->species->n_leaf_kinds == 1);
@@ -476,13 +476,13 @@ static void test_tree(void) {
     grow.depth = 1;
     params.grow = &grow;
     tree_silhouette_change *change = NULL;
-    OK(tree_silhouette_set_params(silhouette, &params, &change));
+    OK(tree_silhouette_session_set_params(silhouette, &params, &change));
     CHECK(view_of(change).n_added == 0 && view_of(change).n_reshaped == 0);
     OK(tree_silhouette_change_free(change));
-    OK(tree_silhouette_tree(silhouette, NULL, &grown, &tree));
+    OK(tree_silhouette_session_tree(silhouette, NULL, &grown, &tree));
     CHECK(grown.n_leaves == 0 && grown.n_levels == 2 && grown.branches[1] == n_sketched);
     OK(tree_tree_free(tree));
-    OK(tree_silhouette_get_params(silhouette, &params));
+    OK(tree_silhouette_session_get_params(silhouette, &params));
     CHECK(params.grow->has_leaves == 0 && params.grow->levels->density == 0);
 
     /* Those of branches: they are inferred anew, and that can be taken back. */
@@ -495,26 +495,26 @@ static void test_tree(void) {
     cover.bare = 1;
     system.cover = &cover;
     params.system = &system;
-    OK(tree_silhouette_set_params(silhouette, &params, &change));
+    OK(tree_silhouette_session_set_params(silhouette, &params, &change));
     CHECK(view_of(change).n_removed > 0);
     OK(tree_silhouette_change_free(change));
     float by_bumps = 0, by_all = 1;
-    OK(tree_silhouette_coverage(silhouette, &by_bumps, &by_all));
+    OK(tree_silhouette_session_coverage(silhouette, &by_bumps, &by_all));
     CHECK(by_bumps == by_all);
-    OK(tree_silhouette_undo(silhouette, NULL));
-    OK(tree_silhouette_get_params(silhouette, &params));
+    OK(tree_silhouette_session_undo(silhouette, NULL));
+    OK(tree_silhouette_session_get_params(silhouette, &params));
     CHECK(params.system->cover->places == 24);
     params.nearness = -1;
-    FAILS(TREE_ERROR_PARAMETER, "near", tree_silhouette_set_params(silhouette, &params, &change));
+    FAILS(TREE_ERROR_PARAMETER, "near", tree_silhouette_session_set_params(silhouette, &params, &change));
     OK(tree_outline_plan_free(plan));
-    OK(tree_silhouette_free(silhouette));
+    OK(tree_silhouette_session_free(silhouette));
 }
 
 static int32_t busy(void *user, const char *stage, float fraction) {
     (void)stage;
     (void)fraction;
-    FAILS(TREE_ERROR_ORDER, "at work", tree_silhouette_undo(user, NULL));
-    FAILS(TREE_ERROR_ORDER, "at work", tree_silhouette_free(user));
+    FAILS(TREE_ERROR_ORDER, "at work", tree_silhouette_session_undo(user, NULL));
+    FAILS(TREE_ERROR_ORDER, "at work", tree_silhouette_session_free(user));
     return 0;
 }
 
@@ -526,18 +526,18 @@ static int32_t at_once(void *user, const char *stage, float fraction) {
 }
 
 static void test_what_goes_wrong(void) {
-    tree_silhouette *silhouette = a_silhouette();
+    tree_silhouette_session *silhouette = a_silhouette();
     tree_control control;
     int n_told = 0;
     tree_tree *tree = (tree_tree *)&n_told;
     OK(tree_control_init(&control, sizeof control));
     control.progress = at_once;
     control.user = &n_told;
-    FAILS(TREE_ERROR_CANCELLED, "", tree_silhouette_tree(silhouette, &control, NULL, &tree));
+    FAILS(TREE_ERROR_CANCELLED, "", tree_silhouette_session_tree(silhouette, &control, NULL, &tree));
     CHECK(tree == NULL && n_told == 1);
     control.progress = busy;
     control.user = silhouette;
-    OK(tree_silhouette_tree(silhouette, &control, NULL, &tree));
+    OK(tree_silhouette_session_tree(silhouette, &control, NULL, &tree));
     OK(tree_tree_free(tree));
 
     /* Cancelled before it begins, an edit is not done. */
@@ -549,8 +549,8 @@ static void test_what_goes_wrong(void) {
     OK(tree_cancel_set(cancel));
     OK(tree_control_init(&control, sizeof control));
     control.cancel = cancel;
-    FAILS(TREE_ERROR_CANCELLED, "", tree_silhouette_draw_crown(silhouette, points, n, &control, &change));
-    OK(tree_silhouette_depth(silhouette, &n_undo, &n_redo));
+    FAILS(TREE_ERROR_CANCELLED, "", tree_silhouette_session_draw_crown(silhouette, points, n, &control, &change));
+    OK(tree_silhouette_session_depth(silhouette, &n_undo, &n_redo));
     CHECK(n_undo == 2 && change == NULL);
     OK(tree_cancel_free(cancel));
 
@@ -560,18 +560,18 @@ static void test_what_goes_wrong(void) {
     OK(tree_control_init(&control, sizeof control));
     limits.nodes = 100;
     control.limits = &limits;
-    FAILS(TREE_ERROR_LIMIT, "nodes", tree_silhouette_draw_crown(silhouette, points, n, &control, &change));
-    FAILS(TREE_ERROR_LIMIT, "nodes", tree_silhouette_tree(silhouette, &control, NULL, &tree));
+    FAILS(TREE_ERROR_LIMIT, "nodes", tree_silhouette_session_draw_crown(silhouette, points, n, &control, &change));
+    FAILS(TREE_ERROR_LIMIT, "nodes", tree_silhouette_session_tree(silhouette, &control, NULL, &tree));
 
     /* Strokes of no use: the session stays as it was. */
     static const float spot[] = {1, 1, 1, 1, 1, 1}, nowhere[] = {NAN, 1, INFINITY, 3, 2, NAN};
-    FAILS(TREE_ERROR_INVALID, "crown", tree_silhouette_draw_crown(silhouette, spot, 3, NULL, &change));
-    FAILS(TREE_ERROR_INVALID, "trunk", tree_silhouette_draw_trunk(silhouette, nowhere, 3, NULL, &change));
-    FAILS(TREE_ERROR_INVALID, "leaf", tree_silhouette_draw_leaf(silhouette, NULL, 0, NULL, &change));
-    FAILS(TREE_ERROR_NULL, "stroke", tree_silhouette_draw_leaf(silhouette, NULL, 3, NULL, &change));
+    FAILS(TREE_ERROR_INVALID, "crown", tree_silhouette_session_draw_crown(silhouette, spot, 3, NULL, &change));
+    FAILS(TREE_ERROR_INVALID, "trunk", tree_silhouette_session_draw_trunk(silhouette, nowhere, 3, NULL, &change));
+    FAILS(TREE_ERROR_INVALID, "leaf", tree_silhouette_session_draw_leaf(silhouette, NULL, 0, NULL, &change));
+    FAILS(TREE_ERROR_NULL, "stroke", tree_silhouette_session_draw_leaf(silhouette, NULL, 3, NULL, &change));
     FAILS(TREE_ERROR_PARAMETER, "azimuth",
-          tree_silhouette_draw_section(silhouette, 7, points, n, NULL, &change));
-    OK(tree_silhouette_depth(silhouette, &n_undo, &n_redo));
+          tree_silhouette_session_draw_section(silhouette, 7, points, n, NULL, &change));
+    OK(tree_silhouette_session_depth(silhouette, &n_undo, &n_redo));
     CHECK(n_undo == 2 && n_redo == 0 && change == NULL);
 
     /* Parameters out of range are named, in parts too. */
@@ -584,8 +584,8 @@ static void test_what_goes_wrong(void) {
     grow.n_levels = 2;
     params.grow = &grow;
     FAILS(TREE_ERROR_PARAMETER, "levels[1].density", tree_silhouette_params_check(&params));
-    tree_silhouette *none = NULL;
-    FAILS(TREE_ERROR_PARAMETER, "levels[1].density", tree_silhouette_new(&params, 1, &none));
+    tree_silhouette_session *none = NULL;
+    FAILS(TREE_ERROR_PARAMETER, "levels[1].density", tree_silhouette_session_new(&params, 1, &none));
     CHECK(none == NULL);
     levels[1].density = 1;
     levels[1].arrangement.kind = 99;
@@ -599,10 +599,10 @@ static void test_what_goes_wrong(void) {
     FAILS(TREE_ERROR_PARAMETER, "leaves.length", tree_silhouette_params_check(&params));
 
     /* Stale handles. */
-    OK(tree_silhouette_free(silhouette));
-    FAILS(TREE_ERROR_HANDLE, "silhouette", tree_silhouette_depth(silhouette, &n_undo, &n_redo));
-    FAILS(TREE_ERROR_HANDLE, "silhouette", tree_silhouette_free(silhouette));
-    OK(tree_silhouette_free(NULL));
+    OK(tree_silhouette_session_free(silhouette));
+    FAILS(TREE_ERROR_HANDLE, "silhouette", tree_silhouette_session_depth(silhouette, &n_undo, &n_redo));
+    FAILS(TREE_ERROR_HANDLE, "silhouette", tree_silhouette_session_free(silhouette));
+    OK(tree_silhouette_session_free(NULL));
     OK(tree_silhouette_change_free(NULL));
     OK(tree_outline_plan_free(NULL));
 }
@@ -617,24 +617,24 @@ static const char svg[] =
 
 static void test_drawing(void) {
     tree_outline_drawing *drawing = NULL;
-    tree_silhouette *silhouette = NULL;
+    tree_silhouette_session *silhouette = NULL;
     tree_silhouette_play_report report = {.struct_size = sizeof report};
     OK(tree_outline_drawing_from_svg(svg, sizeof svg - 1, NULL, &drawing));
-    OK(tree_silhouette_of_drawing(drawing, 0, small(), 5, NULL, &report, &silhouette));
+    OK(tree_silhouette_session_of_drawing(drawing, 0, small(), 5, NULL, &report, &silhouette));
     /* Level 2 has no branch yet that bears any. */
     CHECK(report.n_strokes == 3 && report.n_refused == 1);
     tree_lines *lines = NULL;
     const tree_str *texts = NULL;
     size_t n_texts = 0, n_undo = 9, n_redo = 9;
-    OK(tree_silhouette_refused(silhouette, &lines));
+    OK(tree_silhouette_session_refused(silhouette, &lines));
     OK(tree_lines_view(lines, &texts, &n_texts));
     CHECK(n_texts == 1 && texts[0].len > 2 && memcmp(texts[0].data, "L2", 2) == 0);
     OK(tree_lines_free(lines));
-    OK(tree_silhouette_repairs(silhouette, &lines));
+    OK(tree_silhouette_session_repairs(silhouette, &lines));
     OK(tree_lines_view(lines, &texts, &n_texts));
     CHECK(n_texts == report.n_repairs);
     OK(tree_lines_free(lines));
-    OK(tree_silhouette_depth(silhouette, &n_undo, &n_redo));
+    OK(tree_silhouette_session_depth(silhouette, &n_undo, &n_redo));
     CHECK(n_undo == 0 && n_redo == 0);
 
     /* 102 units are the 10 metres of the parameters. */
@@ -651,8 +651,8 @@ static void test_drawing(void) {
     OK(tree_leaf_outline_free(leaf));
     OK(tree_outline_plan_free(plan));
     CHECK(sum_of_silhouette(silhouette, NULL) != 0);
-    OK(tree_silhouette_free(silhouette));
-    FAILS(TREE_ERROR_INVALID, "tree", tree_silhouette_of_drawing(drawing, 1, NULL, 5, NULL, NULL, &silhouette));
+    OK(tree_silhouette_session_free(silhouette));
+    FAILS(TREE_ERROR_INVALID, "tree", tree_silhouette_session_of_drawing(drawing, 1, NULL, 5, NULL, NULL, &silhouette));
     CHECK(silhouette == NULL);
     OK(tree_outline_drawing_free(drawing));
 }
@@ -694,11 +694,11 @@ static void test_stand(void) {
         CHECK(rows[i].number == i && rows[i].name.len > 0 && rows[i].scale > 0);
         OK(tree_stand_grown(stand, i, &grown, &tree));
         n_elements += grown.n_elements;
-        tree_silhouette *silhouette = NULL;
+        tree_silhouette_session *silhouette = NULL;
         tree_silhouette_play_report report = {.struct_size = sizeof report};
         OK(tree_stand_silhouette(stand, i, &report, &silhouette));
         CHECK(report.n_strokes == (i ? 2u : 4u) && report.n_refused == 0);
-        OK(tree_silhouette_tree(silhouette, NULL, NULL, &same));
+        OK(tree_silhouette_session_tree(silhouette, NULL, NULL, &same));
         CHECK(sum_of(same) == sum_of(tree));
         OK(tree_tree_free(same));
         OK(tree_tree_free(tree));
@@ -706,7 +706,7 @@ static void test_stand(void) {
         tree_outline_plan_columns columns = columns_of(plan);
         CHECK((columns.n_branches > columns.n_own) == (i == 1));
         OK(tree_outline_plan_free(plan));
-        OK(tree_silhouette_free(silhouette));
+        OK(tree_silhouette_session_free(silhouette));
     }
     CHECK(n_elements == whole.n_elements && rows[1].position[0] > rows[0].position[0]);
     CHECK(rows[0].lender == TREE_NO_TREE && rows[0].borrowed_scale == 1 && rows[1].lender == 0);
@@ -735,7 +735,7 @@ static void test_stand(void) {
     params.horizon = 60;
     OK(tree_stand_of_drawing(drawing, &params, 5, NULL, &stand));
     OK(tree_stand_view(stand, &whole));
-    CHECK(whole.has_view == 1 && whole.focal > 0 && whole.centre[1] == 60 && whole.eye[1] > 0);
+    CHECK(whole.has_view == 1 && whole.focal > 0 && whole.center[1] == 60 && whole.eye[1] > 0);
     OK(tree_stand_free(stand));
     params.horizon = 500;
     FAILS(TREE_ERROR_INVALID, "horizon", tree_stand_of_drawing(drawing, &params, 5, NULL, &stand));

@@ -95,6 +95,55 @@ static void test_axes(void) {
     OK(tree_skeleton_free(fork));
 }
 
+/* The root, a trunk of one segment, and two branches of one segment each. */
+static void test_branching(void) {
+    tree_skeleton *fork = a_fork();
+    tree_branching_report report = {.struct_size = sizeof report};
+    OK(tree_skeleton_branching(fork, &report));
+    CHECK(report.n_orders == 2 && report.n_runs == 3);
+    CHECK(near(report.bifurcation_ratio, 2) && report.length_ratio > 0 && report.pipe_exponent == 0);
+
+    uint32_t orders[4], run_of[4];
+    OK(tree_skeleton_strahler_orders(fork, orders, 4));
+    CHECK(orders[0] == 2 && orders[1] == 2 && orders[2] == 1 && orders[3] == 1);
+    tree_strahler_order rows[4];
+    size_t n = 0;
+    OK(tree_skeleton_strahler_counts(fork, rows, 4, &n));
+    CHECK(n == 2 && rows[0].n_branches == 2 && rows[1].n_branches == 1 && near(rows[1].mean_length, 1));
+
+    tree_unbranched_run runs[4];
+    OK(tree_skeleton_runs(fork, runs, 4, &n));
+    OK(tree_skeleton_run_of(fork, run_of, 4));
+    CHECK(n == 3 && runs[0].parent == TREE_NO_PARENT && runs[0].end == 1 && runs[0].is_tip == 0);
+    CHECK(runs[1].is_tip == 1 && runs[1].n_segments == 1 && near(runs[1].radius, 0.01));
+    CHECK(run_of[0] == 0 && run_of[1] == 0 && run_of[2] == 1 && run_of[3] == 2);
+
+    double exponents[4];
+    OK(tree_skeleton_pipe_exponents(fork, exponents, 4, &n));
+    CHECK(n == 0);
+    tree_lateral_angle laterals[4];
+    OK(tree_skeleton_lateral_angles(fork, TREE_CONTINUATION_LONGEST, 0, laterals, 4, &n));
+    CHECK(n == 1 && laterals[0].node == 3 && near(laterals[0].angle, atan(0.5)));
+
+    FAILS(TREE_ERROR_BUFFER, "rows", tree_skeleton_strahler_counts(fork, rows, 1, &n));
+    FAILS(TREE_ERROR_BUFFER, "runs", tree_skeleton_runs(fork, runs, 2, &n));
+    FAILS(TREE_ERROR_NULL, "n_runs", tree_skeleton_runs(fork, runs, 4, NULL));
+    FAILS(TREE_ERROR_PARAMETER, "reach", tree_skeleton_lateral_angles(fork, 0, -1, laterals, 4, &n));
+    FAILS(TREE_ERROR_ENUM, "TREE_CONTINUATION_", tree_skeleton_lateral_angles(fork, 3, 0, laterals, 4, &n));
+    OK(tree_skeleton_free(fork));
+
+    /* Two branches of two segments, each with half the cross-section of the trunk: Leonardo's exponent. */
+    float positions[] = {0, 0, 0, 0, 1, 0, 1, 2, 0, 1, 3, 0, -1, 2, 0, -1, 3, 0};
+    float thin = 0.2f * (float)sqrt(0.5), radii[] = {0.2f, 0.2f, thin, thin, thin, thin};
+    uint32_t parents[] = {TREE_NO_PARENT, 0, 1, 2, 1, 4};
+    tree_skeleton_columns columns = {sizeof columns, 6, positions, radii, parents};
+    OK(tree_skeleton_from_columns(&columns, NULL, &fork));
+    OK(tree_skeleton_branching(fork, &report));
+    OK(tree_skeleton_pipe_exponents(fork, exponents, 4, &n));
+    CHECK(n == 1 && fabs(exponents[0] - 2) < 1e-3 && exponents[0] == report.pipe_exponent);
+    OK(tree_skeleton_free(fork));
+}
+
 static void test_measures(void) {
     tree_skeleton *fork = a_fork();
     float lengths[4], low[4], high[4];
@@ -144,7 +193,7 @@ static void test_radii(void) {
     OK(tree_skeleton_radii(fork, NULL, radii, 4));
     CHECK(radii[2] == 0.002f && radii[0] > radii[1] && radii[1] > radii[2]);
     rule.trunk_radius = 0.2f;
-    OK(tree_skeleton_by_rule(fork, &rule, &changed));
+    OK(tree_skeleton_with_rule(fork, &rule, &changed));
     tree_skeleton_columns view = {.struct_size = sizeof view};
     OK(tree_skeleton_view(changed, &view));
     CHECK(view.radii[0] == 0.2f && view.positions[4] == 1.0f);
@@ -176,7 +225,7 @@ static void test_radii(void) {
     rule.strand_count = 2;
     FAILS(TREE_ERROR_ENUM, "TREE_STRANDS_", tree_skeleton_radii(fork, &rule, radii, 4));
     rule.kind = 3;
-    FAILS(TREE_ERROR_ENUM, "TREE_RADII_", tree_skeleton_by_rule(fork, &rule, &changed));
+    FAILS(TREE_ERROR_ENUM, "TREE_RADII_", tree_skeleton_with_rule(fork, &rule, &changed));
     CHECK(changed == NULL);
     rule.kind = TREE_RADII_PIPE;
     rule.taper = 2;
@@ -207,7 +256,7 @@ static void test_swc_text(void) {
     static const char text[] = "# a survey\n7 3 5 6 0 0 -1\n9 3 5 6 2 0.5 7 8\n11 4 5 7 3 0 9\n";
     tree_swc_options options;
     OK(tree_swc_options_init(&options, sizeof options));
-    CHECK(options.scale == 1 && options.up == TREE_SWC_UP_Z && options.base_at_origin == 1);
+    CHECK(options.scale == 1 && options.up == TREE_UP_Z && options.base_at_origin == 1);
     options.unknown_radius = TREE_SWC_RADIUS_INTERPOLATE;
     tree_swc *swc = NULL;
     OK(tree_swc_from_text(text, TREE_NUL_TERMINATED, &options, NULL, &swc));
@@ -238,9 +287,9 @@ static void test_swc_text(void) {
     FAILS(TREE_ERROR_LIMIT, "nodes",
           tree_swc_from_text(text, sizeof text - 1, NULL, &control, &swc));
     options.up = 2;
-    FAILS(TREE_ERROR_ENUM, "TREE_SWC_UP_",
+    FAILS(TREE_ERROR_ENUM, "TREE_UP_",
           tree_swc_from_text(text, sizeof text - 1, &options, NULL, &swc));
-    options.up = TREE_SWC_UP_Y;
+    options.up = TREE_UP_Y;
     options.unknown_radius = 2;
     FAILS(TREE_ERROR_ENUM, "TREE_SWC_RADIUS_",
           tree_swc_from_text(text, sizeof text - 1, &options, NULL, &swc));
@@ -276,7 +325,7 @@ static void test_swc_files(void) {
              (long)time(NULL));
     tree_swc_options options;
     OK(tree_swc_options_init(&options, sizeof options));
-    options.up = TREE_SWC_UP_Y;
+    options.up = TREE_UP_Y;
     OK(tree_skeleton_write_swc(fork, path, TREE_NUL_TERMINATED, &options));
     OK(tree_swc_read(path, strlen(path), &options, NULL, &swc));
     OK(tree_swc_skeleton(swc, &again));
@@ -301,6 +350,7 @@ void test_skeleton(void) {
     test_replaced_columns();
     test_axes();
     test_measures();
+    test_branching();
     test_radii();
     test_angles();
     test_swc_text();

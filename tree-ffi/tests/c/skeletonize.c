@@ -208,7 +208,7 @@ static void of_a_mesh(void) {
     OK(tree_look_free(look));
     OK(tree_tree_free(tree));
     tree_mesh_totals totals = {.struct_size = sizeof totals};
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
 
     tree_skeletonize_report report = {.struct_size = sizeof report};
     OK(tree_skeletonize_mesh(mesh, NULL, 0, NULL, NULL, &report, &again));

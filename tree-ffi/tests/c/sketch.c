@@ -381,7 +381,7 @@ static uint32_t runs(const tree_sketch_session *session, tree_sketch_stage stage
 
 static void test_stages(void) {
     tree_sketch_session *session = a_session();
-    tree_choice choices[64];
+    tree_template_choice choices[64];
     size_t n_choices = 0;
     OK(tree_sketch_session_choices(session, NULL, NULL, 0, &n_choices));
     CHECK(n_choices >= 10 && n_choices <= 64);
@@ -417,7 +417,7 @@ static void test_stages(void) {
 
     /* Other parameters of the finish redo the finish alone. */
     tree_sketch_params params = {.struct_size = sizeof params};
-    OK(tree_sketch_session_params(session, &params));
+    OK(tree_sketch_session_get_params(session, &params));
     CHECK(params.height == 8 && params.propagate->generations == 2 && params.infer->rounds == 6);
     tree_sketch_finish_params finish = *params.finish;
     finish.leaves = 0;

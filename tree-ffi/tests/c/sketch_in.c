@@ -334,8 +334,8 @@ static void shapes(void) {
         spots[2 * i] = (float)(i % 20) / 19;
         spots[2 * i + 1] = (float)(i / 20) / 19 * 2;
     }
-    tree_outline_params outline;
-    OK(tree_outline_params_init(&outline, sizeof outline));
+    tree_sketch_outline_params outline;
+    OK(tree_sketch_outline_params_init(&outline, sizeof outline));
     CHECK(outline.corners == 120);
     tree_strokes *outlines, *bad;
     tree_strokes_columns view = {.struct_size = sizeof view};
@@ -435,10 +435,10 @@ static void selection(void) {
     tree_tree *tree, *bad;
     OK(tree_exemplar_grow("palm", TREE_NUL_TERMINATED, TREE_EXEMPLAR_SEED, NULL, &tree));
     FAILS(TREE_ERROR_UNKNOWN_NAME, "palm", tree_exemplar_grow("cactus", 6, 1, NULL, &bad));
-    tree_main_branches main;
-    OK(tree_main_branches_init(&main, sizeof main));
+    tree_main_branch_params main;
+    OK(tree_main_branch_params_init(&main, sizeof main));
     CHECK(main.most == 36 && main.continuation == TREE_CONTINUATION_THICKEST);
-    OK(tree_main_branches_check(&main));
+    OK(tree_main_branch_params_check(&main));
     tree_template_params params;
     OK(tree_template_params_init(&params, sizeof params));
     params.main = &main;
@@ -472,15 +472,15 @@ static void selection(void) {
     OK(tree_drawing_stroke(drawing, n_strokes - 1, &stroke));
     CHECK(stroke.role == TREE_ROLE_CROWN && stroke.closed);
     OK(tree_drawing_clean(drawing, NULL, NULL, &plan));
-    tree_select_params weights;
-    OK(tree_select_params_init(&weights, sizeof weights));
+    tree_template_select_params weights;
+    OK(tree_template_select_params_init(&weights, sizeof weights));
     CHECK(weights.crown == 40);
-    OK(tree_select_params_check(&weights));
-    tree_choice choices[64];
+    OK(tree_template_select_params_check(&weights));
+    tree_template_choice choices[64];
     OK(tree_templates_select(all, plan, NULL, &weights, NULL, choices, 64));
     for (int i = 0; i < 2; i++) CHECK(choices[i].index == palm || choices[i].index == mine);
     for (size_t i = 0; i < n; i++) {
-        tree_choice it = choices[i];
+        tree_template_choice it = choices[i];
         CHECK(i == 0 || it.score <= choices[i - 1].score);
         CHECK(near(it.score, it.crown + it.branches + it.shape + it.directions));
         CHECK(it.crown < 0 && it.yaw >= 0 && it.yaw < 6.2832f);
@@ -504,7 +504,7 @@ static void selection(void) {
           tree_templates_select(none, plan, NULL, NULL, NULL, choices, 64));
     OK(tree_templates_free(none));
     main.most = 0;
-    FAILS(TREE_ERROR_PARAMETER, "main.most", tree_main_branches_check(&main));
+    FAILS(TREE_ERROR_PARAMETER, "main.most", tree_main_branch_params_check(&main));
 
     OK(tree_plan_free(plan));
     OK(tree_drawing_free(drawing));

@@ -88,7 +88,7 @@ static tree_tree *beside_a_wall(const tree_tree *tree, float side) {
 
 static size_t triangles_of(const tree_mesh *mesh) {
     tree_mesh_totals totals = {.struct_size = sizeof totals};
-    OK(tree_mesh_count(mesh, &totals));
+    OK(tree_mesh_measure(mesh, &totals));
     return totals.n_triangles;
 }
 
@@ -140,7 +140,7 @@ int main(void) {
         CHECK(n < last);
         last = n;
         tree_mesh_totals totals = {.struct_size = sizeof totals};
-        OK(tree_mesh_count(level, &totals));
+        OK(tree_mesh_measure(level, &totals));
         n_surfaces = totals.n_surfaces;
         positions = indices = 0xcbf29ce484222325u;
         for (size_t k = 0; k < n_surfaces; k++) {

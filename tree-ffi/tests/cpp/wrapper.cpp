@@ -95,13 +95,13 @@ static void objects_move_and_end() {
 static void meshes_come_of_trees() {
     tree::Tree twig = tree::Tree::make(a_fork());
     tree::MeshParams params;
-    CHECK(params.struct_size == sizeof(tree_mesh_params) && params.sides_max > 3);
-    params.sides_max = params.sides_min;
+    CHECK(params.struct_size == sizeof(tree_mesh_params) && params.max_sides > 3);
+    params.max_sides = params.min_sides;
     params.check();
     tree::MeshReport report;
     tree::Look look = tree::Look::plain();
     tree::Mesh mesh = tree::Mesh::build(twig, look, params, nullptr, &report);
-    CHECK(mesh.count().n_vertices == report.n_vertices && mesh.surface_count() > 0);
+    CHECK(mesh.measure().n_vertices == report.n_vertices && mesh.surface_count() > 0);
     tree::Surface surface = mesh.surface(0);
     float top = 0;
     tree::Span<const float> positions(surface.positions, 3 * surface.n_vertices);
@@ -112,7 +112,7 @@ static void meshes_come_of_trees() {
     tree::Span<const std::uint8_t> bytes = file.view();
     CHECK(bytes.size() > 100 && std::string_view(reinterpret_cast<const char *>(bytes.data()), 4) == "glTF");
     tree::Mesh read = tree::Mesh::from_bytes(TREE_MESH_FORMAT_GLTF, bytes, {});
-    CHECK(read.count().n_triangles == mesh.count().n_triangles);
+    CHECK(read.measure().n_triangles == mesh.measure().n_triangles);
     auto [obj, mtl] = mesh.to_obj("twig");
     CHECK(!obj.view().empty() && !mtl.view().empty());
 }
@@ -152,8 +152,8 @@ static void arrays_of_objects_are_taken() {
     tree::Span<const tree_twig_instances> rows(&one, 1);
     tree::Twigs twigs = tree::Twigs::from_parts(base, {small}, rows);
     CHECK(twigs.count() == 1);
-    std::size_t n_triangles = base.count().n_triangles + small.count().n_triangles;
-    CHECK(twigs.flatten().count().n_triangles == n_triangles);
+    std::size_t n_triangles = base.measure().n_triangles + small.measure().n_triangles;
+    CHECK(twigs.flatten().measure().n_triangles == n_triangles);
     CHECK(failure([&] { return tree::Twigs::from_parts(base, {small, base}, rows); }) == TREE_ERROR_BUFFER);
 
     std::vector<tree::Skeleton> skeletons;
@@ -172,7 +172,7 @@ static void arrays_of_objects_are_taken() {
 static void calls_say_whether_they_went_well() {
     tree::MeshParams params;
     CHECK(params.check());
-    params.sides_max = 0;
+    params.max_sides = 0;
     CHECK(failure([&] { return params.check(); }) == TREE_ERROR_PARAMETER);
     tree::Mesh none;
     CHECK(failure([&] { return none.check(); }) == TREE_ERROR_NULL);
@@ -398,7 +398,7 @@ static void trees_grow_and_react() {
     tree::Skeleton before = grown.tree().skeleton(), after = adapted.tree().skeleton();
     CHECK(before.distance(before).value == 0);
     auto [distance, pairs] = before.distance_pairs(after);
-    CHECK(distance.normalised >= 0 && distance.normalised < 1 && pairs.view().size() > 0);
+    CHECK(distance.normalized >= 0 && distance.normalized < 1 && pairs.view().size() > 0);
 }
 
 int main() {

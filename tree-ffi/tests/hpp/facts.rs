@@ -109,7 +109,7 @@ pub(crate) fn fixed(function: &str, argument: &str) -> usize {
         "view" | "projection" if function == "tree_scene_eye_check" => 16,
         "affine" => 6,
         "center_rank" => 4,
-        "branch" if function == "tree_grow_position" => 4,
+        "branch" if function == "tree_multi_mesh_position" => 4,
         "weights" => 6,
         "pixel" | "place" => 2,
         "at" | "at_pixel" | "base_pixel" | "by_pixels" | "stretch" => 2,
@@ -163,7 +163,7 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
         ("particle_camera_project", _) => "points.size() / 3 * 2",
         ("particle_camera_pixel_sizes", _) => "points.size() / 3",
         ("particle_camera_rays", _) => "spots.size() / 2 * 6",
-        ("silhouette_seeds", _) => "2 * static_cast<size_t>(most)",
+        ("matte_seeds", _) => "2 * static_cast<size_t>(most)",
         ("attractor_from_strokes", _) => "columns ? columns->n_strokes : 0",
         ("graph_search", _) => "view().n_nodes",
         ("word_lines", _) => "6 * view().n_modules",
@@ -197,7 +197,7 @@ pub(crate) fn room(function: &str, argument: &str) -> Option<&'static str> {
 /// The count of what was written, where that can be less than the room.
 pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
     match (function, argument) {
-        ("tree_silhouette_seeds", "seeds") => Some("2 * n_seeds"),
+        ("tree_matte_seeds", "seeds") => Some("2 * n_seeds"),
         ("tree_sketch_branches_relations", "relations") => Some("n_relations"),
         ("tree_outline_part" | "tree_branch_carry", "points") => Some("2 * n_points"),
         ("tree_branching_angles_set", "samples") => Some("2 * n_samples"),
@@ -206,6 +206,10 @@ pub(crate) fn written(function: &str, argument: &str) -> Option<&'static str> {
         ("tree_pruned_levels", "windows") => Some("n_levels * measure().n_parts"),
         ("tree_word_lines", "lines") => Some("6 * n_lines"),
         ("tree_mesh_points", "first") => Some("n_points"),
+        ("tree_skeleton_strahler_counts", "rows") => Some("n_rows"),
+        ("tree_skeleton_runs", "runs") => Some("n_runs"),
+        ("tree_skeleton_pipe_exponents", "exponents") => Some("n_exponents"),
+        ("tree_skeleton_lateral_angles", "laterals") => Some("n_laterals"),
         ("tree_skeleton_children", "nodes") => Some("starts.empty() ? 0 : starts.back()"),
         _ => None,
     }

@@ -1,13 +1,13 @@
 //! What is dropped and scaled as one: a leaf, a card, the blade of a compound leaf, a twig.
 //!
-//! 1. [`Foliage`] says which surfaces are pruned; the rest of the mesh (wood) is always drawn.
+//! 1. [`LeafSurfaces`] says which surfaces are pruned; the rest of the mesh (wood) is always drawn.
 //! 2. `split`: their triangles are divided into elements, by leaves or by connected pieces.
 //! 3. `measure`: centre, area, normal and size of each.
 
 mod measure;
 mod split;
 
-pub use split::{Foliage, Grain};
+pub use split::{Grain, LeafSurfaces};
 
 use crate::error::{LodError, Result};
 use glam::Vec3;

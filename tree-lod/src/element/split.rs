@@ -9,7 +9,7 @@ use tree_mesh::{Alpha, Mesh, Surface, topology};
 
 /// Which surfaces of a mesh are pruned.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Foliage {
+pub enum LeafSurfaces {
     /// Surfaces of leaves ([`Surface::anchors`]); where there are none, as in imported meshes, those
     /// whose material is alpha-tested, has two sides or is named after leaves. Default.
     #[default]
@@ -49,7 +49,7 @@ impl Elements {
     /// O(triangles log triangles + vertices log vertices), in parallel over surfaces.
     pub fn of_mesh(
         mesh: &Mesh,
-        foliage: &Foliage,
+        foliage: &LeafSurfaces,
         grain: Grain,
         control: &Control,
     ) -> Result<Self> {
@@ -114,11 +114,11 @@ impl Elements {
     }
 }
 
-fn chosen(mesh: &Mesh, foliage: &Foliage) -> Result<Vec<u32>> {
+fn chosen(mesh: &Mesh, foliage: &LeafSurfaces) -> Result<Vec<u32>> {
     let all = 0..mesh.surfaces.len() as u32;
     let surface = |&number: &u32| &mesh.surfaces[number as usize];
     let found = match foliage {
-        Foliage::Surfaces(numbers) => {
+        LeafSurfaces::Surfaces(numbers) => {
             let mut numbers = numbers.clone();
             numbers.sort_unstable();
             if numbers.windows(2).any(|pair| pair[0] == pair[1]) {
@@ -129,7 +129,7 @@ fn chosen(mesh: &Mesh, foliage: &Foliage) -> Result<Vec<u32>> {
             }
             numbers
         }
-        Foliage::Found => {
+        LeafSurfaces::Found => {
             let leaves: Vec<u32> =
                 all.clone().filter(|number| !surface(number).anchors.is_empty()).collect();
             if leaves.is_empty() {

@@ -25,7 +25,7 @@ fn mesh(surface: Surface) -> Mesh {
 }
 
 fn split(mesh: &Mesh, grain: Grain) -> Elements {
-    Elements::of_mesh(mesh, &Foliage::Found, grain, &Control::default()).unwrap()
+    Elements::of_mesh(mesh, &LeafSurfaces::Found, grain, &Control::default()).unwrap()
 }
 
 #[test]
@@ -84,10 +84,10 @@ fn a_mesh_without_foliage_is_refused_with_advice() {
     let mut bare = mesh(cards(&[Vec3::X]));
     bare.materials[0] = Material { name: "bark".into(), ..Material::default() };
     let of = |foliage| Elements::of_mesh(&bare, &foliage, Grain::Blade, &Control::default());
-    assert!(matches!(of(Foliage::Found), Err(LodError::Foliage(_))));
-    assert!(matches!(of(Foliage::Surfaces(vec![1])), Err(LodError::Foliage(_))));
-    assert!(matches!(of(Foliage::Surfaces(vec![0, 0])), Err(LodError::Foliage(_))));
-    assert_eq!(of(Foliage::Surfaces(vec![0])).unwrap().len(), 1);
+    assert!(matches!(of(LeafSurfaces::Found), Err(LodError::Foliage(_))));
+    assert!(matches!(of(LeafSurfaces::Surfaces(vec![1])), Err(LodError::Foliage(_))));
+    assert!(matches!(of(LeafSurfaces::Surfaces(vec![0, 0])), Err(LodError::Foliage(_))));
+    assert_eq!(of(LeafSurfaces::Surfaces(vec![0])).unwrap().len(), 1);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! A tree to its hybrid model.
 
-use crate::element::{Elements, Foliage, Grain};
+use crate::element::{Elements, Grain, LeafSurfaces};
 use crate::error::{Result, check_range};
 use crate::impostor::boxes::{Bearers, BoxParams, Boxes};
 use crate::impostor::cards::{CardParams, Cards};
@@ -99,7 +99,7 @@ impl Hybrid {
             .collect();
         let (mut cards, mut starts) = (None, vec![Vec::new(); mesh.surfaces.len()]);
         if !surfaces.is_empty() {
-            let foliage = Foliage::Surfaces(surfaces);
+            let foliage = LeafSurfaces::Surfaces(surfaces);
             let part = control.part(0.3, 0.4);
             let elements = Elements::of_mesh(&mesh, &foliage, Grain::Leaf, &part)?;
             let bearers = Bearers::of_tree(multires.tree(), &mesh, &elements)?;

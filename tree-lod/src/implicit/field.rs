@@ -23,7 +23,7 @@ const CLEAR_TRUNK: f32 = 2.0;
 
 /// A sum of metaballs of one radius; dimensionless, 1 or more at each point, 0 far from all.
 #[derive(Clone, Debug)]
-pub struct Field {
+pub struct Metaballs {
     /// Points by cell.
     pub(super) points: Vec<Vec3>,
     /// The element or row of the input each point stems from.
@@ -37,7 +37,7 @@ pub struct Field {
     radius: f32,
 }
 
-impl Field {
+impl Metaballs {
     /// The field of these points, each with `radius` metres of influence.
     ///
     /// # Errors
@@ -56,7 +56,7 @@ impl Field {
     /// `height` is 0.
     ///
     /// # Errors
-    /// As [`Field::new`]; [`LodError::Foliage`] also when no element has area.
+    /// As [`Metaballs::new`]; [`LodError::Foliage`] also when no element has area.
     pub fn of_elements(elements: &Elements, radius: f32, height: f32) -> Result<Self> {
         check_columns(elements)?;
         let ids: Vec<u32> =

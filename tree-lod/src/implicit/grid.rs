@@ -4,7 +4,7 @@
 //! asking the field at every node, which would visit cells without points within the radius again and
 //! again.
 
-use super::field::Field;
+use super::field::Metaballs;
 use crate::error::{LodError, Result};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -23,7 +23,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    pub(super) fn new(field: &Field, detail: f32, control: &Control) -> Result<Self> {
+    pub(super) fn new(field: &Metaballs, detail: f32, control: &Control) -> Result<Self> {
         let step = field.radius() / detail;
         let margin = field.radius() + 1.5 * step;
         let (low, high) = (field.bounds().min - margin, field.bounds().max + margin);
@@ -48,7 +48,7 @@ impl Grid {
         Ok(grid)
     }
 
-    fn fill(&self, field: &Field, z: usize, layer: &mut [f32]) {
+    fn fill(&self, field: &Metaballs, z: usize, layer: &mut [f32]) {
         let (radius, nodes_x) = (field.radius(), self.nodes[0]);
         let scale = 1.0 / (radius * radius);
         let height = self.place([0, 0, z]).z;

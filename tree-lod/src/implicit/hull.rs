@@ -6,7 +6,7 @@ use tree_core::Seed;
 use tree_mesh::{Material, Mesh, Surface};
 
 /// Most samples.
-const SAMPLES_MAX: usize = 1 << 24;
+const MAX_SAMPLES: usize = 1 << 24;
 /// A closed surface around a plant, facing outwards: plain columns, metres.
 #[derive(Clone, Debug)]
 pub struct Hull {
@@ -77,7 +77,7 @@ impl Hull {
     /// O(triangles + n).
     #[must_use]
     pub fn sample(&self, n: usize, seed: Seed) -> Vec<Sample> {
-        let n = n.min(SAMPLES_MAX);
+        let n = n.min(MAX_SAMPLES);
         let area = |t: &[u32; 3]| {
             let [a, b, c] = t.map(|v| self.positions[v as usize]);
             f64::from((b - a).cross(c - a).length())

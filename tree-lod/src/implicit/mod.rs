@@ -15,8 +15,8 @@
 //!
 //! ```
 //! use tree_lod::glam::Vec3;
-//! use tree_lod::implicit::{Field, HullParams, surface};
-//! let field = Field::new(&[Vec3::ZERO, 0.5 * Vec3::X], 1.0)?;
+//! use tree_lod::implicit::{Metaballs, HullParams, surface};
+//! let field = Metaballs::new(&[Vec3::ZERO, 0.5 * Vec3::X], 1.0)?;
 //! let hull = surface(&field, &HullParams::default(), &tree_core::Control::default())?;
 //! assert!(hull.nearest_normal(3.0 * Vec3::X).dot(Vec3::X) > 0.99);
 //! # Ok::<(), tree_lod::LodError>(())
@@ -32,7 +32,7 @@ mod tetra;
 mod tests;
 
 pub(crate) use field::check_columns;
-pub use field::{Field, plant_height};
+pub use field::{Metaballs, plant_height};
 pub use hull::{Hull, Sample};
 
 use crate::error::{Result, check_range};
@@ -80,7 +80,7 @@ impl HullParams {
 /// # Complexity
 /// O(points · detail³ + voxels + vertices · points within the radius), in parallel over layers of the
 /// grid; four bytes a voxel. The same bits for any number of threads.
-pub fn surface(field: &Field, params: &HullParams, control: &Control) -> Result<Hull> {
+pub fn surface(field: &Metaballs, params: &HullParams, control: &Control) -> Result<Hull> {
     params.validate()?;
     control.report("field", 0.0)?;
     let grid = Grid::new(field, params.detail, control)?;

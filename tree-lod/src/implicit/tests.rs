@@ -11,7 +11,7 @@ fn cloud(n: u64, size: f32, seed: u64) -> Vec<Vec3> {
 }
 
 fn hull(points: &[Vec3], radius: f32, params: HullParams) -> Hull {
-    surface(&Field::new(points, radius).unwrap(), &params, &Control::default()).unwrap()
+    surface(&Metaballs::new(points, radius).unwrap(), &params, &Control::default()).unwrap()
 }
 
 fn topology(hull: &Hull) -> Topology {
@@ -41,7 +41,7 @@ fn a_lone_point_makes_a_ball() {
 
 #[test]
 fn the_gradient_is_the_slope_of_the_value() {
-    let field = Field::new(&cloud(50, 1.0, 1), 0.4).unwrap();
+    let field = Metaballs::new(&cloud(50, 1.0, 1), 0.4).unwrap();
     for place in cloud(50, 1.0, 2) {
         let slope = Vec3::from_array(Vec3::AXES.map(|axis| {
             (field.value(place + 1e-3 * axis) - field.value(place - 1e-3 * axis)) / 2e-3
@@ -101,7 +101,7 @@ fn the_nearest_place_is_within_one_percent_of_the_nearest_of_all_triangles() {
 
 #[test]
 fn points_that_are_no_field_are_refused() {
-    let refused = |points: &[Vec3], radius| Field::new(points, radius).unwrap_err().to_string();
+    let refused = |points: &[Vec3], radius| Metaballs::new(points, radius).unwrap_err().to_string();
     assert!(refused(&[], 1.0).contains("no elements"));
     assert!(refused(&[Vec3::NAN], 1.0).contains("elements.centers is NaN"));
     assert!(refused(&[Vec3::splat(1e30)], 1.0).contains("elements.centers"));
@@ -111,7 +111,7 @@ fn points_that_are_no_field_are_refused() {
 
 #[test]
 fn a_grid_over_the_limit_is_refused() {
-    let field = Field::new(&[Vec3::ZERO, Vec3::splat(1e3)], 5.0).unwrap();
+    let field = Metaballs::new(&[Vec3::ZERO, Vec3::splat(1e3)], 5.0).unwrap();
     let control = Control::default().with_limits(Limits { voxels: 1000, ..Limits::default() });
     let error = surface(&field, &HullParams::default(), &control).unwrap_err();
     assert!(matches!(error, LodError::Limit(_)), "{error}");
@@ -119,7 +119,7 @@ fn a_grid_over_the_limit_is_refused() {
 
 #[test]
 fn a_radius_that_numbers_do_not_resolve_is_refused() {
-    let field = Field::new(&[Vec3::splat(1e6)], 0.01).unwrap();
+    let field = Metaballs::new(&[Vec3::splat(1e6)], 0.01).unwrap();
     let error = surface(&field, &HullParams::default(), &Control::default()).unwrap_err();
     assert!(error.to_string().contains("move them to the origin"), "{error}");
 }
@@ -149,7 +149,7 @@ proptest! {
         seed in any::<u64>(),
     ) {
         let points = cloud(n, 1.0, seed);
-        let (place, field) = (Vec3::from_array(at), Field::new(&points, radius).unwrap());
+        let (place, field) = (Vec3::from_array(at), Metaballs::new(&points, radius).unwrap());
         let (found, all) = (field.value(place), brute(&points, radius, place));
         prop_assert!((found - all).abs() < 1e-4 * (1.0 + all), "{} {}", found, all);
         prop_assert!(points.iter().all(|&p| field.value(p) > 0.999));

@@ -11,7 +11,7 @@
 //! values. A node with exactly the iso-value is inside. Vertices keep off the nodes, so that no two
 //! share a place.
 
-use super::field::Field;
+use super::field::Metaballs;
 use super::grid::Grid;
 use crate::error::Result;
 use glam::Vec3;
@@ -44,7 +44,7 @@ fn corner([x, y, z]: [usize; 3], corner: usize) -> [usize; 3] {
 }
 
 pub(super) fn vertices(
-    field: &Field,
+    field: &Metaballs,
     grid: &Grid,
     iso: f32,
     control: &Control,
@@ -72,7 +72,7 @@ pub(super) fn vertices(
 }
 
 /// Vertices on the edges that lead up from a node.
-fn edges_of(node: [usize; 3], field: &Field, grid: &Grid, iso: f32, found: &mut Vertices) {
+fn edges_of(node: [usize; 3], field: &Metaballs, grid: &Grid, iso: f32, found: &mut Vertices) {
     let number = grid.number(node);
     let inside = grid.values[number] >= iso;
     for direction in 1..8 {

@@ -1,7 +1,7 @@
 //! Meshes for the tests of this module.
 
 use super::boxes::{Bearers, BoxParams, Boxes};
-use crate::element::{Elements, Foliage, Grain};
+use crate::element::{Elements, Grain, LeafSurfaces};
 use glam::{Vec2, Vec3};
 use tree_core::{Control, Seed, Skeleton, seed};
 use tree_mesh::{Material, Mesh, Surface};
@@ -75,7 +75,7 @@ pub(crate) fn forked(n_leaves: usize) -> Forked {
     }
     let mesh = leaves(&at, 0.05);
     let control = Control::default();
-    let elements = Elements::of_mesh(&mesh, &Foliage::Found, Grain::Leaf, &control).unwrap();
+    let elements = Elements::of_mesh(&mesh, &LeafSurfaces::Found, Grain::Leaf, &control).unwrap();
     let bearers = Bearers(nodes);
     let params = BoxParams { least_volume: 0.001, least_leaves: 10, ..BoxParams::default() };
     let boxes = Boxes::along(&skeleton, &mesh, &elements, &bearers, &params, &control).unwrap();

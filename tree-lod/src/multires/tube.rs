@@ -40,7 +40,7 @@ impl Line {
         let skeleton = multires.tree().skeleton();
         let first = if path == 0 { 0 } else { multires.counts(path).0 };
         let end = multires.counts(path + 1).0;
-        let thick = |node: usize| skeleton.radii()[node].max(params.radius_min);
+        let thick = |node: usize| skeleton.radii()[node].max(params.min_radius);
         let fork = skeleton.parents()[first];
         let mut line = Self { rooted: fork == NO_PARENT, ..Self::default() };
         if !line.rooted {
@@ -227,7 +227,7 @@ fn sides(radius: f32, params: &MeshParams) -> u32 {
     let half = libm::acosf(1.0 - error).max(0.01);
     let sides = (std::f32::consts::PI / half).ceil() as u32;
     let (min, max) = SIDES;
-    sides.clamp(params.sides_min.max(min), params.sides_max.clamp(min, max))
+    sides.clamp(params.min_sides.max(min), params.max_sides.clamp(min, max))
 }
 
 #[cfg(test)]

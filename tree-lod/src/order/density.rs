@@ -14,7 +14,7 @@ use super::stochastic::shuffle;
 use super::{OrderParams, by_area};
 use crate::Elements;
 use crate::error::Result;
-use crate::implicit::Field;
+use crate::implicit::Metaballs;
 use rayon::prelude::*;
 use std::collections::BinaryHeap;
 use tree_core::{Control, Seed};
@@ -58,7 +58,7 @@ pub(super) struct Thinned {
 
 /// Removes the densest element of the field until densities are uniform.
 pub(super) fn thin(
-    field: &Field,
+    field: &Metaballs,
     params: &OrderParams,
     seed: Seed,
     control: &Control,

@@ -31,7 +31,7 @@ pub use stochastic::stochastic;
 
 use crate::Elements;
 use crate::error::{LodError, Result, check_range};
-use crate::implicit::{Field, HullParams};
+use crate::implicit::{HullParams, Metaballs};
 use rayon::prelude::*;
 
 /// What orders by density and orientation need to know.
@@ -85,10 +85,10 @@ impl OrderParams {
     /// The field of all elements that have area.
     ///
     /// # Errors
-    /// As [`validate`](Self::validate) and [`Field::of_elements`].
-    pub fn field(&self, elements: &Elements) -> Result<Field> {
+    /// As [`validate`](Self::validate) and [`Metaballs::of_elements`].
+    pub fn field(&self, elements: &Elements) -> Result<Metaballs> {
         self.validate()?;
-        Field::of_elements(elements, self.radius, self.height)
+        Metaballs::of_elements(elements, self.radius, self.height)
     }
 }
 

@@ -120,7 +120,7 @@ fn elements_along_the_hull_stay() {
         };
     }
     // One smooth ball around all.
-    let field = Field::new(&elements.centers, 1.5).unwrap();
+    let field = Metaballs::new(&elements.centers, 1.5).unwrap();
     let (params, control) = (OrderParams::default(), Control::default());
     let hull = crate::implicit::surface(&field, &params.hull, &control).unwrap();
     let order = orientation(&elements, &hull, &params, Seed(1), &control).unwrap();

@@ -1,6 +1,6 @@
 use super::*;
 use crate::cover::{Around, score};
-use crate::element::{Elements, Foliage, Grain};
+use crate::element::{Elements, Grain, LeafSurfaces};
 use crate::error::LodError;
 use crate::quality::Score;
 use glam::{Quat, Vec2, Vec3};
@@ -60,7 +60,7 @@ fn copies(leaf: &Surface, n: usize) -> Surface {
 }
 
 fn split(mesh: &Mesh) -> Elements {
-    let all = Foliage::Surfaces((0..mesh.surfaces.len() as u32).collect());
+    let all = LeafSurfaces::Surfaces((0..mesh.surfaces.len() as u32).collect());
     Elements::of_mesh(mesh, &all, Grain::Blade, &Control::default()).unwrap()
 }
 
@@ -142,7 +142,7 @@ fn blades_of_a_compound_leaf_share_its_triangles_by_area() {
     surface.anchors = vec![Vec3::ZERO];
     let mesh = mesh(vec![surface]);
     let elements =
-        Elements::of_mesh(&mesh, &Foliage::Found, Grain::Leaf, &Control::default()).unwrap();
+        Elements::of_mesh(&mesh, &LeafSurfaces::Found, Grain::Leaf, &Control::default()).unwrap();
     let tiers = tiers(&mesh, &elements, &OutlineParams::default(), &Control::default()).unwrap();
     let of_small = |tier: &Tier| tier.of(0).iter().filter(|t| t[0] >= n).count();
     assert!(tiers.iter().all(|tier| tier.of(0).len() >= 2 * of_small(tier)));
@@ -217,7 +217,7 @@ fn a_ball_stays_closed_enough_to_be_seen_from_everywhere() {
 fn lobed_leaves_of_the_looks_keep_their_lobes() {
     let species = tree_core::Species { leaf_kinds: vec!["maple".into()], ..Default::default() };
     let mut look = Look::built_in(&species).unwrap().leaves.remove(0);
-    look.form = tree_mesh::LeafForm::Modelled { vertices_max: 20 };
+    look.form = tree_mesh::LeafForm::Modelled { max_vertices: 20 };
     let leaf = look.model().unwrap().mesh;
     let mesh = mesh(vec![finished(leaf.positions.clone(), leaf.indices.clone())]);
     let front = Around { azimuths: 1, ..Around::default() };

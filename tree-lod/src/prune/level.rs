@@ -5,7 +5,7 @@ use crate::error::{LodError, Result, check_range};
 use crate::quality::contrast;
 
 /// Most levels of a list.
-const LEVELS_MAX: f64 = 1024.0;
+const MAX_LEVELS: f64 = 1024.0;
 
 /// What is drawn for a λ, and the numbers that the shader needs.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,7 +77,7 @@ impl PrunedModel {
     /// # Complexity
     /// O(n · parts · log elements).
     pub fn levels(&self, n: usize) -> Result<Vec<Level>> {
-        check_range("levels", n as f64, 2.0, LEVELS_MAX)?;
+        check_range("levels", n as f64, 2.0, MAX_LEVELS)?;
         let first = self.table.rows().first().map_or(1.0, |row| row.lambda);
         let first = first.max(self.schedule.least_lambda());
         let ratio = libm::logf(first) / (n - 1) as f32;

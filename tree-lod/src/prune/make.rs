@@ -2,7 +2,7 @@
 
 use super::model::{PruneParams, PrunedModel};
 use super::plan::plan;
-use crate::element::{Elements, Foliage, Grain};
+use crate::element::{Elements, Grain, LeafSurfaces};
 use crate::error::Result;
 use crate::order::{CoverageParams, coverage};
 use crate::outline::{OutlineParams, Tier, tiers};
@@ -14,7 +14,7 @@ use tree_mesh::Mesh;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MakeParams {
     /// Which surfaces are pruned.
-    pub foliage: Foliage,
+    pub foliage: LeafSurfaces,
     /// What an element is.
     pub grain: Grain,
     /// How outlines become simpler.

@@ -26,7 +26,7 @@
 //! use tree_lod::quality::{Row, Subject, Table};
 //! use tree_lod::tree_core::Control;
 //! use tree_lod::tree_mesh::{Material, Mesh, Surface};
-//! use tree_lod::{Elements, Foliage, Grain};
+//! use tree_lod::{Elements, LeafSurfaces, Grain};
 //!
 //! let mut leaves = Surface::default();
 //! for x in 0..10 {
@@ -39,7 +39,7 @@
 //! let mesh = Mesh { surfaces: vec![leaves], materials: vec![Material::default()], ..Mesh::default() };
 //!
 //! let control = Control::default();
-//! let elements = Elements::of_mesh(&mesh, &Foliage::Surfaces(vec![0]), Grain::Blade, &control)?;
+//! let elements = Elements::of_mesh(&mesh, &LeafSurfaces::Surfaces(vec![0]), Grain::Blade, &control)?;
 //! let tiers = [Tier::full(&mesh, &elements)];
 //! let ranking = Ranking { order: (0..10).collect(), pivots: elements.centers.clone() };
 //! let row = |lambda: f32| Row { lambda, scale: 1.0 / lambda, ..Row::default() };

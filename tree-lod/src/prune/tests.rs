@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::LodError;
-use crate::element::{Elements, Foliage};
+use crate::element::{Elements, LeafSurfaces};
 use crate::order::Ranking;
 use crate::outline::Tier;
 use crate::quality::{Distance, Row, Subject, Table};
@@ -384,12 +384,12 @@ fn what_does_not_fit_the_mesh_is_refused() {
 #[test]
 fn a_mesh_becomes_a_pruned_model_in_one_call() {
     let mesh = case(&[(1, [8, 8, 8]); 30], 1, false).mesh;
-    let params = MakeParams { foliage: Foliage::Surfaces(vec![1]), ..MakeParams::default() };
+    let params = MakeParams { foliage: LeafSurfaces::Surfaces(vec![1]), ..MakeParams::default() };
     let model = PrunedModel::make(&mesh, &params, &Control::default()).unwrap();
     assert_eq!(model.level(1.0).unwrap().n_triangles, 240);
     let found = model.level(0.3).unwrap().n_triangles;
     assert!((60..=72).contains(&found), "{found}");
-    let bare = MakeParams { foliage: Foliage::Surfaces(vec![7]), ..params };
+    let bare = MakeParams { foliage: LeafSurfaces::Surfaces(vec![7]), ..params };
     assert!(PrunedModel::make(&mesh, &bare, &Control::default()).is_err());
 }
 

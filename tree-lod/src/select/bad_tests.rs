@@ -20,7 +20,7 @@ fn cameras_that_are_none_are_refused() {
     let bad = views.map(|view| (Eye { view, ..eye() }, "view")).into_iter();
     let bad = bad.chain(projections.map(|projection| (Eye { projection, ..eye() }, "projection")));
     for (eye, expected) in bad {
-        let found = scene.select(&frame(eye, Occlusion::None), &Params::default(), &mut state);
+        let found = scene.select(&frame(eye, Occlusion::None), &SceneParams::default(), &mut state);
         let named = matches!(found, Err(LodError::Camera { field, .. }) if field == expected);
         assert!(named, "{expected} {eye:?} {found:?}");
     }
@@ -34,7 +34,7 @@ fn depths_of_the_wrong_size_are_refused() {
     for (width, height) in [(64, 35), (0, 36), (64, 0), (u32::MAX, u32::MAX), (2304, 1 << 16)] {
         let depth = DepthBuffer { depths: &depths, width, height, eye: eye(), y_down: false };
         let frame = frame(eye(), Occlusion::Depth(depth));
-        let found = scene.select(&frame, &Params::default(), &mut state);
+        let found = scene.select(&frame, &SceneParams::default(), &mut state);
         assert!(matches!(found, Err(LodError::Scene { what: "depth buffer", .. })));
     }
 }
@@ -87,11 +87,11 @@ fn parameters_times_and_states_that_are_wrong_are_refused() {
     let trees = scene(&[at(Vec3::NEG_Z * 60.0)]);
     let mut state = State::new(&trees, &Control::default()).unwrap();
     let good = frame(eye(), Occlusion::None);
-    let params = Params::default();
+    let params = SceneParams::default();
     for bad in [
-        Params { hidden: 0.0, ..params },
-        Params { band: -0.1, ..params },
-        Params { time: f32::NAN, ..params },
+        SceneParams { hidden: 0.0, ..params },
+        SceneParams { band: -0.1, ..params },
+        SceneParams { time: f32::NAN, ..params },
     ] {
         assert!(matches!(trees.select(&good, &bad, &mut state), Err(LodError::Parameter { .. })));
     }

@@ -26,7 +26,7 @@ const SMALL: f32 = 0.03;
 
 /// How shares of geometry follow what is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Params {
+pub struct SceneParams {
     /// Least factor on λ of a tree that is hidden, 0.001 to 1. Default 0.1, as in §7.4.
     pub hidden: f32,
     /// Width of the band in which nothing changes, as a share of λ, 0 to 1. Default 0.05. Wider: calmer, but
@@ -36,13 +36,13 @@ pub struct Params {
     pub time: f32,
 }
 
-impl Default for Params {
+impl Default for SceneParams {
     fn default() -> Self {
         Self { hidden: 0.1, band: 0.05, time: 0.2 }
     }
 }
 
-impl Params {
+impl SceneParams {
     /// Checks every field against its range.
     ///
     /// # Errors
@@ -111,7 +111,7 @@ impl Scene {
     pub fn select(
         &self,
         frame: &Frame<'_>,
-        params: &Params,
+        params: &SceneParams,
         state: &mut State,
     ) -> Result<Selected> {
         params.validate()?;
@@ -329,7 +329,7 @@ struct Pace {
 }
 
 impl Pace {
-    fn of(frame: &Frame<'_>, params: &Params) -> Self {
+    fn of(frame: &Frame<'_>, params: &SceneParams) -> Self {
         let times = if params.time > 0.0 { frame.seconds / params.time } else { f32::INFINITY };
         Self {
             hidden: params.hidden,

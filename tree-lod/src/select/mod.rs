@@ -30,7 +30,7 @@
 //!     projection: perspective_infinite_reverse(1.0, 16.0 / 9.0, 0.1),
 //! };
 //! let frame = Frame { eye, occlusion: Occlusion::None, seconds: 0.016, cut: false };
-//! let params = Params::default();
+//! let params = SceneParams::default();
 //! let selected = scene.select(&frame, &params, &mut state)?;
 //! let written = scene.draws(&state, &mut draws, &mut rows)?;
 //! assert_eq!((selected.drawn, written.draws), (3, 3));
@@ -52,8 +52,8 @@ mod visible;
 mod write;
 
 pub use eye::Eye;
-pub use frame::{Frame, Occlusion, Params, Selected};
-pub use model::{Draw, LEVELS_MAX, Level, Model, Occluder, PARTS_MAX, SAMPLES_MAX};
+pub use frame::{Frame, Occlusion, SceneParams, Selected};
+pub use model::{Draw, Level, MAX_LEVELS, MAX_PARTS, MAX_SAMPLES, Model, Occluder};
 pub use output::{DrawIndexed, InstanceLod, Written};
 pub use scene::{Instance, Scene};
 pub use state::{Shown, State};

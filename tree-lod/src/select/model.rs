@@ -5,11 +5,11 @@ use crate::quality::Distance;
 use glam::Vec3;
 
 /// Most levels of a model.
-pub const LEVELS_MAX: usize = 1024;
+pub const MAX_LEVELS: usize = 1024;
 /// Most points that the visibility of a model is sampled with: their answers are kept as bits of a word.
-pub const SAMPLES_MAX: usize = 64;
+pub const MAX_SAMPLES: usize = 64;
 /// Most parts, and most occluders, of a model.
-pub const PARTS_MAX: usize = 64;
+pub const MAX_PARTS: usize = 64;
 /// Largest coordinate or size of a model, in metres.
 const LARGEST: f32 = 1e5;
 
@@ -123,9 +123,9 @@ impl Model {
         };
         check(within(self.center), "center must be finite, within 100,000 m")?;
         check(positive(self.radius), "radius must be more than 0, at most 100,000 m")?;
-        check(self.samples.len() <= SAMPLES_MAX, "samples: at most 64 points")?;
+        check(self.samples.len() <= MAX_SAMPLES, "samples: at most 64 points")?;
         check(self.samples.iter().all(|&p| within(p)), "samples must be finite, within 100,000 m")?;
-        check(self.occluders.len() <= PARTS_MAX, "occluders: at most 64")?;
+        check(self.occluders.len() <= MAX_PARTS, "occluders: at most 64")?;
         let solid = |o: &Occluder| within(o.center) && o.radii.to_array().into_iter().all(positive);
         check(self.occluders.iter().all(solid), "occluders must be finite with radii above 0")?;
         check(
@@ -136,11 +136,11 @@ impl Model {
     }
 
     fn validate_levels(&self) -> Result<(), &'static str> {
-        if !(1..=LEVELS_MAX).contains(&self.levels.len()) {
+        if !(1..=MAX_LEVELS).contains(&self.levels.len()) {
             return Err("levels: 1 to 1024 of them");
         }
         let parts = self.parts();
-        if !(1..=PARTS_MAX).contains(&parts) {
+        if !(1..=MAX_PARTS).contains(&parts) {
             return Err("levels: 1 to 64 draws in each");
         }
         let mut last = 0.0;

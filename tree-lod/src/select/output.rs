@@ -37,6 +37,7 @@ pub struct InstanceLod {
 
 /// How much was written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Written {
     /// Draws.
     pub draws: usize,

@@ -59,7 +59,7 @@ pub(super) fn frame<'a>(eye: Eye, occlusion: Occlusion<'a>) -> Frame<'a> {
 
 pub(super) fn shown(scene: &Scene, frame: &Frame<'_>) -> (Selected, Vec<Option<Shown>>) {
     let mut state = State::new(scene, &Control::default()).unwrap();
-    let selected = scene.select(frame, &Params::default(), &mut state).unwrap();
+    let selected = scene.select(frame, &SceneParams::default(), &mut state).unwrap();
     (selected, (0..scene.len()).map(|i| state.shown(scene, i)).collect())
 }
 
@@ -219,7 +219,7 @@ fn a_trembling_camera_changes_no_level() {
         let shake = Vec3::Z * if i % 2 == 0 { 0.1 } else { -0.1 };
         let view = look_at_mat4(shake, shake + Vec3::NEG_Z, Vec3::Y);
         let frame = frame(Eye { view, ..eye() }, Occlusion::None);
-        scene.select(&frame, &Params::default(), &mut state).unwrap();
+        scene.select(&frame, &SceneParams::default(), &mut state).unwrap();
         let now: Vec<_> = (0..29).map(|i| state.shown(&scene, i).unwrap().level).collect();
         if i >= 200 {
             levels.push(now);
@@ -233,7 +233,7 @@ fn share_moves_smoothly_to_its_aim_and_at_once_after_a_cut() {
     let scene = scene(&[at(Vec3::NEG_Z * 60.0)]);
     let eye = eye();
     let depths = uniform(wall(&eye, 20.0));
-    let params = Params::default();
+    let params = SceneParams::default();
     let mut state = State::new(&scene, &Control::default()).unwrap();
     let hidden = frame(eye, buffer(&depths, eye));
     let free = frame(eye, Occlusion::None);
@@ -263,7 +263,7 @@ fn batches_draw_what_single_draws_do() {
         .collect();
     let scene = Scene::new(&[model(), other], &trees, &Control::default()).unwrap();
     let mut state = State::new(&scene, &Control::default()).unwrap();
-    let params = Params::default();
+    let params = SceneParams::default();
     let selected = scene.select(&frame(eye(), Occlusion::BuiltIn), &params, &mut state).unwrap();
     let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
     let mut rows = vec![InstanceLod::default(); scene.len()];
@@ -301,7 +301,7 @@ fn batches_draw_what_single_draws_do() {
 fn a_buffer_that_is_too_small_is_refused_and_left_alone() {
     let scene = scene(&[at(Vec3::NEG_Z * 60.0), at(Vec3::NEG_Z * 70.0)]);
     let mut state = State::new(&scene, &Control::default()).unwrap();
-    let params = Params::default();
+    let params = SceneParams::default();
     scene.select(&frame(eye(), Occlusion::None), &params, &mut state).unwrap();
     for (n_draws, n_rows, needed) in [(3, 2, 4), (4, 1, 2)] {
         let mut draws = vec![DrawIndexed::default(); n_draws];
@@ -322,7 +322,7 @@ fn a_buffer_that_is_too_small_is_refused_and_left_alone() {
 fn the_full_model_does_not_fade() {
     let scene = scene(&[at(Vec3::NEG_Z * 3.0), at(Vec3::NEG_Z * 100.0)]);
     let mut state = State::new(&scene, &Control::default()).unwrap();
-    let params = Params::default();
+    let params = SceneParams::default();
     scene.select(&frame(eye(), Occlusion::None), &params, &mut state).unwrap();
     let mut rows = vec![InstanceLod::default(); 2];
     scene.draws(&state, &mut [DrawIndexed::default(); 4], &mut rows).unwrap();
@@ -392,7 +392,7 @@ proptest! {
             for occlusion in [Occlusion::None, Occlusion::BuiltIn, Occlusion::Depth(depth)] {
                 for seconds in [seconds, 0.1] {
                     let frame = Frame { eye, occlusion, seconds, cut: false };
-                    let _ = scene.select(&frame, &Params::default(), &mut state);
+                    let _ = scene.select(&frame, &SceneParams::default(), &mut state);
                     let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
                     let mut rows = vec![InstanceLod::default(); scene.len()];
                     let _ = scene.draws(&state, &mut draws, &mut rows);

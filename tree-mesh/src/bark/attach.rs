@@ -44,7 +44,7 @@ pub(crate) struct Exit {
     /// Along the lateral: where its first ring stands.
     pub(crate) start: f32,
     /// Along the parent: the middle of the hole in its wall.
-    pub(crate) centre: f32,
+    pub(crate) center: f32,
     /// How far the hole reaches below and above its middle, along the parent.
     pub(crate) reach: [f32; 2],
     /// Half its width, across.
@@ -153,7 +153,7 @@ impl Host<'_> {
         let room = length - start;
         Some(Exit {
             start,
-            centre: gap.along,
+            center: gap.along,
             reach: [cosine, -cosine].map(|lean| {
                 let wide = COLLAR + (LEE - COLLAR) * (-3.0 * lean).clamp(0.0, 1.0);
                 wide * place.station.radius / sine

@@ -60,8 +60,8 @@ pub(crate) fn fill(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &m
     turn(ring, rims);
     find_feet(ring, rims);
     let Some(wall) = Wall::of(host, plan.hole_ring as usize, &middle) else { return };
-    let centre = wall.spot(ring.station.position, ring.frame.tangent);
-    let bridge = Bridge { lateral, ring, wall, centre };
+    let center = wall.spot(ring.station.position, ring.frame.tangent);
+    let bridge = Bridge { lateral, ring, wall, center };
     let n = ring.n;
     let with_feet = lateral.plan.has_feet(lateral.axis);
     if with_feet {
@@ -232,7 +232,7 @@ struct Bridge<'a> {
     ring: &'a Ring,
     wall: Wall,
     /// Where the lateral's axis meets the wall.
-    centre: Spot,
+    center: Spot,
 }
 
 /// The host's wall round a hole: a cone.
@@ -349,9 +349,9 @@ impl Bridge<'_> {
     /// middle as far as the way from the `foot` is long.
     fn collar(&self, k: u32, foot: &Spot, weld: u32) -> Vertex {
         let position = self.lateral.corner(self.ring, k);
-        let whole = foot.position.distance(self.centre.position).max(f32::MIN_POSITIVE);
+        let whole = foot.position.distance(self.center.position).max(f32::MIN_POSITIVE);
         let share = (position.distance(foot.position) / whole).min(GATHER);
-        let uv = foot.uv.lerp(self.centre.uv, share);
+        let uv = foot.uv.lerp(self.center.uv, share);
         self.vertex(position, self.lateral.shading(0, k).0, uv, weld)
     }
 
@@ -375,11 +375,11 @@ impl Bridge<'_> {
     /// On the wall, a little outside of the lateral's ring, on the way from its middle to the rim.
     fn foot(&self, rim: &Spot) -> Spot {
         let direction = self.ring.frame.tangent;
-        let to_rim = rim.position - self.centre.position;
+        let to_rim = rim.position - self.center.position;
         let reach = (to_rim - direction * to_rim.dot(direction)).length();
         let share = self.ring.station.radius / reach.max(f32::MIN_POSITIVE);
         let share = if share < CROWDED { (FOOT * share).min(0.5 * (1.0 + share)) } else { CROWDED };
-        self.wall.upon(self.centre.position.lerp(rim.position, share))
+        self.wall.upon(self.center.position.lerp(rim.position, share))
     }
 }
 

@@ -8,29 +8,29 @@ use std::f32::consts::{PI, TAU};
 /// Directions to the corners of regular polygons, so that rings need no sines.
 #[derive(Debug)]
 pub(crate) struct Circles {
-    sides_min: u32,
-    sides_max: u32,
+    min_sides: u32,
+    max_sides: u32,
     error: f32,
     /// The polygon of n sides starts at `starts[n]`.
     starts: Vec<usize>,
     corners: Vec<Vec2>,
-    /// Radii from which a ring has more sides than `sides_min`: `(radius, sides)`, ascending.
+    /// Radii from which a ring has more sides than `min_sides`: `(radius, sides)`, ascending.
     steps: Vec<(f32, u32)>,
 }
 
 impl Circles {
     pub(crate) fn new(params: &MeshParams) -> Self {
         let mut circles = Self {
-            sides_min: params.sides_min,
-            sides_max: params.sides_max,
+            min_sides: params.min_sides,
+            max_sides: params.max_sides,
             error: params.error.metres(),
             starts: Vec::new(),
             corners: Vec::new(),
             steps: Vec::new(),
         };
-        for n in 0..=params.sides_max {
+        for n in 0..=params.max_sides {
             circles.starts.push(circles.corners.len());
-            if n >= params.sides_min {
+            if n >= params.min_sides {
                 circles.corners.extend((0..n).map(|k| {
                     let angle = TAU * k as f32 / n as f32;
                     Vec2::new(libm::cosf(angle), libm::sinf(angle))
@@ -45,7 +45,7 @@ impl Circles {
     /// the error. Counts grow in steps, so that most strips join equal rings.
     fn find_steps(&mut self) {
         let mut n = 3;
-        while n < self.sides_max {
+        while n < self.max_sides {
             let radius = self.error / (1.0 - libm::cosf(PI / n as f32));
             let more = match n {
                 0..=5 => n + 1,
@@ -53,14 +53,14 @@ impl Circles {
                 12..=31 => n + 4,
                 _ => n + 8,
             };
-            self.steps.push((radius, more.clamp(self.sides_min, self.sides_max)));
+            self.steps.push((radius, more.clamp(self.min_sides, self.max_sides)));
             n = more;
         }
     }
 
     /// Most sides of a ring.
-    pub(crate) fn sides_max(&self) -> u32 {
-        self.sides_max
+    pub(crate) fn max_sides(&self) -> u32 {
+        self.max_sides
     }
 
     /// How far sides may cut into the round branch, in metres.
@@ -80,8 +80,8 @@ impl Circles {
         let step = self.steps.partition_point(|&(from, _)| from < radius);
         let round = match step.checked_sub(1).and_then(|i| self.steps.get(i)) {
             Some(&(_, n)) => n,
-            None => self.sides_min,
+            None => self.min_sides,
         };
-        round.max(flare.sides_min(along)).clamp(self.sides_min, self.sides_max)
+        round.max(flare.min_sides(along)).clamp(self.min_sides, self.max_sides)
     }
 }

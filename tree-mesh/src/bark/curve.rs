@@ -29,7 +29,7 @@ const POINT_SHARE: f32 = 0.35;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Station {
     pub(crate) position: Vec3,
-    /// Radius without flare, at least [`MeshParams::radius_min`].
+    /// Radius without flare, at least [`MeshParams::min_radius`].
     pub(crate) radius: f32,
     /// Length along the axis from its base, over straight segments.
     pub(crate) along: f32,
@@ -167,7 +167,7 @@ impl Drawing {
             let mut station = self.raw[i];
             end = station.radius;
             let coarsest = ROUND_MIN * station.position.abs().max_element();
-            station.radius = station.radius.max(params.radius_min).max(coarsest);
+            station.radius = station.radius.max(params.min_radius).max(coarsest);
             if i == last {
                 self.push_tip(station);
             } else {
@@ -181,7 +181,7 @@ impl Drawing {
         }
         self.measure();
         let before = self.nodes[self.nodes.len() - 2].radius;
-        self.pointed = end <= params.radius_min || end < POINT_SHARE * before;
+        self.pointed = end <= params.min_radius || end < POINT_SHARE * before;
         self.find_slopes(params.fit);
         self.find_tangents(params.fit);
         true

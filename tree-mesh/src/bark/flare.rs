@@ -73,7 +73,7 @@ impl Flare {
     }
 
     /// Fewest sides that show the lobes at this height.
-    pub(crate) fn sides_min(&self, along: f32) -> u32 {
+    pub(crate) fn min_sides(&self, along: f32) -> u32 {
         if self.acts(along) && self.share(along) * self.depth > LOBE_VISIBLE {
             SIDES_PER_LOBE * self.lobes
         } else {

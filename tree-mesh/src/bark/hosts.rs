@@ -119,11 +119,11 @@ impl Forest<'_> {
                 }
                 let below = all[host as usize];
                 let start = below.exit.map_or(0.0, |exit| exit.start);
-                if below.carries() && exit.is_none_or(|exit| exit.centre > start) {
+                if below.carries() && exit.is_none_or(|exit| exit.center > start) {
                     break;
                 }
                 let at = match below.exit {
-                    Some(exit) => exit.centre,
+                    Some(exit) => exit.center,
                     None => self.fork(host).map_or(0.0, |(_, fork)| fork),
                 };
                 host = below.host;
@@ -147,7 +147,7 @@ impl Forest<'_> {
             for other in near {
                 let sibling = &wishes[other];
                 let thicker = (radius(sibling), sibling.lateral) > (radius(wish), wish.lateral);
-                let apart = (sibling.centre - wish.centre).abs();
+                let apart = (sibling.center - wish.center).abs();
                 let Leaving { host: on, exit: Some(base) } = all[sibling.lateral as usize] else {
                     continue;
                 };
@@ -170,7 +170,7 @@ impl Forest<'_> {
                     continue;
                 }
                 if let Some(leaving) = wood.exit(base.start, &line)
-                    && leaving.centre > base.start
+                    && leaving.center > base.start
                 {
                     best = Some((outside, sibling.lateral, leaving));
                 }
@@ -219,13 +219,13 @@ impl Wishes {
         }
         let mut next = starts.clone();
         let nothing =
-            Wish { lateral: 0, centre: 0.0, reach: [0.0; 2], half_width: 0.0, out: Vec3::ZERO };
+            Wish { lateral: 0, center: 0.0, reach: [0.0; 2], half_width: 0.0, out: Vec3::ZERO };
         let mut wishes = vec![nothing; starts.last().copied().unwrap_or(0) as usize];
         for (lateral, host, exit) in leaving() {
             let slot = &mut next[host as usize];
             wishes[*slot as usize] = Wish {
                 lateral: lateral as u32,
-                centre: exit.centre,
+                center: exit.center,
                 reach: exit.reach,
                 half_width: exit.half_width,
                 out: exit.out,
@@ -235,7 +235,7 @@ impl Wishes {
         for pair in starts.windows(2) {
             // Stable: those at one height stay in the order of their numbers.
             wishes[pair[0] as usize..pair[1] as usize]
-                .sort_by(|a, b| a.centre.total_cmp(&b.centre));
+                .sort_by(|a, b| a.center.total_cmp(&b.center));
         }
         Self { starts, wishes }
     }

@@ -115,14 +115,14 @@ impl Plan {
         // No axis has fewer rings than its length asks for, nor a ring fewer than three sides.
         let strips: f64 = (0..axes.len() as u32)
             .filter_map(|axis| curves.get(axis))
-            .map(|curve| f64::from(curve.length() / params.strip_max).floor())
+            .map(|curve| f64::from(curve.length() / params.max_strip).floor())
             .sum();
         // A cast from float saturates.
         control.limits.check(Resource::Triangles, (3.0 * strips) as u64)?;
         let fineness = Fineness {
             error: params.error.metres(),
-            longest: params.strip_max,
-            rings_max: usize::try_from(cap / 3).unwrap_or(usize::MAX).saturating_add(2),
+            longest: params.max_strip,
+            max_rings: usize::try_from(cap / 3).unwrap_or(usize::MAX).saturating_add(2),
         };
         let planned = AtomicU64::new(0);
         let planner = Planner { curves: &curves, circles: &circles, flare, params, fineness };

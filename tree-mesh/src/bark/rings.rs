@@ -52,7 +52,7 @@ pub(crate) struct Fineness {
     /// Longest strip.
     pub(crate) longest: f32,
     /// Rings of one axis after which no more are set: there are too many triangles then.
-    pub(crate) rings_max: usize,
+    pub(crate) max_rings: usize,
 }
 
 /// Finds rings; reused from axis to axis.
@@ -151,7 +151,7 @@ impl RingFinder {
         };
         let mut last = widened(*from);
         let mut kept = 0;
-        while kept < self.samples.len() && self.rings.len() < fineness.rings_max {
+        while kept < self.samples.len() && self.rings.len() < fineness.max_rings {
             let mut ahead = kept;
             while let Some(next) = self.samples.get(ahead + 1)
                 && ahead - kept < WINDOW
@@ -193,7 +193,7 @@ impl RingFinder {
                 if along > low && along < high {
                     self.samples.push(curve.on(i, along));
                 }
-                if self.samples.len() > WINDOW.saturating_mul(fineness.rings_max) {
+                if self.samples.len() > WINDOW.saturating_mul(fineness.max_rings) {
                     return;
                 }
             }

@@ -223,8 +223,8 @@ impl<'a> Skin<'a> {
             branch: self.axis,
             weld,
         };
-        let (centre, weld) = (ring.station.position, out.global(middle));
-        out.vertex(vertex(centre, weld));
+        let (center, weld) = (ring.station.position, out.global(middle));
+        out.vertex(vertex(center, weld));
         for k in 0..ring.n {
             let (position, weld) =
                 (out.positions[(ring.first + k) as usize], out.global(ring.first + k));
@@ -236,7 +236,7 @@ impl<'a> Skin<'a> {
 
 /// A ring without flare. Bridges ask for the same corners as the ring itself and must get the same bits.
 struct Round {
-    centre: Vec3,
+    center: Vec3,
     radius: f32,
     normal: Vec3,
     binormal: Vec3,
@@ -248,7 +248,7 @@ struct Round {
 impl Round {
     fn new(ring: &Ring, slope: f32) -> Self {
         Self {
-            centre: ring.station.position,
+            center: ring.station.position,
             radius: ring.station.radius,
             normal: ring.frame.normal,
             binormal: ring.frame.binormal(),
@@ -258,7 +258,7 @@ impl Round {
     }
 
     fn position(&self, corner: Vec2) -> Vec3 {
-        self.centre + (self.normal * corner.x + self.binormal * corner.y) * self.radius
+        self.center + (self.normal * corner.x + self.binormal * corner.y) * self.radius
     }
 
     fn normal(&self, corner: Vec2) -> Vec3 {

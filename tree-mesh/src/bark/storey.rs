@@ -32,7 +32,7 @@ const SQUARE: f32 = 0.35;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wish {
     pub(crate) lateral: u32,
-    pub(crate) centre: f32,
+    pub(crate) center: f32,
     /// How far it reaches below and above its middle.
     pub(crate) reach: [f32; 2],
     pub(crate) half_width: f32,
@@ -81,7 +81,7 @@ pub(crate) struct Wall<'a> {
 }
 
 impl Storeys {
-    /// Divides the wall. `wishes` must be sorted by `centre`.
+    /// Divides the wall. `wishes` must be sorted by `center`.
     pub(crate) fn divide(&mut self, wall: &Wall<'_>, wishes: &[Wish]) {
         self.storeys.clear();
         self.holes.clear();
@@ -93,14 +93,14 @@ impl Storeys {
     }
 
     fn place(&mut self, wall: &Wall<'_>, wish: &Wish) {
-        let centre = wish.centre.clamp(wall.low, wall.high);
-        let place = wall.curve.at(centre);
-        let radius = place.station.radius * wall.flare.widest(centre);
+        let center = wish.center.clamp(wall.low, wall.high);
+        let place = wall.curve.at(center);
+        let radius = place.station.radius * wall.flare.widest(center);
         let square = SQUARE * TAU * radius / wall.n_sides(&place) as f32;
         let [down, up] = wish.reach.map(|reach| reach.max(square).max(HEIGHT_MIN * radius));
         let half = 0.5 * (down + up);
         let below = self.storeys.len().checked_sub(2).map_or(wall.low, |i| self.storeys[i].high);
-        let (low, high) = (centre - down, centre + up);
+        let (low, high) = (center - down, center + up);
         let Some(last) = self.storeys.last_mut().filter(|last| low < last.high) else {
             self.start(wall, wish, &place, low, high);
             return;
@@ -111,17 +111,17 @@ impl Storeys {
             && joined <= STRETCH * last.tallest.max(high - low)
         {
             last.low = last.low.min(low).max(below);
-            self.take(wish, column, width, high, centre);
+            self.take(wish, column, width, high, center);
             return;
         }
         let cut = (0.5 * (last.high + low)).clamp(
-            last.last_centre + 0.25 * (centre - last.last_centre),
-            centre - 0.25 * (centre - last.last_centre),
+            last.last_centre + 0.25 * (center - last.last_centre),
+            center - 0.25 * (center - last.last_centre),
         );
         let shortest = HEIGHT_MIN * radius;
         if cut - last.low > shortest
             && high - cut > shortest
-            && centre - last.last_centre > 0.3 * half
+            && center - last.last_centre > 0.3 * half
         {
             last.high = cut;
             self.start(wall, wish, &place, cut, high);
@@ -129,7 +129,7 @@ impl Storeys {
         }
         self.n_moved += 1;
         match free_columns(last.mask, column, width, last.n_sides) {
-            Some((column, width)) => self.take(wish, column, width, high, centre),
+            Some((column, width)) => self.take(wish, column, width, high, center),
             None => {
                 let (low, high) = (last.high, last.high + (high - low));
                 self.start(wall, wish, &place, low, high);
@@ -152,13 +152,13 @@ impl Storeys {
     }
 
     /// Gives columns of the last storey to a lateral.
-    fn take(&mut self, wish: &Wish, column: u32, width: u32, high: f32, centre: f32) {
+    fn take(&mut self, wish: &Wish, column: u32, width: u32, high: f32, center: f32) {
         let number = self.storeys.len() as u32 - 1;
         if let Some(last) = self.storeys.last_mut() {
             last.mask |= columns_mask(column, width, last.n_sides);
             last.high = last.high.max(high);
-            last.tallest = last.tallest.max(2.0 * (high - centre));
-            last.last_centre = last.last_centre.max(centre);
+            last.tallest = last.tallest.max(2.0 * (high - center));
+            last.last_centre = last.last_centre.max(center);
         }
         self.holes.push(Hole { lateral: wish.lateral, storey: number, column, width });
     }
@@ -207,7 +207,7 @@ impl Wall<'_> {
     /// Sides of a storey.
     fn n_sides(&self, place: &Place) -> u32 {
         let n = self.circles.n_sides(place.station.radius, place.station.along, &self.flare);
-        n.max(SIDES_MIN).min(self.circles.sides_max())
+        n.max(SIDES_MIN).min(self.circles.max_sides())
     }
 
     /// The columns that a hole covers, of `n` sides: the first and how many, at most half of them.

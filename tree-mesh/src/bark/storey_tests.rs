@@ -11,7 +11,7 @@ struct Pole {
 
 impl Pole {
     fn new(radius: f32, sides: u32) -> Self {
-        let params = MeshParams { sides_min: sides, sides_max: sides, ..Default::default() };
+        let params = MeshParams { min_sides: sides, max_sides: sides, ..Default::default() };
         let mut drawing = Drawing::default();
         let at = |h: f32| Station { position: Vec3::Y * h, radius, along: 0.0 };
         drawing.raw.extend([at(0.0), at(1.0)]);
@@ -52,9 +52,9 @@ impl Pole {
     }
 }
 
-fn wish(lateral: u32, centre: f32, radius: f32, angle: f32) -> Wish {
+fn wish(lateral: u32, center: f32, radius: f32, angle: f32) -> Wish {
     let out = Vec3::new(libm::cosf(angle), 0.0, -libm::sinf(angle));
-    Wish { lateral, centre, reach: [radius; 2], half_width: radius, out }
+    Wish { lateral, center, reach: [radius; 2], half_width: radius, out }
 }
 
 #[test]
@@ -98,7 +98,7 @@ proptest! {
         let wishes: Vec<_> = wishes
             .into_iter()
             .enumerate()
-            .map(|(i, (centre, radius, angle))| wish(i as u32, centre, radius, angle))
+            .map(|(i, (center, radius, angle))| wish(i as u32, center, radius, angle))
             .collect();
         Pole::new(0.1, sides).divide(&wishes);
     }

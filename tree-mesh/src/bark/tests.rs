@@ -8,7 +8,7 @@ use tree_core::{Control, Skeleton, Species, Tree};
 
 /// No flare, no rounding: shapes whose measures are known.
 fn plain() -> MeshParams {
-    MeshParams { flare: 0.0, fit: CurveFit::Straight, strip_max: 1000.0, ..Default::default() }
+    MeshParams { flare: 0.0, fit: CurveFit::Straight, max_strip: 1000.0, ..Default::default() }
 }
 
 fn bare(skeleton: Skeleton) -> Tree {
@@ -82,7 +82,7 @@ fn a_straight_trunk_is_a_closed_frustum_with_a_cap() {
     let (r0, r1, h) = (0.3, 0.2, 4.0);
     let skeleton = chain(&[(Vec3::ZERO, r0), (Vec3::Y * h, r1)]);
     for sides in [3, 4, 7, 24, 128] {
-        let params = MeshParams { sides_min: sides, sides_max: sides, ..plain() };
+        let params = MeshParams { min_sides: sides, max_sides: sides, ..plain() };
         let built = mesh_of(&bare(skeleton.clone()), &params);
         let n = sides as usize;
         // Two rings with a doubled seam, a bottom with a middle, a point for each side.
@@ -199,7 +199,7 @@ fn tangents_run_with_u_and_complete_a_frame_up_the_picture() {
 #[test]
 fn no_strip_is_longer_than_allowed() {
     let skeleton = chain(&[(Vec3::ZERO, 0.2), (Vec3::Y * 10.0, 0.2)]);
-    let params = MeshParams { strip_max: 1.0, ..plain() };
+    let params = MeshParams { max_strip: 1.0, ..plain() };
     let bark = mesh_of(&bare(skeleton), &params).mesh.surfaces[0].clone();
     let mut heights: Vec<f32> = bark.positions.iter().map(|p| p.y).collect();
     heights.sort_by(f32::total_cmp);
@@ -210,7 +210,7 @@ fn no_strip_is_longer_than_allowed() {
 #[test]
 fn strips_that_no_memory_holds_are_refused() {
     let tree = bare(chain(&[(Vec3::ZERO, 10.0), (Vec3::Y * 1e6, 10.0)]));
-    let params = MeshParams { strip_max: 0.001, ..plain() };
+    let params = MeshParams { max_strip: 0.001, ..plain() };
     let look = Look::plain(tree.species());
     let error = build(&tree, &look, &params, &Control::default()).unwrap_err();
     assert!(matches!(error, crate::MeshError::Limit(_)), "{error}");
@@ -321,7 +321,7 @@ fn any_params() -> impl Strategy<Value = MeshParams> {
     (0..3_u8, 0..3_u8, 3..20_u32, 0.0_f32..1.0).prop_map(|(fit, flare, sides, lobes)| MeshParams {
         fit: [CurveFit::Straight, CurveFit::Through, CurveFit::Near][fit as usize],
         flare: f32::from(flare),
-        sides_max: sides,
+        max_sides: sides,
         flare_lobe_depth: 0.9 * lobes,
         ..Default::default()
     })

@@ -63,11 +63,11 @@ impl Capsule {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CapsuleParams {
     /// Most capsules, 1 to 4096. Default 32.
-    pub count_max: u32,
+    pub max_count: u32,
     /// Wood thinner than this is passed over, in metres, 0 to 10. Default 0.05. Of the path presets 32
     /// capsules have 1.4 to 3.4 times the volume of the wood above 5 cm (the broad oak 6.5), but up to
     /// 47 times that above 3 cm: boughs by the dozen must share them. When nothing is as thick, half the radius of the thickest wood is taken instead, so that saplings collide as well.
-    pub radius_min: f32,
+    pub min_radius: f32,
     /// Share of the volume of the other wood that must lie inside, 0 to 1. Default 0.95.
     pub share: f32,
     /// Which child goes on at a fork; as in [`MeshParams`](crate::MeshParams).
@@ -76,7 +76,7 @@ pub struct CapsuleParams {
 
 impl Default for CapsuleParams {
     fn default() -> Self {
-        Self { count_max: 32, radius_min: 0.05, share: 0.95, continuation: Continuation::default() }
+        Self { max_count: 32, min_radius: 0.05, share: 0.95, continuation: Continuation::default() }
     }
 }
 
@@ -87,8 +87,8 @@ impl CapsuleParams {
     /// [`MeshError::Parameter`], naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         for (field, found, min, max) in [
-            ("count_max", f64::from(self.count_max), 1.0, 4096.0),
-            ("radius_min", f64::from(self.radius_min), 0.0, 10.0),
+            ("max_count", f64::from(self.max_count), 1.0, 4096.0),
+            ("min_radius", f64::from(self.min_radius), 0.0, 10.0),
             ("share", f64::from(self.share), 0.0, 1.0),
         ] {
             if !(min..=max).contains(&found) {
@@ -115,7 +115,7 @@ pub struct CapsuleReport {
     /// Volume of the wood above the radius, in cubic metres: the sum of its frusta.
     pub volume: f64,
     /// The radius above which wood counted, in metres.
-    pub radius_min: f32,
+    pub min_radius: f32,
     /// Share of that volume that lies in a capsule, 0 to 1, as measured; 1 when there is no wood.
     pub held: f64,
     /// Volume of the capsules, those that overlap counted twice, over that of the wood they hold; 1
@@ -139,21 +139,21 @@ pub fn capsules(
 ) -> Result<Capsules> {
     params.validate()?;
     control.report("wood", 0.0)?;
-    let (wood, radius_min) = wood::gather(skeleton, params);
+    let (wood, min_radius) = wood::gather(skeleton, params);
     if wood.frusta.is_empty() {
-        let report = CapsuleReport { radius_min, held: 1.0, is_enough: true, ..Default::default() };
+        let report = CapsuleReport { min_radius, held: 1.0, is_enough: true, ..Default::default() };
         return Ok(Capsules { capsules: Vec::new(), report });
     }
     control.report("capsules", 0.1)?;
     let (links, budget) = (wood.links(), wood.budget(params.share));
-    let capsules = merge::down_to(&wood, &links, params.count_max as usize, budget, control)?;
+    let capsules = merge::down_to(&wood, &links, params.max_count as usize, budget, control)?;
     control.report("measure", 0.8)?;
     let held = measure::held(&wood.frusta, &capsules, control)?;
     let volume = wood.volume();
     let bulk =
         capsules.iter().map(Capsule::volume).sum::<f64>() / (volume * held).max(f64::MIN_POSITIVE);
     let is_enough = held >= f64::from(params.share);
-    let report = CapsuleReport { volume, radius_min, held, bulk, is_enough };
+    let report = CapsuleReport { volume, min_radius, held, bulk, is_enough };
     Ok(Capsules { capsules, report })
 }
 

@@ -13,7 +13,7 @@ fn a_straight_pole_is_one_tight_capsule() {
     for i in 1..=40 {
         builder.add(i - 1, Vec3::Y * 0.1 * i as f32, 0.1).unwrap();
     }
-    let one = CapsuleParams { count_max: 1, share: 1.0, ..CapsuleParams::default() };
+    let one = CapsuleParams { max_count: 1, share: 1.0, ..CapsuleParams::default() };
     let made = make(&builder.finish(), &one);
     let [capsule] = made.capsules[..] else { panic!("{made:?}") };
     assert!((capsule.radius - 0.1).abs() < 1e-4);
@@ -27,11 +27,11 @@ fn a_straight_pole_is_one_tight_capsule() {
 fn more_capsules_are_tighter_and_hold_the_share_asked_for() {
     let skeleton = sample::skeleton(3);
     let mut last = f64::INFINITY;
-    for count_max in [1, 4, 16, 32, 64] {
-        let made = make(&skeleton, &CapsuleParams { count_max, ..CapsuleParams::default() });
-        assert!(made.capsules.len() <= count_max as usize);
+    for max_count in [1, 4, 16, 32, 64] {
+        let made = make(&skeleton, &CapsuleParams { max_count, ..CapsuleParams::default() });
+        assert!(made.capsules.len() <= max_count as usize);
         assert!(made.report.is_enough, "{:?}", made.report);
-        assert!(made.report.bulk <= last, "{count_max}: {:?}", made.report);
+        assert!(made.report.bulk <= last, "{max_count}: {:?}", made.report);
         last = made.report.bulk;
     }
     assert!(last < 2.5, "{last}");
@@ -43,7 +43,7 @@ fn saplings_and_bare_points_are_no_special_case() {
     builder.add(0, Vec3::Y, 0.008).unwrap();
     let made = make(&builder.finish(), &CapsuleParams::default());
     assert_eq!(made.capsules.len(), 1);
-    assert!((made.report.radius_min - 0.005).abs() < 1e-6);
+    assert!((made.report.min_radius - 0.005).abs() < 1e-6);
     for radius in [0.0, 0.5] {
         let point = Skeleton::builder(Vec3::ONE, radius).unwrap().finish();
         let made = make(&point, &CapsuleParams::default());
@@ -57,7 +57,7 @@ fn stems_that_share_only_the_root_are_merged_in_the_end() {
     for x in [-2.0, 0.0, 2.0] {
         builder.add(0, Vec3::new(x, 3.0, 0.0), 0.15).unwrap();
     }
-    let one = CapsuleParams { count_max: 1, ..CapsuleParams::default() };
+    let one = CapsuleParams { max_count: 1, ..CapsuleParams::default() };
     let made = make(&builder.finish(), &one);
     assert_eq!(made.capsules.len(), 1);
     assert!(made.report.is_enough);
@@ -79,8 +79,8 @@ fn thousands_of_boughs_on_one_node_are_folded_and_still_held() {
 fn bad_requests_are_refused() {
     let skeleton = sample::skeleton(1);
     for params in [
-        CapsuleParams { count_max: 0, ..Default::default() },
-        CapsuleParams { radius_min: -1.0, ..Default::default() },
+        CapsuleParams { max_count: 0, ..Default::default() },
+        CapsuleParams { min_radius: -1.0, ..Default::default() },
         CapsuleParams { share: f32::NAN, ..Default::default() },
     ] {
         let refused = capsules(&skeleton, &params, &Control::default());
@@ -111,14 +111,14 @@ proptest! {
     #[test]
     fn any_skeleton_gets_capsules_that_hold_its_wood(
         rows in proptest::collection::vec((any::<u32>(), ball()), 1..60),
-        count_max in 1_u32..40,
+        max_count in 1_u32..40,
     ) {
         let mut builder = Skeleton::builder(Vec3::ZERO, 0.5).unwrap();
         for (number, (parent, (place, radius))) in rows.into_iter().enumerate() {
             builder.add(parent % (number as u32 + 1), place, radius).unwrap();
         }
-        let made = make(&builder.finish(), &CapsuleParams { count_max, ..Default::default() });
-        prop_assert!(made.capsules.len() <= count_max as usize);
+        let made = make(&builder.finish(), &CapsuleParams { max_count, ..Default::default() });
+        prop_assert!(made.capsules.len() <= max_count as usize);
         prop_assert!(made.report.is_enough, "{:?}", made.report);
     }
 }

@@ -60,7 +60,7 @@ pub(super) struct Link {
 /// Gathers the wood and says above which radius.
 pub(super) fn gather(skeleton: &Skeleton, params: &CapsuleParams) -> (Wood, f32) {
     let thickest = skeleton.radii().iter().fold(0.0_f32, |most, &radius| most.max(radius));
-    let radius_min = if thickest >= params.radius_min { params.radius_min } else { 0.5 * thickest };
+    let min_radius = if thickest >= params.min_radius { params.min_radius } else { 0.5 * thickest };
     let axes = skeleton.axes(params.continuation);
     let (positions, radii) = (skeleton.positions(), skeleton.radii());
     let mut wood = Wood::default();
@@ -75,7 +75,7 @@ pub(super) fn gather(skeleton: &Skeleton, params: &CapsuleParams) -> (Wood, f32)
         for &node in axis.nodes {
             let (a, b) = (positions[last as usize], positions[node as usize]);
             let radius = radii[node as usize];
-            let thick = last_radius.min(radius) >= radius_min && radius.max(last_radius) > 0.0;
+            let thick = last_radius.min(radius) >= min_radius && radius.max(last_radius) > 0.0;
             if thick && a != b {
                 wood.frusta.push(Frustum { a, b, radius_a: last_radius, radius_b: radius });
             } else if !thick {
@@ -93,7 +93,7 @@ pub(super) fn gather(skeleton: &Skeleton, params: &CapsuleParams) -> (Wood, f32)
         }
         wood.close(run);
     }
-    (wood, radius_min)
+    (wood, min_radius)
 }
 
 impl Wood {

@@ -30,11 +30,11 @@ const ROUNDS: u32 = 2;
 /// How bark is displaced. Lengths in metres.
 ///
 /// ```
-/// use tree_mesh::displace::Displacement;
-/// assert!(Displacement { amplitude: 0.02, ..Default::default() }.validate().is_ok());
+/// use tree_mesh::displace::DisplaceParams;
+/// assert!(DisplaceParams { amplitude: 0.02, ..Default::default() }.validate().is_ok());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Displacement {
+pub struct DisplaceParams {
     /// Height of the highest ridges and depth of the deepest furrows, 0 to 10 m; most points move less
     /// than half as far. Default 1 cm.
     pub amplitude: f32,
@@ -56,7 +56,7 @@ pub struct Displacement {
     pub seed: Seed,
 }
 
-impl Default for Displacement {
+impl Default for DisplaceParams {
     fn default() -> Self {
         Self {
             amplitude: 0.01,
@@ -71,7 +71,7 @@ impl Default for Displacement {
     }
 }
 
-impl Displacement {
+impl DisplaceParams {
     /// Checks all numbers.
     ///
     /// # Errors
@@ -111,7 +111,7 @@ impl Displacement {
 pub fn displace(
     surface: &mut Surface,
     branches: &[Branch],
-    displacement: &Displacement,
+    displacement: &DisplaceParams,
     control: &Control,
 ) -> Result<()> {
     displacement.validate()?;
@@ -157,7 +157,7 @@ struct Move {
     slope: Vec3,
 }
 
-impl Displacement {
+impl DisplaceParams {
     /// How far the point may move.
     fn limit(&self, branch: Option<&Branch>, place: Vec3) -> f32 {
         let radius = branch.map_or(self.radius, |branch| {

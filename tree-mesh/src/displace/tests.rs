@@ -9,7 +9,7 @@ fn trunk() -> Surface {
     subdivide(&cylinder(24, 6), &params, &Control::default()).unwrap()
 }
 
-const COARSE: Displacement = Displacement {
+const COARSE: DisplaceParams = DisplaceParams {
     amplitude: 0.05,
     scale: 0.5,
     stretch: 2.0,
@@ -20,7 +20,7 @@ const COARSE: Displacement = Displacement {
     seed: Seed(4),
 };
 
-fn displaced(mut surface: Surface, branches: &[Branch], displacement: &Displacement) -> Surface {
+fn displaced(mut surface: Surface, branches: &[Branch], displacement: &DisplaceParams) -> Surface {
     displace(&mut surface, branches, displacement, &Control::default()).unwrap();
     surface
 }
@@ -36,7 +36,7 @@ fn a_closed_surface_stays_closed_and_moves_no_more_than_it_may() {
     assert!((0.02..=0.0501).contains(&most), "{most}");
     let again = displaced(before.clone(), &[], &COARSE);
     assert_eq!(after, again);
-    let other = displaced(before, &[], &Displacement { seed: Seed(5), ..COARSE });
+    let other = displaced(before, &[], &DisplaceParams { seed: Seed(5), ..COARSE });
     assert_ne!(after, other);
 }
 
@@ -50,7 +50,7 @@ fn the_foot_stays_on_the_ground() {
         spread = spread.max(a.distance(*b));
     }
     assert!(spread > 0.001, "the rim follows the bark");
-    let free = displaced(before, &[], &Displacement { ground: None, ..COARSE });
+    let free = displaced(before, &[], &DisplaceParams { ground: None, ..COARSE });
     assert!(free.positions.iter().any(|p| p.y < -0.001));
 }
 
@@ -86,7 +86,7 @@ fn thin_branches_move_less_and_tips_not_at_all() {
         radius: 0.02,
         ..Default::default()
     };
-    let strong = Displacement { amplitude: 1.0, share: 0.5, ground: None, ..COARSE };
+    let strong = DisplaceParams { amplitude: 1.0, share: 0.5, ground: None, ..COARSE };
     let after = displaced(shape.clone(), &[branch], &strong);
     for (a, b) in shape.positions.iter().zip(&after.positions) {
         assert!(a.distance(*b) <= 0.5 * 0.02 + 1e-6);
@@ -100,7 +100,7 @@ fn thin_branches_move_less_and_tips_not_at_all() {
 fn odd_parameters_and_surfaces_are_refused_and_nothing_changes() {
     let mut shape = cylinder(6, 1);
     let control = Control::default();
-    let bad = Displacement { scale: 0.0, ..COARSE };
+    let bad = DisplaceParams { scale: 0.0, ..COARSE };
     let error = displace(&mut shape, &[], &bad, &control).unwrap_err();
     assert!(matches!(error, MeshError::Parameter { field: "scale", .. }));
     shape.branches = vec![1; shape.positions.len()];

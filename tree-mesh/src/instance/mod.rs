@@ -33,13 +33,13 @@ const INSTANCE_BYTES: u64 = 12 + 16 + 12 + 4;
 
 /// How a tree is divided into twigs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TwigParams {
+pub struct InstancingParams {
     /// Most unique twigs, 1 to 1000. Default 30.
-    pub twigs_max: u32,
+    pub max_twigs: u32,
     /// How many times smaller than the flattened tree the result should be, 1 to 1000. Default 11: ten,
     /// and some room, for flattened twigs may weigh a little more than those they stand for.
     /// The truest way that reaches it is taken. Small trees may not reach it: see
-    /// [`TwigReport::ratio`].
+    /// [`InstancingReport::ratio`].
     pub ratio: f32,
     /// Length of twigs in metres along the longest path in them, 0.001 to 1000, if it shall not be
     /// chosen. Default none.
@@ -48,20 +48,20 @@ pub struct TwigParams {
     pub seed: Seed,
 }
 
-impl Default for TwigParams {
+impl Default for InstancingParams {
     fn default() -> Self {
-        Self { twigs_max: 30, ratio: 11.0, reach: None, seed: Seed(0) }
+        Self { max_twigs: 30, ratio: 11.0, reach: None, seed: Seed(0) }
     }
 }
 
-impl TwigParams {
+impl InstancingParams {
     /// Checks every field against its range.
     ///
     /// # Errors
     /// [`MeshError::Parameter`], naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         for (field, found, min, max) in [
-            ("twigs_max", f64::from(self.twigs_max), 1.0, 1000.0),
+            ("max_twigs", f64::from(self.max_twigs), 1.0, 1000.0),
             ("ratio", f64::from(self.ratio), 1.0, 1000.0),
             ("reach", self.reach.map_or(1.0, f64::from), 0.000_999, 1000.0),
         ] {
@@ -96,13 +96,13 @@ pub struct InstancedTree {
     /// The twigs; none without instances.
     pub twigs: Vec<Twig>,
     /// Sizes.
-    pub report: TwigReport,
+    pub report: InstancingReport,
 }
 
 /// What an instanced tree weighs and how near it comes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
-pub struct TwigReport {
+pub struct InstancingReport {
     /// Unique twigs.
     pub n_twigs: usize,
     /// Instances of all twigs.
@@ -122,7 +122,7 @@ pub struct TwigReport {
     pub deviation: f32,
 }
 
-/// Replaces terminal subtrees by instances of at most [`TwigParams::twigs_max`] twigs.
+/// Replaces terminal subtrees by instances of at most [`InstancingParams::max_twigs`] twigs.
 ///
 /// # Errors
 /// As [`build`](crate::build), and [`MeshError::Parameter`] for the twigs' parameters.
@@ -134,7 +134,7 @@ pub fn twigs(
     tree: &Tree,
     look: &Look,
     params: &MeshParams,
-    twig_params: &TwigParams,
+    twig_params: &InstancingParams,
     control: &Control,
 ) -> Result<InstancedTree> {
     params.validate()?;
@@ -161,10 +161,10 @@ pub fn twigs(
         }
         let forms = describe::describe(tree, &cut);
         for share in NUMBERS {
-            let n_max = ((twig_params.twigs_max as f32 * share) as usize).max(1);
+            let n_max = ((twig_params.max_twigs as f32 * share) as usize).max(1);
             let groups = cluster::group(&forms, n_max, twig_params.seed, control)?;
             let mut made = parts::assemble(scene, &base, &cut, &forms, &groups, control)?;
-            made.report = TwigReport { reach, ..report(&made, tree, &forms, &groups) };
+            made.report = InstancingReport { reach, ..report(&made, tree, &forms, &groups) };
             let reached = made.report.ratio >= twig_params.ratio;
             if best
                 .as_ref()
@@ -190,7 +190,7 @@ struct Scene<'a> {
 }
 
 /// Small enough comes first; of two that are, the truer one; of two that are not, the smaller.
-fn better(a: &TwigReport, b: &TwigReport, ratio: f32) -> bool {
+fn better(a: &InstancingReport, b: &InstancingReport, ratio: f32) -> bool {
     match (a.ratio >= ratio, b.ratio >= ratio) {
         (true, true) => a.deviation < b.deviation,
         (false, false) => a.ratio > b.ratio,
@@ -203,7 +203,7 @@ fn report(
     tree: &Tree,
     forms: &[describe::Form],
     groups: &cluster::Groups,
-) -> TwigReport {
+) -> InstancingReport {
     let (mut sum, mut weight) = (0.0_f64, 0.0_f64);
     for (form, &group) in forms.iter().zip(&groups.of) {
         let Some(twig) = groups.medoids.get(group as usize).and_then(|&m| forms.get(m as usize))
@@ -215,7 +215,7 @@ fn report(
         weight += leaves;
     }
     let sizes = sizes(made);
-    TwigReport {
+    InstancingReport {
         n_leaves: (tree.foliage().len() as u64, sizes.n_leaves.1),
         deviation: if weight > 0.0 { libm::sqrt(sum / weight) as f32 } else { 0.0 },
         ..sizes
@@ -223,7 +223,7 @@ fn report(
 }
 
 /// What can be said without the tree that it stands for.
-fn sizes(made: &InstancedTree) -> TwigReport {
+fn sizes(made: &InstancedTree) -> InstancingReport {
     let n_instances: usize = made.twigs.iter().map(|twig| twig.translations.len()).sum();
     let unique: u64 = made.twigs.iter().map(|twig| bytes(&twig.mesh)).sum();
     let repeated = |of: fn(&Mesh) -> u64| -> u64 {
@@ -232,7 +232,7 @@ fn sizes(made: &InstancedTree) -> TwigReport {
     let bytes_all = bytes(&made.base) + unique + n_instances as u64 * INSTANCE_BYTES;
     let bytes_flat = bytes(&made.base) + repeated(bytes);
     let n_leaves = n_leaves(&made.base) + repeated(n_leaves);
-    TwigReport {
+    InstancingReport {
         n_twigs: made.twigs.len(),
         n_instances,
         bytes: bytes_all,

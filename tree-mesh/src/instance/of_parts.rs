@@ -1,6 +1,6 @@
 //! Instanced trees of parts that come from elsewhere.
 
-use super::{InstancedTree, Twig, TwigReport, sizes};
+use super::{InstancedTree, InstancingReport, Twig, sizes};
 use crate::error::{MeshError, Result};
 use crate::mesh::Mesh;
 
@@ -14,7 +14,7 @@ impl InstancedTree {
     /// # Complexity
     /// One pass over all columns.
     pub fn of_parts(base: Mesh, twigs: Vec<Twig>) -> Result<Self> {
-        let mut made = Self { base, twigs, report: TwigReport::default() };
+        let mut made = Self { base, twigs, report: InstancingReport::default() };
         made.check()?;
         made.report = sizes(&made);
         Ok(made)

@@ -30,7 +30,7 @@ fn bush(n: u32) -> Tree {
     Tree::new(builder.finish(), foliage, Species::default()).unwrap()
 }
 
-fn instanced(tree: &Tree, twig_params: &TwigParams) -> InstancedTree {
+fn instanced(tree: &Tree, twig_params: &InstancingParams) -> InstancedTree {
     let look = Look::plain(tree.species());
     twigs(tree, &look, &MeshParams::default(), twig_params, &Control::default()).unwrap()
 }
@@ -43,7 +43,7 @@ fn flat(tree: &Tree) -> Mesh {
 #[test]
 fn each_occurrence_stands_in_for_its_own_when_every_one_is_unique() {
     let tree = bush(3);
-    let params = TwigParams { twigs_max: 1000, reach: Some(0.3), ..Default::default() };
+    let params = InstancingParams { max_twigs: 1000, reach: Some(0.3), ..Default::default() };
     let made = instanced(&tree, &params);
     assert!(made.report.n_instances > 25, "{:?}", made.report);
     assert!(made.report.deviation < 1e-3, "{:?}", made.report);
@@ -66,7 +66,7 @@ fn each_occurrence_stands_in_for_its_own_when_every_one_is_unique() {
 #[test]
 fn a_tree_of_many_alike_twigs_gets_ten_times_smaller() {
     let tree = bush(60);
-    let made = instanced(&tree, &TwigParams::default());
+    let made = instanced(&tree, &InstancingParams::default());
     let report = made.report;
     println!("{report:?}");
     assert!(report.n_twigs <= 30 && report.ratio >= 10.0, "{report:?}");
@@ -95,7 +95,7 @@ fn the_same_bits_for_any_number_of_threads() {
     let tree = bush(12);
     let with = |n| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
-        pool.install(|| instanced(&tree, &TwigParams { twigs_max: 5, ..Default::default() }))
+        pool.install(|| instanced(&tree, &InstancingParams { max_twigs: 5, ..Default::default() }))
     };
     assert_eq!(with(1), with(3));
 }
@@ -104,30 +104,30 @@ fn the_same_bits_for_any_number_of_threads() {
 fn bad_parameters_limits_and_cancelling_are_answered() {
     let tree = bush(4);
     let look = Look::plain(tree.species());
-    let run = |params: &TwigParams, control: &Control| {
+    let run = |params: &InstancingParams, control: &Control| {
         twigs(&tree, &look, &MeshParams::default(), params, control)
     };
-    let none = TwigParams { twigs_max: 0, ..Default::default() };
+    let none = InstancingParams { max_twigs: 0, ..Default::default() };
     let error = run(&none, &Control::default()).unwrap_err().to_string();
-    assert!(error.starts_with("twigs_max is 0"), "{error}");
-    let odd = TwigParams { reach: Some(f32::NAN), ..Default::default() };
+    assert!(error.starts_with("max_twigs is 0"), "{error}");
+    let odd = InstancingParams { reach: Some(f32::NAN), ..Default::default() };
     assert!(run(&odd, &Control::default()).is_err());
-    let made = run(&TwigParams::default(), &Control::default()).unwrap();
+    let made = run(&InstancingParams::default(), &Control::default()).unwrap();
     let limits = Limits { triangles: 10, ..Limits::default() };
     let tight = Control::default().with_limits(limits);
     assert!(matches!(made.flatten(&tight), Err(MeshError::Limit(_))));
     let stop = CancelFlag::default();
     stop.cancel();
-    let cancelled = run(&TwigParams::default(), &Control::default().with_cancel(stop));
+    let cancelled = run(&InstancingParams::default(), &Control::default().with_cancel(stop));
     assert!(matches!(cancelled, Err(MeshError::Cancelled(_))));
 }
 
 #[test]
 fn bare_points_and_broken_parts_do_no_harm() {
     let point = Tree::bare(Skeleton::builder(Vec3::ONE, 0.0).unwrap().finish(), Species::default());
-    let made = instanced(&point, &TwigParams::default());
+    let made = instanced(&point, &InstancingParams::default());
     assert_eq!((made.report.n_instances, made.flatten(&Control::default()).is_ok()), (0, true));
-    let mut made = instanced(&bush(4), &TwigParams::default());
+    let mut made = instanced(&bush(4), &InstancingParams::default());
     made.twigs[0].mesh.surfaces[0].indices[0] = u32::MAX;
     assert!(matches!(made.flatten(&Control::default()), Err(MeshError::Dangling { .. })));
 }
@@ -163,12 +163,12 @@ proptest! {
     #[test]
     fn any_tree_can_be_instanced_and_flattened(
         tree in any_tree(),
-        twigs_max in 1_u32..8,
+        max_twigs in 1_u32..8,
         reach in 0.01_f32..3.0,
     ) {
-        let params = TwigParams { twigs_max, reach: Some(reach), ..Default::default() };
+        let params = InstancingParams { max_twigs, reach: Some(reach), ..Default::default() };
         let made = instanced(&tree, &params);
-        prop_assert!(made.twigs.len() <= twigs_max as usize);
+        prop_assert!(made.twigs.len() <= max_twigs as usize);
         let mesh = made.flatten(&Control::default()).unwrap();
         mesh.check_normals().unwrap();
         prop_assert!(mesh.bounds() == Aabb::EMPTY || mesh.bounds().is_finite());

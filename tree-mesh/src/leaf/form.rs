@@ -14,12 +14,12 @@ pub enum LeafForm {
     /// A rectangle as large as the picture. Two triangles; the least memory, the most overdraw.
     #[default]
     Card,
-    /// A polygon of at most `vertices_max` (4 to 64) vertices around all of the picture that is
+    /// A polygon of at most `max_vertices` (4 to 64) vertices around all of the picture that is
     /// not cut away: no visible pixel is lost, few invisible ones are drawn. Eight is a good number. A
     /// picture without a mask, or all of it cut away, stays a card; the report says so.
     Outline {
         /// Most vertices of the polygon, 4 to 64.
-        vertices_max: u32,
+        max_vertices: u32,
     },
     /// A leaf whose margin is modelled: a polygon along the margin of the picture, as much inside as
     /// outside, drawn without a mask. For close views and for renderers that pay for masks. Leaves are
@@ -27,7 +27,7 @@ pub enum LeafForm {
     Modelled {
         /// Most vertices of the polygon, 4 to 64. 12 gives up to 20 triangles when
         /// folded or bent.
-        vertices_max: u32,
+        max_vertices: u32,
     },
     /// A leaf of your own, shared by all leaves of the kind.
     Mesh(Arc<LeafMesh>),

@@ -141,7 +141,7 @@ pub(crate) fn model(look: &LeafLook) -> Result<LeafModel> {
         visible,
         drawn: 1.0,
     };
-    let (vertices_max, modelled) = match &look.form {
+    let (max_vertices, modelled) = match &look.form {
         LeafForm::Card => {
             let visible = Cover::of(&look.material)?.map_or(1.0, |cover| cover.visible);
             return Ok(card(false, visible));
@@ -156,14 +156,14 @@ pub(crate) fn model(look: &LeafLook) -> Result<LeafModel> {
                 drawn: 1.0,
             });
         }
-        LeafForm::Outline { vertices_max } => (*vertices_max as usize, false),
-        LeafForm::Modelled { vertices_max } => (*vertices_max as usize, true),
+        LeafForm::Outline { max_vertices } => (*max_vertices as usize, false),
+        LeafForm::Modelled { max_vertices } => (*max_vertices as usize, true),
     };
     let Some(cover) = Cover::of(&look.material)? else { return Ok(card(true, 1.0)) };
     let reach = cover.reach();
-    let side = |reach_of: &[f32]| chain::around(&reach.heights, reach_of, vertices_max / 2, 0.5);
+    let side = |reach_of: &[f32]| chain::around(&reach.heights, reach_of, max_vertices / 2, 0.5);
     let (drawn, mesh) = if modelled {
-        let half = cover::close(ring::thin(cover.margin(), vertices_max / 2));
+        let half = cover::close(ring::thin(cover.margin(), max_vertices / 2));
         (2.0 * ring::area(&half), sheet::ladder(&half, look.width, curve))
     } else if curve.is_flat() {
         let left = side(&reach.left).into_iter().rev().map(|p| Vec2::new(0.5 - p.x, p.y));

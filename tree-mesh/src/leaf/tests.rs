@@ -8,8 +8,8 @@ use tree_core::{Foliage, Leaf, Skeleton, Species};
 
 const FORMS: [LeafForm; 3] = [
     LeafForm::Card,
-    LeafForm::Outline { vertices_max: 8 },
-    LeafForm::Modelled { vertices_max: 12 },
+    LeafForm::Outline { max_vertices: 8 },
+    LeafForm::Modelled { max_vertices: 12 },
 ];
 
 fn built_in(kind: &str) -> LeafLook {
@@ -50,19 +50,19 @@ fn outlines_hold_every_visible_pixel_of_every_built_in_leaf_and_save_overdraw() 
     for kind in texture::leaf_names() {
         let mut look = built_in(kind);
         let mut drawn = Vec::new();
-        for vertices_max in [6, 8, 12] {
-            look.form = LeafForm::Outline { vertices_max };
+        for max_vertices in [6, 8, 12] {
+            look.form = LeafForm::Outline { max_vertices };
             let model = look.model().unwrap();
-            assert!(model.mesh.positions.len() <= vertices_max as usize, "{kind}");
+            assert!(model.mesh.positions.len() <= max_vertices as usize, "{kind}");
             assert!(!model.fallback, "{kind}");
             assert!(model.drawn >= model.visible, "{kind}: {model:?}");
             drawn.push(model.drawn);
-            if vertices_max == 8 {
+            if max_vertices == 8 {
                 assert!(kept(&look, &model.mesh) > 0.9999, "{kind}: {}", kept(&look, &model.mesh));
             }
         }
         assert!(drawn[2] <= drawn[0] + 1e-3 && drawn[1] < 0.97, "{kind}: {drawn:?}");
-        (look.form, look.fold) = (LeafForm::Modelled { vertices_max: 12 }, 0.2);
+        (look.form, look.fold) = (LeafForm::Modelled { max_vertices: 12 }, 0.2);
         let model = look.model().unwrap();
         println!(
             "{kind:18} {:.2}     1   {:.2} {:.2} {:.2} {:.2} ({})",
@@ -80,7 +80,7 @@ fn outlines_hold_every_visible_pixel_of_every_built_in_leaf_and_save_overdraw() 
 fn folded_and_bent_outlines_hold_every_pixel_too() {
     for kind in ["oak", "maple", "pine", "oak-cluster"].into_iter().filter(known) {
         let mut look = LeafLook { fold: 0.4, bend: 0.9, ..built_in(kind) };
-        look.form = LeafForm::Outline { vertices_max: 10 };
+        look.form = LeafForm::Outline { max_vertices: 10 };
         let model = look.model().unwrap();
         assert!(kept(&look, &model.mesh) > 0.9999, "{kind}");
     }
@@ -94,7 +94,7 @@ fn known(kind: &&str) -> bool {
 fn a_modelled_margin_is_near_the_visible_one() {
     for kind in ["beech", "birch", "willow"].into_iter().filter(known) {
         let mut look = LeafLook { fold: 0.3, ..built_in(kind) };
-        look.form = LeafForm::Modelled { vertices_max: 12 };
+        look.form = LeafForm::Modelled { max_vertices: 12 };
         let model = look.model().unwrap();
         assert!(model.opaque, "{kind}");
         assert!((model.drawn / model.visible - 1.0).abs() < 0.1, "{kind}: {model:?}");
@@ -161,7 +161,7 @@ fn numbers_out_of_range_and_broken_leaves_are_named() {
     assert!(refused(|l| l.sheets = 0).contains("look.leaves.sheets"));
     assert!(refused(|l| l.rows = 17).contains("look.leaves.rows"));
     assert!(refused(|l| l.petiole = 0.5).contains("look.leaves.petiole"));
-    assert!(refused(|l| l.form = LeafForm::Outline { vertices_max: 3 }).contains("vertices_max"));
+    assert!(refused(|l| l.form = LeafForm::Outline { max_vertices: 3 }).contains("max_vertices"));
     let good = LeafLook::default().model().unwrap().mesh;
     let broken = |change: fn(&mut LeafMesh)| {
         let mut mesh = good.clone();
@@ -329,7 +329,7 @@ proptest! {
     fn any_picture_is_outlined_without_losing_a_pixel(
         size in (1_u32..40, 1_u32..40),
         blobs in prop::collection::vec((0.0_f32..1.0, 0.0_f32..1.0, 0.01_f32..0.4), 1..5),
-        vertices_max in 4_u32..17,
+        max_vertices in 4_u32..17,
         curved in any::<bool>(),
     ) {
         let (width, height) = size;
@@ -341,7 +341,7 @@ proptest! {
         let alpha = |i| if inside(i) { 255 } else { 0 };
         let pixels = (0..width * height).flat_map(|i| [0, 0, 0, alpha(i)]).collect();
         let mut look = LeafLook {
-            form: LeafForm::Outline { vertices_max },
+            form: LeafForm::Outline { max_vertices },
             fold: if curved { 0.5 } else { 0.0 },
             ..Default::default()
         };

@@ -21,7 +21,7 @@
 //! steps of 8 cm, from 8 to 2048.
 //!
 //! Epic's material functions follow at most 4 levels, and a half names at most 30,720 elements. Deeper
-//! branches become part of the one that carries them, level by level; the [`Report`] says how many.
+//! branches become part of the one that carries them, level by level; the [`PivotReport`] says how many.
 //!
 //! Unpacked: numbers exact; pivots within a rounding (2⁻¹¹ of them as halves); axes within 0.008
 //! radians; extents within 4.1 cm between 8 and 2048 cm; occlusion, flutter and phase within 1/510.
@@ -35,9 +35,9 @@ use crate::wind::Branch;
 use glam::{Vec2, Vec3};
 
 /// Levels that Epic's material functions follow.
-pub const LEVELS_MAX: u32 = 4;
+pub const MAX_LEVELS: u32 = 4;
 /// Elements that the bits of a finite half, less the 1024 of subnormal numbers, can name.
-pub const ELEMENTS_MAX: usize = 0x7C00 - 1024;
+pub const MAX_ELEMENTS: usize = 0x7C00 - 1024;
 /// Longest extent in centimetres.
 const EXTENT_MAX: f32 = 2048.0;
 /// Steps of the extent.
@@ -46,7 +46,7 @@ const EXTENT_STEPS: f32 = 256.0;
 /// What did not fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Report {
+pub struct PivotReport {
     /// Levels of the mesh.
     pub levels: u32,
     /// Levels that are left, at most 4.
@@ -69,7 +69,7 @@ pub struct Textures {
     /// Axis and extent, row by row from the top.
     pub axis_and_extent: Vec<[u8; 4]>,
     /// What did not fit.
-    pub report: Report,
+    pub report: PivotReport,
     /// The element of each branch of the table.
     element_of: Vec<u32>,
 }
@@ -116,9 +116,9 @@ impl Textures {
             .max()
             .map_or(0, |level| level.saturating_add(1));
         let fits = |kept: u32| {
-            branches.iter().filter(|branch| branch.level < kept).count() <= ELEMENTS_MAX
+            branches.iter().filter(|branch| branch.level < kept).count() <= MAX_ELEMENTS
         };
-        let kept_levels = (1..=levels.min(LEVELS_MAX)).rev().find(|&kept| fits(kept)).unwrap_or(0);
+        let kept_levels = (1..=levels.min(MAX_LEVELS)).rev().find(|&kept| fits(kept)).unwrap_or(0);
         let mut element_of: Vec<u32> = Vec::with_capacity(branches.len());
         let mut elements: Vec<&Branch> = Vec::new();
         for branch in branches {
@@ -146,7 +146,7 @@ impl Textures {
             let turned = space.direction(branch.axis) * 0.5 + 0.5;
             *axis = turned.extend(extent).to_array().map(half::byte);
         }
-        let report = Report {
+        let report = PivotReport {
             levels,
             kept_levels,
             elements: elements.len(),

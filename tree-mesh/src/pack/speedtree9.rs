@@ -17,7 +17,7 @@
 //! * Branch 1 is the bough a vertex hangs on, branch 2 the branch on that bough (levels 1 and 2); wood
 //!   of higher levels and leaves move with these two. The trunk moves by height, by the shader.
 //! * The shader turns a vertex about `position − direction × weight × stretch limit`. So the weight is
-//!   [`reach`](crate::wind::Branch::reach) × length over the limit of the tree, [`Limits`], which belongs
+//!   [`reach`](crate::wind::Branch::reach) × length over the limit of the tree, [`StretchLimits`], which belongs
 //!   into `_ST_BranchStretchLimits`, and the direction points from the pivot to the vertex.
 //! * Noise: the direction the branch swings in, as a place in the noise: other branches, other places.
 //! * Ripple weight: the flutter of leaves.
@@ -34,14 +34,14 @@ use glam::{Vec2, Vec3};
 
 /// `_ST_BranchStretchLimits`: the longest free lengths of branches 1 and 2, in metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Limits {
+pub struct StretchLimits {
     /// Of branches at level 1.
     pub branch1: f32,
     /// Of branches at level 2.
     pub branch2: f32,
 }
 
-impl Limits {
+impl StretchLimits {
     /// The limits of a mesh; the same for all its surfaces.
     #[must_use]
     pub fn of(mesh: &Mesh) -> Self {
@@ -87,7 +87,7 @@ impl Level {
 /// O(branches + vertices), whatever the depth of the hierarchy.
 pub fn pack(mesh: &Mesh, surface: usize) -> Result<Packed> {
     let source = Source::new(mesh, surface, Convention::Unity)?;
-    let limits = Limits::of(mesh);
+    let limits = StretchLimits::of(mesh);
     let level = |level, limit| Level { carriers: source.ancestors(level), limit };
     let [first, second] = [level(1, limits.branch1), level(2, limits.branch2)];
     let (mut colors, mut uv0, mut uv1) = (Vec::new(), Vec::new(), Vec::new());

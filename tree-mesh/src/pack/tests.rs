@@ -81,7 +81,7 @@ fn speedtree_8_comes_back() {
 #[test]
 fn speedtree_9_shaders_find_the_collar_of_each_branch() {
     let mesh = sample::mesh(3);
-    let limits = speedtree9::Limits::of(&mesh);
+    let limits = speedtree9::StretchLimits::of(&mesh);
     for surface in 0..2 {
         let packed = speedtree9::pack(&mesh, surface).unwrap();
         let back = speedtree9::unpack(&packed);
@@ -166,12 +166,12 @@ fn pivot_painter_comes_back() {
 
 #[test]
 fn every_element_number_survives_the_bits_of_a_half() {
-    for number in 0..pivot_painter::ELEMENTS_MAX as u32 {
+    for number in 0..pivot_painter::MAX_ELEMENTS as u32 {
         let bits = pivot_painter::index_bits(number);
         assert!(bits.is_finite());
         assert_eq!(pivot_painter::from_index_bits(bits), number);
     }
-    assert!(!pivot_painter::index_bits(pivot_painter::ELEMENTS_MAX as u32).is_finite());
+    assert!(!pivot_painter::index_bits(pivot_painter::MAX_ELEMENTS as u32).is_finite());
 }
 
 #[test]
@@ -304,7 +304,7 @@ fn chains_of_thousands_of_branches_find_their_boughs() {
         let wanted: Vec<Option<u32>> = vertices.clone().map(|v| carrier(v, level)).collect();
         assert_eq!(source.ancestors(level), wanted, "level {level}");
     }
-    let limits = speedtree9::Limits::of(&mesh);
+    let limits = speedtree9::StretchLimits::of(&mesh);
     let speedtree = speedtree9::unpack(&speedtree9::pack(&mesh, 0).unwrap());
     let creator = tree_creator::unpack(&tree_creator::pack(&mesh, 0).unwrap());
     for vertex in vertices {

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 use tree_core::Control;
 
 /// Most vertices, as in [`build`](crate::build).
-const VERTICES_MAX: u64 = u32::MAX as u64 - 1;
+const MAX_VERTICES: u64 = u32::MAX as u64 - 1;
 /// The share of either opposite point in a new point on a smooth edge.
 const OPPOSITE: f64 = 1.0 / 8.0;
 
@@ -70,9 +70,9 @@ impl Work {
         control.check()?;
 
         let copies = Copies::new(&self.edges, &self.surface.indices, self.of_vertex.len());
-        if copies.n_vertices > VERTICES_MAX {
+        if copies.n_vertices > MAX_VERTICES {
             let found = copies.n_vertices;
-            return Err(MeshError::TooManyVertices { surface: None, found, max: VERTICES_MAX });
+            return Err(MeshError::TooManyVertices { surface: None, found, max: MAX_VERTICES });
         }
         add_vertices(&mut self.surface, &copies.ends);
         self.of_vertex.extend(copies.edges.iter().map(|&edge| n_points as u32 + edge));

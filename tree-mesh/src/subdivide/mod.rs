@@ -42,7 +42,7 @@ use crate::topology::welded;
 use tree_core::{Control, Resource};
 
 /// Most levels: each is four times the triangles of the last.
-const LEVELS_MAX: u32 = 8;
+const MAX_LEVELS: u32 = 8;
 /// Most rounds of fitting: then nothing is left to gain in f32.
 const ROUNDS_MAX: u32 = 20;
 
@@ -81,7 +81,7 @@ impl SubdivideParams {
         // π as an f32 is a little more than π.
         let max = f64::from(std::f32::consts::PI);
         for (field, found, max) in
-            [("levels", self.levels, LEVELS_MAX), ("fit", self.fit, ROUNDS_MAX)]
+            [("levels", self.levels, MAX_LEVELS), ("fit", self.fit, ROUNDS_MAX)]
         {
             if found > max {
                 let (found, max) = (found.into(), max.into());

@@ -30,6 +30,7 @@ pub struct StalkedLeaves {
 
 /// What growing leaves did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct LeafReport {
     /// Leaf-bearing nodes of the shoots (a whorl is one, a tip's leaf too).
     pub n_bearing: u64,

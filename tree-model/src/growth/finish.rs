@@ -1,12 +1,13 @@
 //! From a growing tree to one that can be drawn: radii, leaves, ages.
 
-use super::simulation::Plant;
+use super::simulation::Growing;
 use crate::error::Result;
 use crate::foliage;
 use tree_core::{Control, Foliage, Skeleton, Tree};
 
 /// A grown tree and how it came about.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Grown {
     /// The tree.
     pub tree: Tree,
@@ -21,6 +22,7 @@ pub struct Grown {
 
 /// What happened while a tree grew.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct GrowthReport {
     /// One entry an iteration.
     pub years: Vec<YearReport>,
@@ -43,7 +45,7 @@ pub struct YearReport {
     pub n_nodes: u32,
 }
 
-impl Plant {
+impl Growing {
     pub(super) fn finish(&self, control: &Control) -> Result<Grown> {
         let stem = &self.stem;
         let radii = vec![0.0; stem.len()];

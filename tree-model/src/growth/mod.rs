@@ -53,7 +53,7 @@ pub use light::Shadow;
 pub use markers::Space;
 pub use params::{GrowthParams, MAX_ITERATIONS, MAX_PLANTS};
 pub use presets::{PRESETS, Preset};
-pub use simulation::{Planting, Simulation, grow_stand};
+pub use simulation::{Plant, Simulation, grow_stand};
 pub use surroundings::{Environment, World};
 
 use crate::{ModelError, Modeler};

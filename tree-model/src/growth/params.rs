@@ -2,7 +2,7 @@
 
 use super::finish::Grown;
 use super::habit::Habit;
-use super::simulation::{Planting, grow_stand};
+use super::simulation::{Plant, grow_stand};
 use super::surroundings::World;
 use crate::error::{ModelError, Result, check};
 use glam::Vec3;
@@ -58,8 +58,8 @@ impl GrowthParams {
 
     /// The tree as one of a stand.
     #[must_use]
-    pub fn planting(&self) -> Planting {
-        Planting { habit: self.habit.clone(), base: self.base, direction: Vec3::Y }
+    pub fn planting(&self) -> Plant {
+        Plant { habit: self.habit.clone(), base: self.base, direction: Vec3::Y }
     }
 
     /// Grows the tree. The same seed gives the same bits for any number of threads.

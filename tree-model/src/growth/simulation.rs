@@ -15,7 +15,7 @@ use tree_core::{Control, Resource, Seed};
 /// A tree to be, and where it stands.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
-pub struct Planting {
+pub struct Plant {
     /// Its kind.
     pub habit: Habit,
     /// Where it stands, in metres. Default the origin.
@@ -24,7 +24,7 @@ pub struct Planting {
     pub direction: Vec3,
 }
 
-impl Default for Planting {
+impl Default for Plant {
     fn default() -> Self {
         Self { habit: Habit::default(), base: Vec3::ZERO, direction: Vec3::Y }
     }
@@ -32,7 +32,7 @@ impl Default for Planting {
 
 /// A tree in the middle of its growth.
 #[derive(Clone, Debug)]
-pub(super) struct Plant {
+pub(super) struct Growing {
     pub(super) habit: Habit,
     pub(super) stem: Stem,
     pub(super) seed: Seed,
@@ -46,11 +46,11 @@ pub(super) struct Plant {
 /// A stand of trees, grown iteration by iteration.
 ///
 /// ```
-/// use tree_model::growth::{Planting, Simulation, World};
+/// use tree_model::growth::{Plant, Simulation, World};
 /// use tree_model::tree_core::{Control, Seed};
 /// let control = Control::default();
 /// let mut stand =
-///     Simulation::new(&World::default(), &[Planting::default()], Seed(1), &control)?;
+///     Simulation::new(&World::default(), &[Plant::default()], Seed(1), &control)?;
 /// for _ in 0..5 {
 ///     stand.step(&control)?;
 /// }
@@ -61,7 +61,7 @@ pub(super) struct Plant {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Simulation {
-    plants: Vec<Plant>,
+    plants: Vec<Growing>,
     surroundings: Surroundings,
     iteration: u32,
 }
@@ -76,7 +76,7 @@ pub struct Simulation {
 /// Linear in nodes times iterations; with obstacles also in the part of the lattice that trees reach.
 pub fn grow_stand(
     world: &World,
-    plants: &[Planting],
+    plants: &[Plant],
     iterations: u32,
     seed: Seed,
     control: &Control,
@@ -106,7 +106,7 @@ impl Simulation {
     /// [`ModelError::Parameter`] or [`ModelError::NotFinite`], naming the field;
     /// [`ModelError::RootBlocked`] where a seedling stands in the obstacle; [`ModelError::Limit`];
     /// [`ModelError::Cancelled`].
-    pub fn new(world: &World, plants: &[Planting], seed: Seed, control: &Control) -> Result<Self> {
+    pub fn new(world: &World, plants: &[Plant], seed: Seed, control: &Control) -> Result<Self> {
         check("plants.len()", plants.len() as f64, 1, MAX_PLANTS as f64)?;
         world.validate()?;
         for (i, plant) in plants.iter().enumerate() {
@@ -119,7 +119,7 @@ impl Simulation {
         let mut seedlings = Vec::with_capacity(plants.len());
         for (i, plant) in (0..).zip(plants) {
             control.check()?;
-            let seedling = Plant::seedling(plant, growing.child(i))?;
+            let seedling = Growing::seedling(plant, growing.child(i))?;
             let [from, to] = [seedling.stem.positions[0], seedling.stem.positions[1]];
             if world.obstacle.as_ref().is_some_and(|obstacle| !obstacle.is_free(from, to)) {
                 return Err(ModelError::RootBlocked { root: plant.base });
@@ -219,7 +219,7 @@ impl Simulation {
     }
 }
 
-impl Planting {
+impl Plant {
     /// Checks all ranges.
     ///
     /// # Errors
@@ -233,8 +233,8 @@ impl Planting {
     }
 }
 
-impl Plant {
-    fn seedling(plant: &Planting, seed: Seed) -> Result<Self> {
+impl Growing {
+    fn seedling(plant: &Plant, seed: Seed) -> Result<Self> {
         let habit = plant.habit.clone();
         let direction = plant.direction.normalize_or(Vec3::Y);
         let side = across(direction);

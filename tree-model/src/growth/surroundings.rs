@@ -2,7 +2,7 @@
 
 use super::light::{Shadow, ShadowGrid};
 use super::markers::{Markers, Space, Watcher};
-use super::simulation::Plant;
+use super::simulation::Growing;
 use super::sky::Sky;
 use super::stem::BUD;
 use crate::error::{ModelError, Result, check, check_finite};
@@ -171,7 +171,7 @@ impl Surroundings {
     }
 
     /// What the buds of all plants find.
-    pub(super) fn sense(&mut self, plants: &[Plant], control: &Control) -> Result<Vec<Found>> {
+    pub(super) fn sense(&mut self, plants: &[Growing], control: &Control) -> Result<Vec<Found>> {
         let Self { field: Field::Markers(markers), sky, brightness, .. } = self else {
             return Ok(plants.iter().map(|plant| self.sense_light(plant)).collect());
         };
@@ -201,7 +201,7 @@ impl Surroundings {
         Ok(found.collect())
     }
 
-    fn sense_light(&self, plant: &Plant) -> Found {
+    fn sense_light(&self, plant: &Growing) -> Found {
         let stem = &plant.stem;
         let mut quality = vec![0.0; stem.ends().len()];
         quality

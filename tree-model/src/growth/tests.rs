@@ -20,7 +20,7 @@ fn grow(params: &GrowthParams, seed: u64) -> Grown {
 }
 
 /// Mean of all nodes.
-fn centre(grown: &Grown) -> Vec3 {
+fn center(grown: &Grown) -> Vec3 {
     let positions = grown.tree.skeleton().positions();
     positions.iter().sum::<Vec3>() / positions.len() as f32
 }
@@ -98,11 +98,11 @@ fn a_tree_beside_a_wall_grows_away_and_never_into_it() {
         let mut params = young("oak", 10);
         params.world.environment = environment;
         params.habit.internode = 0.12;
-        let free = centre(&grow(&params, 5));
+        let free = center(&grow(&params, 5));
         params.world.obstacle = Some(wall(0.6));
         let beside = grow(&params, 5);
         check_whole(&beside, 10);
-        assert!(centre(&beside).x < free.x - 0.05, "{} {}", centre(&beside), free);
+        assert!(center(&beside).x < free.x - 0.05, "{} {}", center(&beside), free);
         assert!(beside.tree.skeleton().positions().iter().all(|p| p.x < 0.6));
     }
 }
@@ -111,20 +111,20 @@ fn a_tree_beside_a_wall_grows_away_and_never_into_it() {
 fn light_from_the_side_draws_the_crown() {
     let mut params = young("oak", 10);
     params.world.light = Vec3::new(1.0, 1.0, 0.0);
-    let drawn = centre(&grow(&params, 2)).x;
+    let drawn = center(&grow(&params, 2)).x;
     params.world.light = Vec3::new(-1.0, 1.0, 0.0);
-    assert!(drawn > centre(&grow(&params, 2)).x + 0.2);
+    assert!(drawn > center(&grow(&params, 2)).x + 0.2);
 }
 
 #[test]
 fn neighbours_grow_apart() {
     let params = young("oak", 10);
-    let at = |x| Planting { base: Vec3::new(x, 0.0, 0.0), ..params.planting() };
-    let stand = |plants: &[Planting]| {
+    let at = |x| Plant { base: Vec3::new(x, 0.0, 0.0), ..params.planting() };
+    let stand = |plants: &[Plant]| {
         grow_stand(&params.world, plants, 10, Seed(4), &Control::default()).unwrap()
     };
     let pair = stand(&[at(-0.4), at(0.4)]);
-    let gap = centre(&pair[1]).x - centre(&pair[0]).x;
+    let gap = center(&pair[1]).x - center(&pair[0]).x;
     assert!(gap > 1.0, "{gap}");
     let far = stand(&[at(-50.0), at(50.0)]);
     let n = |grown: &[Grown]| grown.iter().map(|g| g.tree.skeleton().len()).sum::<usize>();
@@ -247,7 +247,7 @@ fn bad_parameters_are_named() {
     assert!(none.to_string().contains("plants.len()"));
     let control = Control::default();
     let simulation =
-        Simulation::new(&World::default(), &[Planting::default()], Seed(1), &control).unwrap();
+        Simulation::new(&World::default(), &[Plant::default()], Seed(1), &control).unwrap();
     assert!(simulation.grown(1, &control).is_err());
 }
 
@@ -275,7 +275,7 @@ proptest! {
         if space {
             params.world.environment = Environment::Space(Space::default());
         }
-        let at = |z| Planting { base: Vec3::new(0.0, 0.0, z), ..params.planting() };
+        let at = |z| Plant { base: Vec3::new(0.0, 0.0, z), ..params.planting() };
         let plants = [at(0.0), at(0.7)];
         let run = || grow_stand(&params.world, &plants, iterations, Seed(seed), &Control::default());
         let one = pool(1).install(run).unwrap();

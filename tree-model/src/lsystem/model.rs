@@ -37,6 +37,7 @@ pub struct LSystem {
 
 /// A grown tree, and how it grew.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Grown {
     /// Wood and leaves.
     pub tree: Tree,
@@ -50,6 +51,7 @@ pub struct Grown {
 
 /// What growing a tree took.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LSystemReport {
     /// The derivation.
     pub derivation: DeriveReport,

@@ -10,7 +10,7 @@ use glam::{DVec2, Vec2};
 use tree_core::{Limits, Resource};
 
 /// A colour: red, green, blue (sRGB) and how much it covers, 0 to 255.
-pub type Colour = [u8; 4];
+pub type Color = [u8; 4];
 
 /// Share of an arrow's length that its head takes.
 const HEAD: f32 = 0.35;
@@ -26,7 +26,7 @@ const RADIUS_MAX: f32 = 1e6;
 pub struct Canvas {
     width: u32,
     height: u32,
-    pixels: Vec<Colour>,
+    pixels: Vec<Color>,
 }
 
 impl Canvas {
@@ -52,11 +52,11 @@ impl Canvas {
     /// # Errors
     /// [`ModelError::Picture`](crate::ModelError::Picture) for a size of 0,
     /// [`ModelError::Limit`](crate::ModelError::Limit) for more pixels than `limits` allow.
-    pub fn blank(width: u32, height: u32, colour: Colour, limits: &Limits) -> Result<Self> {
+    pub fn blank(width: u32, height: u32, color: Color, limits: &Limits) -> Result<Self> {
         let n = u64::from(width) * u64::from(height);
         limits.check(Resource::Pixels, n)?;
         check_size(width, height, n as usize)?;
-        Ok(Self { width, height, pixels: vec![colour; n as usize] })
+        Ok(Self { width, height, pixels: vec![color; n as usize] })
     }
 
     /// The picture.
@@ -68,14 +68,14 @@ impl Canvas {
     }
 
     /// Draws lines from end to end, each with its width in pixels.
-    pub fn segments(&mut self, segments: &[(Vec2, Vec2, f32)], colour: Colour) {
+    pub fn segments(&mut self, segments: &[(Vec2, Vec2, f32)], color: Color) {
         for &(from, to, width) in segments {
-            self.line(from, to, width, colour);
+            self.line(from, to, width, color);
         }
     }
 
     /// Draws a line with round ends. A line that is not finite is left out.
-    pub fn line(&mut self, from: Vec2, to: Vec2, width: f32, colour: Colour) {
+    pub fn line(&mut self, from: Vec2, to: Vec2, width: f32, color: Color) {
         if !width.is_finite() {
             return;
         }
@@ -100,7 +100,7 @@ impl Canvas {
                     if ((t * pieces as f32) as u32).min(pieces - 1) == piece {
                         let aside = point.distance(from + along * t);
                         let coverage = (radius + 0.5 - aside).clamp(0.0, 1.0) * width.min(1.0);
-                        self.blend(x, y, colour, coverage);
+                        self.blend(x, y, color, coverage);
                     }
                 }
             }
@@ -108,27 +108,27 @@ impl Canvas {
     }
 
     /// Draws a line with a head at `to`.
-    pub fn arrow(&mut self, from: Vec2, to: Vec2, width: f32, colour: Colour) {
-        self.line(from, to, width, colour);
+    pub fn arrow(&mut self, from: Vec2, to: Vec2, width: f32, color: Color) {
+        self.line(from, to, width, color);
         let back = HEAD * (from - to);
         for side in [back.perp(), -back.perp()] {
-            self.line(to, to + back + 0.5 * side, width, colour);
+            self.line(to, to + back + 0.5 * side, width, color);
         }
     }
 
     /// Fills the pixels whose corners lie from `low` up to `high`.
-    pub fn fill(&mut self, low: Vec2, high: Vec2, colour: Colour) {
+    pub fn fill(&mut self, low: Vec2, high: Vec2, color: Color) {
         let (low, high) = (low.max(Vec2::ZERO), high.max(Vec2::ZERO));
         for y in low.y as u32..(high.y as u32).min(self.height) {
             for x in low.x as u32..(high.x as u32).min(self.width) {
-                self.blend(x, y, colour, 1.0);
+                self.blend(x, y, color, 1.0);
             }
         }
     }
 
     /// Draws a disc.
-    pub fn dot(&mut self, at: Vec2, radius: f32, colour: Colour) {
-        self.line(at, at, 2.0 * radius, colour);
+    pub fn dot(&mut self, at: Vec2, radius: f32, color: Color) {
+        self.line(at, at, 2.0 * radius, color);
     }
 
     /// The part of a line that can be seen, `reach` beyond the picture included.
@@ -160,15 +160,15 @@ impl Canvas {
     }
 
     /// Lays a colour over a pixel.
-    fn blend(&mut self, x: u32, y: u32, colour: Colour, coverage: f32) {
-        let share = coverage * f32::from(colour[3]) / 255.0;
+    fn blend(&mut self, x: u32, y: u32, color: Color, coverage: f32) {
+        let share = coverage * f32::from(color[3]) / 255.0;
         if share <= 0.0 {
             return;
         }
         let row = y as usize * self.width as usize + x as usize;
         if let Some(pixel) = self.pixels.get_mut(row) {
             for channel in 0..3 {
-                let (old, new) = (f32::from(pixel[channel]), f32::from(colour[channel]));
+                let (old, new) = (f32::from(pixel[channel]), f32::from(color[channel]));
                 pixel[channel] = (old + share * (new - old) + 0.5) as u8;
             }
             pixel[3] = pixel[3].max((255.0 * share) as u8);

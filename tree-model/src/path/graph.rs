@@ -2,7 +2,7 @@
 //! each edge gets a random cost.
 //!
 //! The paper uses one length to keep nodes apart and to link them, by which no edge would exist.
-//! Two are meant: a separation, and a linking distance of [`Linking::reach`] separations. At 2, a
+//! Two are meant: a separation, and a linking distance of [`LinkParams::reach`] separations. At 2, a
 //! strewing without holes is always connected: balls of one separation round the nodes then cover
 //! the volume, and neighbouring balls touch.
 
@@ -49,7 +49,7 @@ pub struct Graph {
 /// How nodes are linked and what edges cost.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
-pub struct Linking {
+pub struct LinkParams {
     /// Linking distance in separations, 1.2 to 4, default 2. More links make straighter paths and
     /// cost time and memory with the third power; under 1.6 graphs fall apart.
     pub reach: f32,
@@ -61,13 +61,13 @@ pub struct Linking {
     pub bias: f32,
 }
 
-impl Default for Linking {
+impl Default for LinkParams {
     fn default() -> Self {
         Self { reach: 2.0, low: 0.25, bias: 1.0 }
     }
 }
 
-impl Linking {
+impl LinkParams {
     /// Longest linking distance in separations: a node has about a hundred arcs there.
     pub const MAX_REACH: f32 = 4.0;
 
@@ -130,7 +130,7 @@ impl Graph {
     /// O(nodes · reach³) time; at the default reach about 15 arcs of 8 bytes a node.
     pub fn link(
         nodes: &Nodes,
-        linking: &Linking,
+        linking: &LinkParams,
         terrain: &Terrain<'_>,
         seed: Seed,
         control: &Control,
@@ -272,7 +272,7 @@ struct Edge {
 
 struct Linker<'a> {
     nodes: &'a Nodes,
-    linking: &'a Linking,
+    linking: &'a LinkParams,
     terrain: &'a Terrain<'a>,
     seed: Seed,
     reach: f32,

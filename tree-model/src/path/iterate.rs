@@ -16,6 +16,7 @@ use tree_core::{Control, Foliage, Resource, Seed, Skeleton, Tree};
 
 /// A tree and how it came about.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct PathTree {
     /// The tree.
     pub tree: Tree,
@@ -27,6 +28,7 @@ pub struct PathTree {
 
 /// What growing a tree took, and what it left out.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PathReport {
     /// One entry a level, the first for the base volume.
     pub levels: Vec<LevelReport>,

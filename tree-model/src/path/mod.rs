@@ -47,7 +47,7 @@ pub mod search;
 mod shoot;
 pub(crate) mod smooth;
 
-pub use graph::{CostField, Linking, Paint};
+pub use graph::{CostField, LinkParams, Paint};
 pub use iterate::{LevelReport, PathReport, PathTree};
 pub use obstacle::Obstacle;
 pub use params::{

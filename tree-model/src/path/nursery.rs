@@ -1,7 +1,7 @@
 //! The subgraphs of one level: where they lie, and how long their branches go on.
 
 use super::draft::Tip;
-use super::graph::{Linking, Terrain};
+use super::graph::{LinkParams, Terrain};
 use super::params::{Level, LevelAxis, Lifespan, SubShape};
 use super::shoot::{Plot, Shoot, Workspace};
 use crate::error::Result;
@@ -13,7 +13,7 @@ use tree_core::{Control, Seed, Volume};
 pub(crate) struct Nursery<'a> {
     pub(crate) level: &'a Level,
     pub(crate) size: f32,
-    pub(crate) linking: &'a Linking,
+    pub(crate) linking: &'a LinkParams,
     pub(crate) terrain: &'a Terrain<'a>,
     pub(crate) control: &'a Control,
 }

@@ -1,6 +1,6 @@
 //! What a path-planned tree is made of: plain structs, all with defaults that make a good oak.
 
-use super::graph::{CostField, Linking, Paint, Terrain};
+use super::graph::{CostField, LinkParams, Paint, Terrain};
 use super::obstacle::Obstacle;
 use crate::error::{ModelError, Result, check, check_finite};
 use crate::foliage::LeafParams;
@@ -52,7 +52,7 @@ pub struct PathParams {
     pub lifespan: Lifespan,
     /// How nodes are linked and what edges cost.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub linking: Linking,
+    pub linking: LinkParams,
     /// Painted edge costs (the paper's §5); where several overlap, they multiply.
     #[cfg_attr(feature = "serde", serde(default))]
     pub paint: Vec<Paint>,

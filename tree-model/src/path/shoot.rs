@@ -2,7 +2,7 @@
 //! of their paths.
 
 use super::endpoints::Choice;
-use super::graph::{Graph, Linking, Terrain};
+use super::graph::{Graph, LinkParams, Terrain};
 use super::nodes::strew;
 use super::params::Placing;
 use super::search::{NO_NODE, Routes, Scratch, search_with};
@@ -28,7 +28,7 @@ pub(crate) struct Plot<'a> {
     pub(crate) placing: Placing,
     pub(crate) candidates: u32,
     pub(crate) above: f32,
-    pub(crate) linking: &'a Linking,
+    pub(crate) linking: &'a LinkParams,
     pub(crate) terrain: &'a Terrain<'a>,
 }
 
@@ -161,7 +161,7 @@ impl Plot<'_> {
             let cut_off = self.terrain.obstacle.is_some() && n_reached > forced.len();
             let whole = strays as f32 <= MAX_STRAY_SHARE * graph.len() as f32
                 && placed.iter().all(|&node| routes.reached(node));
-            let widest = linking.reach * WIDEN > Linking::MAX_REACH;
+            let widest = linking.reach * WIDEN > LinkParams::MAX_REACH;
             if whole || cut_off || widest || widenings == MAX_WIDENINGS {
                 if n_reached <= forced.len() {
                     return Err(self.root_outside(&graph, root, linking.reach * nodes.separation));

@@ -39,7 +39,7 @@ pub enum FillRule {
 
 /// Where a drawing was before it was brought to ±[`HALF`].
 pub(crate) struct Frame {
-    centre: DVec2,
+    center: DVec2,
     /// Units of the drawing for one unit of the frame.
     scale: f64,
 }
@@ -57,7 +57,7 @@ impl Frame {
         if !(size > 0.0 && size.is_finite()) {
             return None;
         }
-        let frame = Self { centre: 0.5 * (low + high), scale: 0.5 * size / HALF };
+        let frame = Self { center: 0.5 * (low + high), scale: 0.5 * size / HALF };
         let mut out: Vec<Vec<DVec2>> = Vec::new();
         for contour in contours {
             let mut points: Vec<DVec2> =
@@ -71,11 +71,11 @@ impl Frame {
     }
 
     pub(crate) fn to_frame(&self, point: Vec2) -> DVec2 {
-        ((point.as_dvec2() - self.centre) / self.scale).round()
+        ((point.as_dvec2() - self.center) / self.scale).round()
     }
 
     pub(crate) fn to_drawing(&self, point: DVec2) -> Vec2 {
-        (self.centre + point * self.scale).as_vec2()
+        (self.center + point * self.scale).as_vec2()
     }
 
     pub(crate) fn length(&self, length: f64) -> f32 {

@@ -24,6 +24,7 @@ const FULLEST: f32 = 1.6;
 
 /// A tree of a scene as it is today.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Adapted {
     /// The tree, in its own frame.
     pub tree: Tree,
@@ -40,6 +41,7 @@ pub struct Adapted {
 /// What happened to a tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct AdaptedReport {
     /// Main nodes that died.
     pub pruned_nodes: u32,

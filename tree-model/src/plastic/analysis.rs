@@ -37,6 +37,7 @@ pub struct PlasticTree {
 /// What was found in a tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct PlasticReport {
     /// Nodes of the main branches.
     pub main_nodes: u32,

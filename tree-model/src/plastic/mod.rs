@@ -5,6 +5,30 @@
 //! obstacles and the sky can be moved; [`Scene::update`] lets all trees live their seasons again, together, and
 //! [`Scene::adapted`] gives the tree with its branchlets and leaves.
 //!
+//! ```
+//! use std::sync::Arc;
+//! use tree_model::lsystem::LSystem;
+//! use tree_model::plastic::{PlasticParams, PlasticTree, Pose, Response, Scene, Sky};
+//! use tree_model::tree_core::{Control, Seed, Volume};
+//! use tree_model::glam::Vec3;
+//!
+//! let control = Control::default();
+//! let tree = LSystem::preset("oak")?.grow(Seed(1), &control)?.tree;
+//! let model = Arc::new(PlasticTree::new(tree, &PlasticParams::default(), &control)?);
+//! let mut scene = Scene::new(Sky::default(), Response::default())?;
+//! let id = scene.add_tree(model.clone(), Pose::default())?;
+//! let wall = Volume::box_solid(Vec3::new(-0.1, 0.0, -8.0), Vec3::new(0.1, 9.0, 8.0))?;
+//! let wall = scene.add_obstacle(wall, Pose::at(Vec3::X))?;
+//! scene.update(&control)?;
+//! let beside = scene.adapted(id, &control)?.tree;
+//!
+//! scene.remove_obstacle(wall)?;
+//! scene.update(&control)?;
+//! assert_eq!(&scene.adapted(id, &control)?.tree, model.tree()); // the input again, bit for bit
+//! assert_ne!(&beside, model.tree());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Departures from the paper
 //! * Eq. 2 divides by the growth rate ([`ages`]); as printed, fast branches would need more seasons for a metre than slow ones.
 //! * Eq. 5: one factor for the relative distance, the volumes of the tips weighted by it, not a product over children that tends

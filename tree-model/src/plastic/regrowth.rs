@@ -11,7 +11,7 @@ use super::params::scene_error;
 use super::pose::Pose;
 use super::scene::{Planted, Scene, TreeId};
 use crate::error::{Result, check};
-use crate::growth::{Environment, Habit, Planting, Shadow, Simulation, World};
+use crate::growth::{Environment, Habit, Plant, Shadow, Simulation, World};
 use crate::path;
 use glam::{Affine3A, Vec3};
 use tree_core::{
@@ -81,6 +81,7 @@ impl Regrowth {
 
 /// A tree with new branches.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Regrown {
     /// The tree, in its own frame: first the nodes of the adapted tree, then new ones.
     pub tree: Tree,
@@ -130,7 +131,7 @@ impl Scene {
         let mut joined = Joined::new(tree, pose);
         let mut branches = Vec::with_capacity(chosen.len());
         if !chosen.is_empty() {
-            let plants: Vec<Planting> = chosen.iter().map(|stump| stump.plant(params)).collect();
+            let plants: Vec<Plant> = chosen.iter().map(|stump| stump.plant(params)).collect();
             let mut stand = Simulation::new(&world, &plants, seed, control)?;
             for _ in 0..params.years {
                 stand.step(control)?;
@@ -191,8 +192,8 @@ impl Placed {
 }
 
 impl Stump {
-    fn plant(&self, params: &Regrowth) -> Planting {
-        Planting { habit: params.habit.clone(), base: self.at, direction: self.direction }
+    fn plant(&self, params: &Regrowth) -> Plant {
+        Plant { habit: params.habit.clone(), base: self.at, direction: self.direction }
     }
 }
 

@@ -14,6 +14,23 @@
 //! [`session`] takes strokes one by one, or a whole drawing; [`stand`] takes a drawing of many trees. ARCHITECTURE.md lists where we leave the
 //! paper; docs/SILHOUETTES.md says how to draw, and what this cannot do.
 //!
+//! ```
+//! use tree_model::glam::Vec2;
+//! use tree_model::silhouette::session::{Session, SilhouetteParams};
+//! use tree_model::tree_core::{Control, Seed};
+//!
+//! let crown: Vec<Vec2> = (0..64)
+//!     .map(|i| Vec2::Y * 6.0 + 3.0 * Vec2::from_angle(i as f32 / 64.0 * std::f32::consts::TAU))
+//!     .collect();
+//! let mut session = Session::new(SilhouetteParams::default(), Seed(1))?;
+//! session.draw_trunk(&[Vec2::ZERO, Vec2::Y * 3.0, Vec2::Y * 6.0])?;
+//! session.draw_crown(&crown)?;
+//! let tree = session.tree(&Control::default())?.tree;
+//! assert!(tree.foliage().len() > 100);
+//! session.undo(); // the crown is gone
+//! # Ok::<(), tree_model::ModelError>(())
+//! ```
+//!
 //! A tree of fifty thousand elements takes some fifty milliseconds, a million half a second.
 
 pub mod branch;

@@ -41,7 +41,7 @@ mod weld;
 
 pub use params::SkeletonizeParams;
 pub use part::{Hint, Part};
-pub use scan::{Bridge, ScanParams, ScanReport, Scanned, ScannedTree, Up, skeletonize_scan};
+pub use scan::{Bridge, ScanParams, ScanReport, Scanned, ScannedTree, skeletonize_scan};
 pub use separate::Class;
 
 use crate::error::Result;
@@ -50,6 +50,7 @@ use tree_core::{Control, Species, Tree};
 
 /// A tree and what became of the mesh on the way.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Skeletonized {
     /// The tree, in the units of the mesh. Its bark is named after the part with most wood, leaf
     /// kinds after the parts their leaves come from.

@@ -90,22 +90,22 @@ impl Near {
     /// Calls `visit` with segments, near ones first, until all that come are at least `reach` away;
     /// `visit` returns the reach from then on. A segment may come more than once.
     pub(super) fn search(&self, point: Vec3, mut reach: f32, mut visit: impl FnMut(u32) -> f32) {
-        let centre = self.cell_of(point);
+        let center = self.cell_of(point);
         let most = self.dims.iter().copied().max().unwrap_or(0);
         for ring in 0..=most {
             // Samples lie a quarter cell from any point of their segment at most.
             if ring > 0 && ((ring - 1) as f32 - 0.5 * SAMPLE_SHARE) * self.cell >= reach {
                 return;
             }
-            self.ring(centre, ring, &mut |segment| reach = visit(segment));
+            self.ring(center, ring, &mut |segment| reach = visit(segment));
         }
     }
 
     /// All segments in the shell of cells `ring` cells away.
-    fn ring(&self, centre: [u32; 3], ring: u32, visit: &mut dyn FnMut(u32)) {
-        let low = centre.map(|c| c.saturating_sub(ring));
-        let high: [u32; 3] = std::array::from_fn(|i| (centre[i] + ring).min(self.dims[i] - 1));
-        let on = |i: usize, at: u32| centre[i].abs_diff(at) == ring;
+    fn ring(&self, center: [u32; 3], ring: u32, visit: &mut dyn FnMut(u32)) {
+        let low = center.map(|c| c.saturating_sub(ring));
+        let high: [u32; 3] = std::array::from_fn(|i| (center[i] + ring).min(self.dims[i] - 1));
+        let on = |i: usize, at: u32| center[i].abs_diff(at) == ring;
         for z in low[2]..=high[2] {
             for y in low[1]..=high[1] {
                 let whole = on(2, z) || on(1, y);
@@ -118,7 +118,7 @@ impl Near {
                         x += 1;
                     } else {
                         // From one side of the shell to the other.
-                        x = x.max(centre[0] + ring);
+                        x = x.max(center[0] + ring);
                     }
                 }
             }

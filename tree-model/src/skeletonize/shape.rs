@@ -33,10 +33,10 @@ impl Shape {
             sum += across;
             mean += across.length() * (a + b + c) / 3.0;
         }
-        let centre = if area > 0.0 { mean / area } else { DVec3::ZERO };
+        let center = if area > 0.0 { mean / area } else { DVec3::ZERO };
         let (mut spread, mut volume) = (DMat3::ZERO, 0.0);
         for corners in triangles.clone() {
-            let [a, b, c] = corners.map(|p| p.as_dvec3() - centre);
+            let [a, b, c] = corners.map(|p| p.as_dvec3() - center);
             let weight = 0.5 * (b - a).cross(c - a).length();
             volume += a.dot(b.cross(c)) / 6.0;
             // The second moment of a triangle about the centre, times 12 (exact).
@@ -48,7 +48,7 @@ impl Shape {
         let mut bounds = [(f64::INFINITY, f64::NEG_INFINITY); 3];
         for p in triangles.flatten() {
             for (axis, (low, high)) in axes.iter().zip(&mut bounds) {
-                let along = axis.dot(p.as_dvec3() - centre);
+                let along = axis.dot(p.as_dvec3() - center);
                 (*low, *high) = (low.min(along), high.max(along));
             }
         }

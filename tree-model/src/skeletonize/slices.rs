@@ -14,7 +14,7 @@ use glam::Vec3;
 /// Parent of the first node of a piece.
 pub(super) const NONE: u32 = u32::MAX;
 /// Most levels in one surface: below, f32 distances run out of steps.
-const LEVELS_MAX: f32 = 50_000.0;
+const MAX_LEVELS: f32 = 50_000.0;
 
 /// Nodes, parents first: where the field starts, then lines by level, then where the field ends.
 #[derive(Debug, Default)]
@@ -209,7 +209,7 @@ fn step(surface: &Surface, distances: &[f32], density: f32) -> f32 {
     }
     let most = distances.iter().fold(0.0_f32, |most, &d| most.max(d));
     let even = (sum / (f64::from(density) * surface.edges.len().max(1) as f64)) as f32;
-    even.max(most / LEVELS_MAX).max(f32::MIN_POSITIVE)
+    even.max(most / MAX_LEVELS).max(f32::MIN_POSITIVE)
 }
 
 impl Crossings {

@@ -126,14 +126,14 @@ pub(super) mod tests {
     /// A tube of rings with `sides` corners each round the given points, without caps.
     pub(in super::super) fn tube(points: &[(Vec3, f32)], sides: u32) -> (Vec<Vec3>, Vec<u32>) {
         let (mut positions, mut indices) = (Vec::new(), Vec::new());
-        for (i, &(centre, radius)) in points.iter().enumerate() {
+        for (i, &(center, radius)) in points.iter().enumerate() {
             let (below, above) =
                 (points[i.saturating_sub(1)], points[(i + 1).min(points.len() - 1)]);
             let along = (above.0 - below.0).normalize_or(Vec3::Y);
             let (x, z) = along.any_orthonormal_pair();
             for side in 0..sides {
                 let (sin, cos) = libm::sincosf(TAU * side as f32 / sides as f32);
-                positions.push(centre + radius * (cos * x + sin * z));
+                positions.push(center + radius * (cos * x + sin * z));
                 if i > 0 {
                     let (a, b) = (i as u32 * sides + side, i as u32 * sides + (side + 1) % sides);
                     indices.extend([a, a - sides, b, b, a - sides, b - sides]);

@@ -25,7 +25,7 @@ pub(super) struct Soup {
     pub(super) n_components: usize,
     /// Triangles without area, and triangles of one part that lie on one another.
     pub(super) n_degenerate: usize,
-    centre: DVec3,
+    center: DVec3,
     /// Longest side of the box around the mesh.
     pub(super) size: f64,
 }
@@ -34,7 +34,7 @@ impl Soup {
     /// Back to the units of the mesh.
     pub(super) fn outward(&self, point: Vec3) -> Vec3 {
         let most = DVec3::splat(f64::from(f32::MAX));
-        (self.centre + self.size * point.as_dvec3()).clamp(-most, most).as_vec3()
+        (self.center + self.size * point.as_dvec3()).clamp(-most, most).as_vec3()
     }
 
     /// The corners of a triangle.
@@ -57,13 +57,13 @@ pub(super) fn weld(parts: &[Part<'_>], share: f32, control: &Control) -> Result<
     for (number, part) in parts.iter().enumerate() {
         part.check(number)?;
     }
-    let (centre, size) = frame(parts)?;
-    let inward = |p: &Vec3| ((p.as_dvec3() - centre) / size).as_vec3();
+    let (center, size) = frame(parts)?;
+    let inward = |p: &Vec3| ((p.as_dvec3() - center) / size).as_vec3();
     let positions: Vec<Vec3> = parts.iter().flat_map(|p| p.positions.iter().map(inward)).collect();
     control.check()?;
     let welded = join_near(&positions, share);
     control.check()?;
-    Ok(triangles_of(parts, &positions, &welded, (centre, size)))
+    Ok(triangles_of(parts, &positions, &welded, (center, size)))
 }
 
 /// Centre and longest side of the box around all vertices that are used.
@@ -112,7 +112,7 @@ fn triangles_of(
     parts: &[Part<'_>],
     positions: &[Vec3],
     (welded, n_welded): &(Vec<u32>, usize),
-    (centre, size): (DVec3, f64),
+    (center, size): (DVec3, f64),
 ) -> Soup {
     let mut soup = Soup {
         positions: vec![Vec3::ZERO; *n_welded],
@@ -121,7 +121,7 @@ fn triangles_of(
         components: Vec::new(),
         n_components: 0,
         n_degenerate: 0,
-        centre,
+        center,
         size,
     };
     // Backwards, so that the first vertex of a set gives the place.

@@ -35,8 +35,8 @@ impl Footprint {
         }
         let size = (high - low).max_element();
         let hull: Vec<DVec2> = hull.iter().map(|&p| (p - origin) / size).collect();
-        let centre = centroid(&hull)?;
-        let distances = (0..DIRECTIONS).map(|k| reach(&hull, centre, direction(k)) as f32);
+        let center = centroid(&hull)?;
+        let distances = (0..DIRECTIONS).map(|k| reach(&hull, center, direction(k)) as f32);
         Self::try_from(distances.collect::<Vec<f32>>()).ok()
     }
 

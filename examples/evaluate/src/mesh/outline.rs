@@ -53,8 +53,8 @@ fn bark(skeleton: &Skeleton, error: f32) -> Outcome<Mesh> {
     let params = MeshParams {
         error: ErrorBound::Metres(error),
         // Rings for the wind do not belong to the outline.
-        strip_max: 1000.0,
-        sides_max: 128,
+        max_strip: 1000.0,
+        max_sides: 128,
         flare: 0.0,
         ..MeshParams::default()
     };

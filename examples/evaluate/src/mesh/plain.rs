@@ -8,7 +8,7 @@ use tree_mesh::{Material, Mesh, Surface};
 
 /// Fewest and most sides, most rings a segment, thinnest wood, as they were.
 const SIDES: (f32, f32) = (3.0, 128.0);
-const SAMPLES_MAX: f32 = 16.0;
+const MAX_SAMPLES: f32 = 16.0;
 const RADIUS_MIN: f32 = 0.0005;
 /// Nodes nearer than this share of the radius are left out.
 const MERGE_SHARE: f32 = 0.1;
@@ -55,7 +55,7 @@ fn rings(nodes: &[(Vec3, f32)], error: f32) -> Vec<(Vec3, f32)> {
         let bend = |s: f32, t: f32| (6.0 * (b - a) - h * (s * m0 + t * m1)).length();
         let turn = (m0.normalize_or_zero() - m1.normalize_or_zero()).length_squared();
         let off = bend(4.0, 2.0).max(bend(2.0, 4.0)) + ra.max(rb) * turn;
-        let n = (off / (8.0 * error)).sqrt().ceil().clamp(1.0, SAMPLES_MAX);
+        let n = (off / (8.0 * error)).sqrt().ceil().clamp(1.0, MAX_SAMPLES);
         for k in 0..n as u32 {
             let t = k as f32 / n;
             let s = 1.0 - t;

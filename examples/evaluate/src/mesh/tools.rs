@@ -4,7 +4,7 @@ use super::{Outcome, speed};
 use crate::measure::fastest;
 use crate::table::{Aim, Row, Table};
 use tree_core::Control;
-use tree_mesh::displace::{Displacement, displace};
+use tree_mesh::displace::{DisplaceParams, displace};
 use tree_mesh::subdivide::{SubdivideParams, subdivide};
 use tree_mesh::topology::{examine, self_intersections};
 
@@ -40,7 +40,7 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     let (seconds, mut fine) = fastest(3, || subdivide(coarse_bark, &params, &control))?;
     let n = fine.n_triangles() as f64;
     figure("subdivide twice to", n, seconds);
-    let (branches, relief) = (&coarse.mesh.branches, Displacement::default());
+    let (branches, relief) = (&coarse.mesh.branches, DisplaceParams::default());
     figure("displace", n, fastest(3, || displace(&mut fine, branches, &relief, &control))?.0);
     Ok(())
 }

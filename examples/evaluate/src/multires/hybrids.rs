@@ -12,7 +12,7 @@ use tree_lod::impostor::boxes::{Bearers, BoxParams, Boxes};
 use tree_lod::impostor::cards::{CardParams, Cards};
 use tree_lod::preview::{Backdrop, Camera, Framing, Picture, Style, View, mask, render};
 use tree_lod::quality::Score;
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 use tree_mesh::{Look, Mesh, MeshParams, Surface, build};
 use tree_model::lsystem::LSystem;
 use tree_model::path;
@@ -83,7 +83,7 @@ fn of_tree(table: &mut Table, name: &str, tree: &Tree) -> Outcome {
 /// Leaves near, planes of one box from afar; the wood as it is.
 fn of_mesh(table: &mut Table, name: &str, mesh: &Mesh) -> Outcome {
     let control = Control::default();
-    let elements = Elements::of_mesh(mesh, &Foliage::Found, Grain::Leaf, &control)?;
+    let elements = Elements::of_mesh(mesh, &LeafSurfaces::Found, Grain::Leaf, &control)?;
     let mut trunk = Skeleton::builder(Vec3::ZERO, 0.1)?;
     trunk.add(0, Vec3::Y * mesh.bounds().max.y.max(0.1), 0.1)?;
     let bearers = Bearers(vec![1; elements.len()]);

@@ -10,7 +10,7 @@ use tree_lod::impostor::cards::{CardParams, Cards};
 use tree_lod::impostor::octahedral::{Octahedral, OctahedralParams};
 use tree_lod::preview::{Camera, Lens, Pose, View, mask};
 use tree_lod::quality::Score;
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 use tree_mesh::io::{self, ImportOptions};
 use tree_mesh::{Look, Mesh, MeshParams, Surface, build};
 use tree_model::lsystem::LSystem;
@@ -133,7 +133,7 @@ fn octahedral(table: &mut Table, name: &str, mesh: &Mesh) -> Outcome {
 /// Planes of the whole crown, against its leaves alone, as large as its pictures.
 fn cards(table: &mut Table, name: &str, mesh: &Mesh) -> Outcome {
     let control = Control::default();
-    let elements = Elements::of_mesh(mesh, &Foliage::Found, Grain::Leaf, &control)?;
+    let elements = Elements::of_mesh(mesh, &LeafSurfaces::Found, Grain::Leaf, &control)?;
     let mut trunk = Skeleton::builder(Vec3::ZERO, 0.1)?;
     trunk.add(0, Vec3::Y * mesh.bounds().max.y.max(0.1), 0.1)?;
     let trunk = trunk.finish();

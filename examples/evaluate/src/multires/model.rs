@@ -5,7 +5,7 @@ use tree_core::{Aabb, Control, Limits, Seed, Species, Tree};
 use tree_lod::impostor::boxes::{Bearers, BoxParams, Boxes};
 use tree_lod::impostor::cards::{CardParams, Cards};
 use tree_lod::multires::{Draw, Metric, MultiMesh, Multires};
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 use tree_mesh::{ErrorBound, Look, MeshParams};
 use tree_model::lsystem::LSystem;
 
@@ -51,7 +51,7 @@ pub(super) fn paper_species() -> Species {
 
 /// Parameters of meshes in scenes.
 pub(super) fn mesh_params() -> MeshParams {
-    MeshParams { sides_max: SIDES, error: WOOD_ERROR, ..MeshParams::default() }
+    MeshParams { max_sides: SIDES, error: WOOD_ERROR, ..MeshParams::default() }
 }
 
 /// A tree ready to be drawn at any distance.
@@ -91,7 +91,7 @@ impl Model {
     pub(super) fn boxes(&self, most_boxes: u32) -> Outcome<(Elements, Boxes)> {
         let (control, mesh) = (Control::default(), self.mesh.mesh());
         let tree = self.multires.tree();
-        let leaves = Foliage::Surfaces((1..mesh.surfaces.len() as u32).collect());
+        let leaves = LeafSurfaces::Surfaces((1..mesh.surfaces.len() as u32).collect());
         let elements = Elements::of_mesh(mesh, &leaves, Grain::Leaf, &control)?;
         let bearers = Bearers::of_tree(tree, mesh, &elements)?;
         let params = BoxParams { most_boxes, ..BoxParams::default() };

@@ -9,12 +9,12 @@ use tree_mesh::{ErrorBound, Look, Mesh, MeshParams};
 /// Wood of a tree as a silhouette needs it.
 const PARAMS: MeshParams = MeshParams {
     continuation: tree_core::Continuation::Thickest,
-    sides_min: 3,
-    sides_max: 8,
+    min_sides: 3,
+    max_sides: 8,
     error: ErrorBound::Metres(0.003),
     fit: tree_mesh::CurveFit::Straight,
-    strip_max: 1.0,
-    radius_min: 0.0005,
+    max_strip: 1.0,
+    min_radius: 0.0005,
     bark_width: 0.5,
     bark_length: 0.5,
     flare: 0.0,

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use tree_core::{Control, Limits, Seed};
 use tree_model::glam::Vec2;
-use tree_model::particle::density::{DensityParams, System, carve, solve};
+use tree_model::particle::density::{DensityParams, Equations, carve, solve};
 use tree_model::particle::matting::{Level, NaturalParams, Trimap, alpha_of, natural};
 use tree_model::particle::{Camera, Matte, Photo, Projection, View};
 
@@ -44,7 +44,7 @@ fn density(table: &mut Table) -> Result<(), Box<dyn Error>> {
         let params = DensityParams { resolution, evenness, rounding, ..DensityParams::default() };
         let carved = carve(&views, &params, &control)?;
         let (grid, _) = solve(&carved, &views, &params, &control)?;
-        let (a, b) = dense(&System::new(&carved, &views, &params, &control)?);
+        let (a, b) = dense(&Equations::new(&carved, &views, &params, &control)?);
         let wanted = lawson_hanson(&a, &b).ok_or("the dense solution failed")?;
         let found = carved.voxels().iter().map(|&i| f64::from(grid.values()[i as usize]));
         let found = DVector::from_iterator(wanted.len(), found);
@@ -71,7 +71,7 @@ fn random_view(yaw: f32, seed: u64) -> Result<View, Box<dyn Error>> {
 }
 
 /// The system with its Tikhonov rows, as a dense one.
-fn dense(system: &System) -> (DMatrix<f64>, DVector<f64>) {
+fn dense(system: &Equations) -> (DMatrix<f64>, DVector<f64>) {
     let (m, n) = (system.n_rays(), system.n_voxels());
     let mut a = DMatrix::zeros(m + n, n);
     let mut b = DVector::zeros(m + n);

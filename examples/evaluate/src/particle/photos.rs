@@ -10,7 +10,7 @@ use std::path::Path;
 use tree_core::{Control, Seed, Tree};
 use tree_model::particle::finish::FinishParams;
 use tree_model::particle::matting::{
-    AutoParams, NaturalParams, Stroke, Trimap, alpha_of, automatic, natural,
+    AutomaticParams, NaturalParams, Stroke, Trimap, alpha_of, automatic, natural,
 };
 use tree_model::particle::session::{PhotoParams, Session, Shot};
 use tree_model::particle::{Matte, Photo};
@@ -89,7 +89,7 @@ fn matte(photo: &Photo, how: How) -> Result<Matte, Box<dyn Error>> {
     let control = Control::default();
     Ok(match how {
         How::Alpha => alpha_of(photo)?,
-        How::Auto => automatic(photo, &AutoParams::default(), &control)?.0,
+        How::Auto => automatic(photo, &AutomaticParams::default(), &control)?.0,
         How::Scribbles(scribbles) => {
             let strokes: Result<Vec<Stroke>, _> = scribbles.iter().map(Scribble::stroke).collect();
             let trimap = Trimap::from_strokes(photo.width(), photo.height(), &strokes?)?;

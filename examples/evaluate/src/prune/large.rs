@@ -22,9 +22,9 @@ use tree_lod::prune::{PruneParams, PrunedModel, plan};
 use tree_lod::quality::{Distance, Scale, Subject, Table as Measured, TableParams};
 use tree_lod::select::{
     DrawIndexed, Eye, Frame, Instance, InstanceLod, Model as Selectable, Occluder, Occlusion,
-    Params, Scene, Selected, State,
+    Scene, SceneParams, Selected, State,
 };
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 
 /// Vertices drawn per frame that the issue allows.
 const DRAWN_MAX: f64 = 26e6;
@@ -101,7 +101,7 @@ fn tables(table: &mut Table) -> Outcome {
     let (order_params, table_params) = params(&model);
     let before = processor_seconds();
     let (t_elements, elements) =
-        fastest(1, || Elements::of_mesh(mesh, &Foliage::Found, Grain::Blade, &control))?;
+        fastest(1, || Elements::of_mesh(mesh, &LeafSurfaces::Found, Grain::Blade, &control))?;
     let (t_tiers, tiers) =
         fastest(1, || tiers(mesh, &elements, &OutlineParams::default(), &control))?;
     let fine = fine_enough(&tiers, elements.len());
@@ -301,7 +301,7 @@ fn drawn(
     let mut sum = Drawn::default();
     for pose in &poses {
         let frame = Frame { eye: eye(pose), occlusion, seconds: 0.0, cut: true };
-        let found = scene.select(&frame, &Params::default(), &mut state)?;
+        let found = scene.select(&frame, &SceneParams::default(), &mut state)?;
         for (i, tree) in forest.instances.iter().enumerate() {
             let Some(shown) = state.shown(&scene, i) else { continue };
             let counts = &counts[tree.model as usize];
@@ -355,7 +355,7 @@ fn selection(table: &mut Table, pruned: &[Large<'_>], n: u32, limit: f64, frames
     let mut next = state.clone();
     let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
     let mut rows = vec![InstanceLod::default(); scene.len()];
-    let params = Params::default();
+    let params = SceneParams::default();
     let (mut times, mut writes) = (Vec::new(), Vec::new());
     let walk = forest.path(3 * frames);
     // The middle third of the path: through the forest.

@@ -134,7 +134,7 @@ fn put(leaves: &mut Surface, leaf: &LeafMesh, [left, right, tip_left, tip_right]
 mod tests {
     use super::*;
     use tree_core::Control;
-    use tree_lod::{Foliage, Grain};
+    use tree_lod::{Grain, LeafSurfaces};
 
     #[test]
     fn the_leaf_has_sixteen_triangles_that_look_up_and_fills_its_rectangle() {
@@ -160,7 +160,8 @@ mod tests {
         let material = Material { name: "leaves".into(), ..Material::default() };
         let mesh = Mesh { surfaces: vec![surface], materials: vec![material], branches: vec![] };
         let elements =
-            Elements::of_mesh(&mesh, &Foliage::Found, Grain::Blade, &Control::default()).unwrap();
+            Elements::of_mesh(&mesh, &LeafSurfaces::Found, Grain::Blade, &Control::default())
+                .unwrap();
         let made = instead_of_cards(&mesh, &elements).unwrap();
         made.check().unwrap();
         assert_eq!(made.surfaces[0].anchors, [Vec3::new(0.0, 2.0, 0.0)]);

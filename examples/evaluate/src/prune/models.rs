@@ -4,7 +4,7 @@ use super::{Outcome, modelled};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tree_core::{Control, Seed};
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 use tree_mesh::io::{self, ImportOptions};
 use tree_mesh::{Alpha, LeafForm, LeafLook, Look, Mesh, MeshParams, build};
 use tree_model::path::Preset;
@@ -42,7 +42,7 @@ pub(super) struct Model {
 impl Model {
     fn new(name: &str, mesh: Mesh, leaves: Leaves, imported: bool) -> Outcome<Self> {
         let elements =
-            Elements::of_mesh(&mesh, &Foliage::Found, Grain::Blade, &Control::default())?;
+            Elements::of_mesh(&mesh, &LeafSurfaces::Found, Grain::Blade, &Control::default())?;
         let of_peers = IMPORTED[..OF_PEERS].iter().any(|row| name.starts_with(row.0));
         Ok(Self { name: name.into(), mesh, elements, leaves, imported, of_peers })
     }
@@ -225,7 +225,7 @@ fn dress(leaf: &mut LeafLook, recipe: &Recipe) {
     leaf.sheets = recipe.sheets;
     match recipe.leaves {
         Leaves::Cards => {}
-        Leaves::Outlines => leaf.form = LeafForm::Outline { vertices_max: 8 },
+        Leaves::Outlines => leaf.form = LeafForm::Outline { max_vertices: 8 },
         Leaves::Modelled => {
             leaf.form = LeafForm::Mesh(Arc::new(modelled::leaf(LEAF_WIDTH)));
             leaf.material = modelled::material();

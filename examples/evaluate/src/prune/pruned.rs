@@ -8,7 +8,7 @@ use tree_lod::order::{CoverageParams, Ranking, coverage};
 use tree_lod::outline::{OutlineParams, Tier, tiers};
 use tree_lod::prune::{Schedule, plan};
 use tree_lod::quality::{Scale, Score, Subject, Table, TableParams, mean_quality, score_at};
-use tree_lod::{Elements, Foliage, Grain};
+use tree_lod::{Elements, Grain, LeafSurfaces};
 use tree_mesh::{Mesh, Surface};
 
 /// Rows of the tables: so fine that the λ of a quality is not a matter of interpolation.
@@ -59,7 +59,7 @@ impl<'a> Pruned<'a> {
     ) -> Outcome<Self> {
         let (mesh, control) = (&model.mesh, Control::default());
         let grain = if model.leaves == Leaves::Cards { Grain::Triangle } else { Grain::Blade };
-        let elements = Elements::of_mesh(mesh, &Foliage::Found, grain, &control)?;
+        let elements = Elements::of_mesh(mesh, &LeafSurfaces::Found, grain, &control)?;
         let tiers = match model.leaves {
             Leaves::Cards => vec![Tier::full(mesh, &elements)],
             _ => tiers(mesh, &elements, &OutlineParams::default(), &control)?,

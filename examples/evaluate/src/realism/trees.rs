@@ -13,7 +13,7 @@ use tree_model::skeletonize::{
     Hint, Part, ScanParams, SkeletonizeParams, skeletonize, skeletonize_scan,
 };
 use tree_model::sketch::session::{Session, SketchParams};
-use tree_model::sketch::template::{EXEMPLARS, Exemplar, MainBranches, main_branches, project};
+use tree_model::sketch::template::{EXEMPLARS, Exemplar, MainBranchParams, main_branches, project};
 use tree_model::{growth, lsystem, path};
 
 /// What takes a tree's name and its wood.
@@ -61,8 +61,8 @@ fn sketches(sink: &mut Sink<'_>) -> Outcome {
     for name in ["oak", "birch", "spruce", "apple"] {
         let exemplar: Exemplar =
             EXEMPLARS.into_iter().find(|e| e.name() == name).ok_or("no exemplar")?;
-        let tree = exemplar.tree(tree_model::sketch::template::SEED, &control)?;
-        let branches = main_branches(tree.skeleton(), &MainBranches::default())?;
+        let tree = exemplar.tree(tree_model::sketch::template::EXEMPLAR_SEED, &control)?;
+        let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
         let drawing = project(&branches, YAW, &crate::sketch::crown_of(&tree, YAW));
         let mut session = Session::new(drawing, SketchParams::default(), Seed(1))?;
         sink(&format!("sketch of the exemplar {name}"), session.tree(&control)?.tree.skeleton());

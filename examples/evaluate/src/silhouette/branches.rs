@@ -86,8 +86,8 @@ impl All {
     fn take(&mut self, system: &System, params: &SystemParams) {
         let (low, high) = system.outline.bounds();
         let size = (high - low).max_element();
-        let centres: Vec<Vec2> =
-            bumps(&system.outline, &params.bumps).iter().map(|bump| bump.centre).collect();
+        let centers: Vec<Vec2> =
+            bumps(&system.outline, &params.bumps).iter().map(|bump| bump.center).collect();
         let is_redrawn = system.laterals.iter().any(|l| l.origin == Origin::Drawn);
         for lateral in &system.laterals {
             if let Some(inner) = &lateral.system {
@@ -101,8 +101,8 @@ impl All {
             };
             worst.take(system, lateral, lateral.line.foot());
             if lateral.origin == Origin::Bump {
-                let off = |centre: &Vec2| centre.distance(lateral.line.end()) / size;
-                let nearest = centres.iter().map(off).fold(f32::INFINITY, f32::min);
+                let off = |center: &Vec2| center.distance(lateral.line.end()) / size;
+                let nearest = centers.iter().map(off).fold(f32::INFINITY, f32::min);
                 self.end = self.end.max(f64::from(nearest));
             }
             self.joins(system, lateral, params);

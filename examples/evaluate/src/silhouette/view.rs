@@ -3,7 +3,7 @@
 use tree_lod::preview::{self, Camera, Lens, Pose, View};
 use tree_mesh::Mesh;
 use tree_model::silhouette::Outline;
-use tree_model::silhouette::place::revolve::{Section, Surface};
+use tree_model::silhouette::place::revolve::{Revolved, Section};
 use tree_model::silhouette::plan::Plan;
 use tree_model::tree_core::Control;
 use tree_model::tree_core::glam::{Vec2, Vec3};
@@ -41,7 +41,7 @@ impl Side {
             .chain(others)
             .map(|(azimuth, outline)| Section { azimuth, outline })
             .collect();
-        let surface = Surface::of(&system.axis, &sections);
+        let surface = Revolved::of(&system.axis, &sections);
         let (origin, up) = (surface.origin(), surface.up());
         let profile = surface.profile(std::f32::consts::FRAC_PI_2)?;
         let seen = profile.transformed(|p| Vec2::new(p.x, origin.y + up.y * p.y))?;
@@ -79,10 +79,10 @@ impl Window {
     }
 
     fn view(&self, n: usize) -> View {
-        let centre = self.low + 0.5 * self.size;
+        let center = self.low + 0.5 * self.size;
         let (target, away) = match self.side {
-            Side::Front => (Vec3::new(centre.x, centre.y, 0.0), Vec3::Z),
-            Side::Side => (Vec3::new(0.0, centre.y, centre.x), -Vec3::X),
+            Side::Front => (Vec3::new(center.x, center.y, 0.0), Vec3::Z),
+            Side::Side => (Vec3::new(0.0, center.y, center.x), -Vec3::X),
         };
         let lens = Lens::Orthographic { height: self.size };
         let eye = target + 20.0 * self.size * away;
@@ -121,9 +121,9 @@ pub(super) fn seen(
             !is_beyond && point.distance(from + part.clamp(0.0, 1.0) * way) <= reach
         })
     };
-    let centre =
+    let center =
         |at: usize| window.low + cell * Vec2::new((at % n) as f32 + 0.5, (at / n) as f32 + 0.5);
-    let trunk = (0..n * n).map(|at| !outline[at] && on_stem(centre(at))).collect();
+    let trunk = (0..n * n).map(|at| !outline[at] && on_stem(center(at))).collect();
     Ok(Some(Seen { n, outline, tree, trunk }))
 }
 

@@ -4,7 +4,9 @@ use crate::table::{Aim, Row, Table};
 use rayon::prelude::*;
 use std::error::Error;
 use tree_model::sketch::infer::{FactorGraph, InferParams, Inferred, STEEPEST, infer};
-use tree_model::sketch::template::{EXEMPLARS, MainBranches, SEED, Template, main_branches};
+use tree_model::sketch::template::{
+    EXEMPLAR_SEED, EXEMPLARS, MainBranchParams, Template, main_branches,
+};
 use tree_model::sketch::{Label, Omega, Plan};
 use tree_model::tree_core::glam::Vec2;
 use tree_model::tree_core::{Control, NO_PARENT, Seed, seed};
@@ -55,8 +57,8 @@ fn falls(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let control = Control::default();
     let (mut n_falls, mut n_steps) = (0, 0);
     for exemplar in &EXEMPLARS {
-        let tree = exemplar.tree(SEED, &control)?;
-        let branches = main_branches(tree.skeleton(), &MainBranches::default())?;
+        let tree = exemplar.tree(EXEMPLAR_SEED, &control)?;
+        let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
         let template = Template::find(exemplar.name())?;
         for (view, params) in
             [InferParams::default(), InferParams::thesis()].into_iter().enumerate()

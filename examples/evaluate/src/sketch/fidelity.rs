@@ -4,7 +4,9 @@ use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_model::sketch::propagate::{PropagateParams, propagate};
 use tree_model::sketch::session::{Session, SketchParams};
-use tree_model::sketch::template::{EXEMPLARS, MainBranches, SEED, main_branches, project};
+use tree_model::sketch::template::{
+    EXEMPLAR_SEED, EXEMPLARS, MainBranchParams, main_branches, project,
+};
 use tree_model::sketch::{Branches, Drawing, Role, Stroke};
 use tree_model::tree_core::glam::{Vec2, Vec3};
 use tree_model::tree_core::{Control, Seed, Skeleton};
@@ -25,8 +27,8 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let control = Control::default();
     let mut worst = Worst::default();
     for exemplar in &EXEMPLARS {
-        let tree = exemplar.tree(SEED, &control)?;
-        let branches = main_branches(tree.skeleton(), &MainBranches::default())?;
+        let tree = exemplar.tree(EXEMPLAR_SEED, &control)?;
+        let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
         let drawing = project(&branches, YAW, &super::crown_of(&tree, YAW));
         worst.take(&drawing, &control)?;
     }

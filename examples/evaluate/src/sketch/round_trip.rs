@@ -9,8 +9,8 @@ use std::error::Error;
 use tree_model::sketch::clean::{CleanParams, clean};
 use tree_model::sketch::infer::{InferParams, infer};
 use tree_model::sketch::template::{
-    DrawnShape, EXEMPLARS, MainBranches, SEED, SelectParams, Template, main_branches, project,
-    seen_from, select,
+    DrawnShape, EXEMPLAR_SEED, EXEMPLARS, MainBranchParams, SelectParams, Template, main_branches,
+    project, seen_from, select,
 };
 use tree_model::sketch::{Branches, Label, Plan};
 use tree_model::tree_core::glam::{Vec2, Vec3};
@@ -48,8 +48,8 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let templates = Template::builtin()?;
     let (mut first, mut third, mut bare_first, mut bare_third, mut n) = (0, 0, 0, 0, 0);
     for exemplar in &EXEMPLARS {
-        let tree = exemplar.tree(SEED, &control)?;
-        let branches = main_branches(tree.skeleton(), &MainBranches::default())?;
+        let tree = exemplar.tree(EXEMPLAR_SEED, &control)?;
+        let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
         let own = templates.iter().position(|template| template.name == exemplar.name());
         let own = own.ok_or("an exemplar is not in the database")?;
         let mut trip = Trip::default();

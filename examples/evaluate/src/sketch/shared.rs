@@ -115,10 +115,10 @@ fn pen(drawing: &Drawing) -> Result<Vec<u8>, Box<dyn Error>> {
         if let (true, Some(&first)) = (stroke.closed, line.first()) {
             line.push(first);
         }
-        let colour =
+        let color =
             if stroke.role == Some(Role::Crown) { [60, 140, 60, 255] } else { [40, 30, 20, 255] };
         for pair in line.windows(2) {
-            canvas.line(pair[0], pair[1], PEN, colour);
+            canvas.line(pair[0], pair[1], PEN, color);
         }
     }
     Ok(canvas.finish()?.pixels().concat())

@@ -6,7 +6,9 @@ use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_model::sketch::propagate::PropagateParams;
 use tree_model::sketch::session::{Session, SketchParams};
-use tree_model::sketch::template::{Exemplar, MainBranches, SEED, main_branches, project};
+use tree_model::sketch::template::{
+    EXEMPLAR_SEED, Exemplar, MainBranchParams, main_branches, project,
+};
 use tree_model::sketch::{Drawing, Role};
 use tree_model::tree_core::{Control, Seed};
 
@@ -55,8 +57,9 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
 
 /// A drawing of an exemplar's `most` main branches.
 fn drawing(name: &str, most: u32, crown: bool) -> Result<Drawing, Box<dyn Error>> {
-    let tree = Exemplar::find(name)?.tree(SEED, &Control::default())?;
-    let params = MainBranches { most, least: 0.05, least_second: 0.05, ..MainBranches::default() };
+    let tree = Exemplar::find(name)?.tree(EXEMPLAR_SEED, &Control::default())?;
+    let params =
+        MainBranchParams { most, least: 0.05, least_second: 0.05, ..MainBranchParams::default() };
     let branches = main_branches(tree.skeleton(), &params)?;
     let crown = if crown { super::crown_of(&tree, 0.2) } else { Vec::new() };
     Ok(project(&branches, 0.2, &crown))

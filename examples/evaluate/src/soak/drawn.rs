@@ -120,11 +120,11 @@ fn line(dice: &mut Dice, from: Vec2, way: Vec2) -> Vec<Vec2> {
 }
 
 /// A star round a centre, or a tangle.
-fn outline(dice: &mut Dice, centre: Vec2, reach: f32) -> Vec<Vec2> {
+fn outline(dice: &mut Dice, center: Vec2, reach: f32) -> Vec<Vec2> {
     let nasty = if dice.chance(0.05) { 0.05 } else { 0.0 };
     if dice.chance(0.15) {
         let n = dice.below(POINTS);
-        return (0..n).map(|_| centre + dice.spot(reach, nasty)).collect();
+        return (0..n).map(|_| center + dice.spot(reach, nasty)).collect();
     }
     let (n, rough) = (3 + dice.below(40), dice.between(0.0, 0.6));
     let flat = dice.between(0.3, 1.5);
@@ -132,7 +132,7 @@ fn outline(dice: &mut Dice, centre: Vec2, reach: f32) -> Vec<Vec2> {
         .map(|i| {
             let turn = i as f32 / n as f32 * std::f32::consts::TAU;
             let radius = reach * (1.0 - dice.between(0.0, rough));
-            centre
+            center
                 + radius * Vec2::new(flat * libm::cosf(turn), libm::sinf(turn))
                 + dice.spot(0.0, nasty)
         })
@@ -157,13 +157,13 @@ pub(super) fn outlines(dice: &mut Dice) -> TreeStrokes {
         draw(Level::Number(0), Kind::Outline, 0.0, outline(dice, Vec2::new(0.0, 40.0), 45.0));
     }
     for _ in 0..dice.below(4) {
-        let (centre, reach) = (dice.spot(40.0, 0.02), dice.between(5.0, 30.0));
+        let (center, reach) = (dice.spot(40.0, 0.02), dice.between(5.0, 30.0));
         let level = Level::Number(1 + dice.below(2) as u32);
         let azimuth = dice.coordinate(0.5, 0.1);
         if dice.chance(0.5) {
-            draw(level, Kind::Outline, azimuth, outline(dice, centre, reach));
+            draw(level, Kind::Outline, azimuth, outline(dice, center, reach));
         } else {
-            draw(level, Kind::Axis, azimuth, line(dice, Vec2::new(0.0, 50.0), 0.1 * centre));
+            draw(level, Kind::Axis, azimuth, line(dice, Vec2::new(0.0, 50.0), 0.1 * center));
         }
     }
     if dice.chance(0.2) {
@@ -206,14 +206,14 @@ pub(super) fn sketch(dice: &mut Dice) -> Drawing {
 /// A crown on a trunk, noise, or nothing.
 pub(super) fn matte(dice: &mut Dice) -> Result<Matte, ModelError> {
     let [width, height] = SIDE;
-    let centre = Vec2::new(dice.between(4.0, 16.0), dice.between(5.0, 14.0));
+    let center = Vec2::new(dice.between(4.0, 16.0), dice.between(5.0, 14.0));
     let half = Vec2::new(dice.between(1.0, 9.0), dice.between(1.0, 9.0));
     let (noise, trunk) = (dice.between(0.0, 0.3), dice.between(0.0, 3.0));
     let level = if dice.chance(0.1) { dice.between(0.0, 1.0) } else { 1.0 };
     let alpha = (0..width * height).map(|i| {
         let at = Vec2::new((i % width) as f32, (i / width) as f32) + 0.5;
-        let crown = ((at - centre) / half).length_squared() < 1.0;
-        let stem = (at.x - centre.x).abs() < trunk && at.y > centre.y && at.y < 26.0;
+        let crown = ((at - center) / half).length_squared() < 1.0;
+        let stem = (at.x - center.x).abs() < trunk && at.y > center.y && at.y < 26.0;
         if (crown || stem) != dice.chance(0.3 * noise) { level } else { 0.0 }
     });
     Matte::new(width, height, alpha.collect())

@@ -73,8 +73,8 @@ fn params(dice: &mut Dice) -> MeshParams {
     let nasty = dice.nasty() as f32;
     match dice.below(14) {
         0 => params.error = ErrorBound::Metres(nasty),
-        1 => params.strip_max = nasty,
-        2 => params.radius_min = nasty,
+        1 => params.max_strip = nasty,
+        2 => params.min_radius = nasty,
         3 => params.bark_width = nasty,
         4 => params.bark_length = nasty,
         5 => params.flare = nasty,
@@ -83,8 +83,8 @@ fn params(dice: &mut Dice) -> MeshParams {
         8 => params.leaf_scale = nasty,
         9 => params.leaf_width = nasty,
         10 => params.leaf_rounding = nasty,
-        11 => params.sides_min = dice.below(200) as u32,
-        12 => params.sides_max = dice.below(200) as u32,
+        11 => params.min_sides = dice.below(200) as u32,
+        12 => params.max_sides = dice.below(200) as u32,
         _ => params.lightmap = true,
     }
     params

@@ -5,7 +5,7 @@ use super::drawn;
 use crate::mesh::skeletons;
 use std::sync::{Arc, OnceLock};
 use tree_core::glam::{DVec3, Vec3};
-use tree_core::{Control, Seed, Skeleton, Species, Tree, Volume};
+use tree_core::{Control, Seed, Skeleton, Species, Tree, UpAxis, Volume};
 use tree_mesh::{Look, MeshParams};
 use tree_model::foliage::{SPECIES, grow_leaves_and_report, grow_leaves_with_stalks, grow_twigs};
 use tree_model::lsystem::{LSystem, presets};
@@ -13,10 +13,8 @@ use tree_model::particle::session::{PhotoModel, PhotoParams, Shot};
 use tree_model::plastic::{
     PlasticParams, PlasticTree, Pose, Regrowth, Response, Scene, Sky, TreeId,
 };
-use tree_model::silhouette::session::{OutlineModel, SilhouetteParams};
-use tree_model::skeletonize::{
-    Part, ScanParams, SkeletonizeParams, Up, skeletonize, skeletonize_scan,
-};
+use tree_model::silhouette::session::{SilhouetteModel, SilhouetteParams};
+use tree_model::skeletonize::{Part, ScanParams, SkeletonizeParams, skeletonize, skeletonize_scan};
 use tree_model::sketch::session::{SketchModel, SketchParams};
 use tree_model::{ModelError, Modeler, growth, path};
 
@@ -132,7 +130,7 @@ fn silhouette(dice: &mut Dice, control: &Control) -> Made {
         params.grow.leaves = None;
     }
     let (strokes, params) = (drawn::outlines(dice), dice.changed(&params));
-    one(OutlineModel { strokes, params }.model(dice.seed(), control)?)
+    one(SilhouetteModel { strokes, params }.model(dice.seed(), control)?)
 }
 
 fn sketch(dice: &mut Dice, control: &Control) -> Made {
@@ -171,7 +169,7 @@ fn any_skeleton(dice: &mut Dice) -> Skeleton {
 /// A mesh of ours, with holes and broken corners.
 fn mesh(dice: &mut Dice, control: &Control) -> Made {
     let tree = Tree::bare(any_skeleton(dice), Species::default());
-    let params = MeshParams { sides_max: 6, ..MeshParams::default() };
+    let params = MeshParams { max_sides: 6, ..MeshParams::default() };
     let built = tree_mesh::build(&tree, &Look::plain(tree.species()), &params, control);
     let Ok(mut built) = built else { return Ok(Vec::new()) };
     let Some(mut surface) = built.mesh.surfaces.drain(..).next() else { return Ok(Vec::new()) };
@@ -224,7 +222,7 @@ fn scan(dice: &mut Dice, control: &Control) -> Made {
         points.push(dice.point(10.0, 0.03).as_dvec3());
     }
     let several = dice.chance(0.3);
-    let params = dice.changed(&ScanParams { up: Up::Y, several, ..ScanParams::default() });
+    let params = dice.changed(&ScanParams { up: UpAxis::Y, several, ..ScanParams::default() });
     let trees = skeletonize_scan(&points, &params, control)?.trees;
     Ok(trees.into_iter().map(|tree| Tree::bare(tree.skeleton, Species::default())).collect())
 }

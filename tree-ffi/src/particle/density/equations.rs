@@ -6,7 +6,7 @@ use crate::border::{Handle, Versioned, call, free, get, out, tree_status, write}
 use crate::control::{run, tree_control};
 use crate::mesh::column;
 use crate::particle::view::{tree_particle_view, views};
-use tree_model::particle::density::System;
+use tree_model::particle::density::Equations;
 
 /// The equations A x = b of a density: for each ray the densities x of the voxels on it, times its length in
 /// them in metres, add up to -ln of the transparency seen. Wanted is the x >= 0 with the least
@@ -21,7 +21,7 @@ pub struct tree_equations {
 }
 
 impl tree_equations {
-    fn new(system: &System) -> Self {
+    fn new(system: &Equations) -> Self {
         let n = system.n_entries();
         let (mut voxels, mut lengths) = (Vec::with_capacity(n), Vec::with_capacity(n));
         let mut starts = vec![0];
@@ -107,8 +107,9 @@ pub unsafe extern "C" fn tree_equations_new(
         let carved = unsafe { get(carved, "carved") }?.rust();
         let views = unsafe { self::views(views, n_views) }?;
         let params = unsafe { density_params(params) }?;
-        let body =
-            |control: &_| Ok(tree_equations::new(&System::new(carved, &views, &params, control)?));
+        let body = |control: &_| {
+            Ok(tree_equations::new(&Equations::new(carved, &views, &params, control)?))
+        };
         place.put(unsafe { run(control, body) }?);
         Ok(())
     })

@@ -171,13 +171,13 @@ pub unsafe extern "C" fn tree_finish_params_init(
 
 /// Makes `params`, of `size` bytes, those of a species by its name, of `len` bytes or
 /// `TREE_NUL_TERMINATED`: the defaults with its twigs, and sprays of its leaves or needles. Names are
-/// those of `tree_foliage_species_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
+/// those of `tree_foliage_preset_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_finish_params_find(
-    params: *mut tree_finish_params,
-    size: usize,
     name: *const c_char,
     len: usize,
+    params: *mut tree_finish_params,
+    size: usize,
 ) -> tree_status {
     call(|| {
         let [sprays, _] = unsafe { species(name, len) }?;
@@ -189,10 +189,10 @@ pub unsafe extern "C" fn tree_finish_params_find(
 /// As `tree_finish_params_find`, with single leaves and needles instead of sprays: far more of them.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tree_finish_params_of(
-    params: *mut tree_finish_params,
-    size: usize,
     name: *const c_char,
     len: usize,
+    params: *mut tree_finish_params,
+    size: usize,
 ) -> tree_status {
     call(|| {
         let [_, single] = unsafe { species(name, len) }?;

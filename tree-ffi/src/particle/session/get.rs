@@ -62,7 +62,7 @@ pub unsafe extern "C" fn tree_photo_session_seed(
 /// The parameters, all parts given. What they point at belongs to the session and stays until
 /// `tree_photo_session_set_params` or `tree_photo_session_free`. Set `params->struct_size` first.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_photo_session_params(
+pub unsafe extern "C" fn tree_photo_session_get_params(
     session: *const tree_photo_session,
     params: *mut tree_photo_params,
 ) -> tree_status {

@@ -5,7 +5,7 @@ use crate::mesh::column;
 use std::ptr::null;
 use tree_model::silhouette::session::Change;
 
-/// What an edit of a `tree_silhouette` changed.
+/// What an edit of a `tree_silhouette_session` changed.
 pub struct tree_silhouette_change {
     change: Change,
     repairs: Vec<tree_str>,

@@ -3,7 +3,7 @@
 //! All take a place for a `tree_silhouette_change`, which may be NULL where it is not wanted.
 
 use super::change::tree_silhouette_change;
-use super::{lock, tree_silhouette};
+use super::{lock, tree_silhouette_session};
 use crate::border::{
     Failure, Result, TREE_ERROR_NO_RESULT, call, out_opt, slice, tree_status, vec2s,
 };
@@ -45,7 +45,7 @@ unsafe fn takers(found: tree_transfer, only: *const u32, n_only: usize) -> Resul
 
 /// Does an edit.
 unsafe fn edit(
-    silhouette: *mut tree_silhouette,
+    silhouette: *mut tree_silhouette_session,
     change: *mut *mut tree_silhouette_change,
     work: impl FnOnce(&mut Session) -> Result<Change>,
 ) -> Result<()> {
@@ -67,7 +67,7 @@ struct Stroke {
 
 /// Does an edit with a stroke.
 unsafe fn draw(
-    silhouette: *mut tree_silhouette,
+    silhouette: *mut tree_silhouette_session,
     stroke: Stroke,
     change: *mut *mut tree_silhouette_change,
     work: impl FnOnce(&mut Session, &[Vec2]) -> ModelResult<Change> + Send,
@@ -90,8 +90,8 @@ unsafe fn draw(
 /// limits caps the points. `change` may be NULL where it is not wanted; else free what is put there with
 /// `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_draw_trunk(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_draw_trunk(
+    silhouette: *mut tree_silhouette_session,
     stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
@@ -102,11 +102,11 @@ pub unsafe extern "C" fn tree_silhouette_draw_trunk(
 }
 
 /// Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
-/// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
+/// `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
 /// the trunk stays away from it.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_draw_crown(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_draw_crown(
+    silhouette: *mut tree_silhouette_session,
     stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
@@ -118,10 +118,10 @@ pub unsafe extern "C" fn tree_silhouette_draw_crown(
 
 /// Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
 /// drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
-/// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
+/// `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_draw_section(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_draw_section(
+    silhouette: *mut tree_silhouette_session,
     azimuth: f32,
     stroke: *const f32,
     n_points: usize,
@@ -135,11 +135,11 @@ pub unsafe extern "C" fn tree_silhouette_draw_section(
 
 /// Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
 /// the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
-/// and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
+/// and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
 /// branch of that level.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_refine(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_refine(
+    silhouette: *mut tree_silhouette_session,
     level: u32,
     stroke: *const f32,
     n_points: usize,
@@ -152,10 +152,10 @@ pub unsafe extern "C" fn tree_silhouette_refine(
 }
 
 /// Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
-/// `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
+/// `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_refine_branch(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_refine_branch(
+    silhouette: *mut tree_silhouette_session,
     id: u32,
     stroke: *const f32,
     n_points: usize,
@@ -170,11 +170,11 @@ pub unsafe extern "C" fn tree_silhouette_refine_branch(
 /// Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
 /// Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
 /// shape as `transfer` says; `only` lists `n_only` ids for `TREE_TRANSFER_ONLY`, and may be NULL for the others. `stroke`,
-/// `control` and `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
+/// `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
 /// there is no axis of that level.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_redraw(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_redraw(
+    silhouette: *mut tree_silhouette_session,
     level: u32,
     stroke: *const f32,
     n_points: usize,
@@ -197,11 +197,11 @@ pub unsafe extern "C" fn tree_silhouette_redraw(
 /// Draws a branch on the trunk as it is seen by a viewer who has gone round the tree by `yaw` radians, -2π to 2π,
 /// against the clock seen from above (0 is in front, +X to the right), and looks down by `pitch`, within ±1.4. It lies
 /// in the upright plane through the trunk that faces the viewer. A branch drawn from near there before, with ends near
-/// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_redraw`, which this is from in
+/// the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_session_redraw`, which this is from in
 /// front.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_redraw_from(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_redraw_from(
+    silhouette: *mut tree_silhouette_session,
     yaw: f32,
     pitch: f32,
     stroke: *const f32,
@@ -224,22 +224,22 @@ pub unsafe extern "C" fn tree_silhouette_redraw_from(
     })
 }
 
-/// Takes a branch away, with all on it. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for an id
+/// Takes a branch away, with all on it. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for an id
 /// that is not there.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_remove(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_remove(
+    silhouette: *mut tree_silhouette_session,
     id: u32,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
     call(|| unsafe { edit(silhouette, change, |session| Ok(session.remove(id)?)) })
 }
 
-/// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_draw_trunk`.
+/// Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_session_draw_trunk`.
 /// `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_draw_leaf(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_draw_leaf(
+    silhouette: *mut tree_silhouette_session,
     stroke: *const f32,
     n_points: usize,
     control: *const tree_control,
@@ -250,11 +250,11 @@ pub unsafe extern "C" fn tree_silhouette_draw_leaf(
 }
 
 /// Has `n_targets` branches take the style of the branch `source`, whose outline was drawn; 0: of the nearest such branch
-/// again. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
+/// again. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
 /// whose outline was not drawn.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_copy_style(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_copy_style(
+    silhouette: *mut tree_silhouette_session,
     source: u32,
     targets: *const u32,
     n_targets: usize,
@@ -270,10 +270,10 @@ pub unsafe extern "C" fn tree_silhouette_copy_style(
 }
 
 /// Other parameters, NULL for the defaults. Where those of branches or angles differ, branches are inferred anew.
-/// `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
+/// `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_set_params(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_set_params(
+    silhouette: *mut tree_silhouette_session,
     params: *const tree_silhouette_params,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
@@ -287,8 +287,8 @@ pub unsafe extern "C" fn tree_silhouette_set_params(
 
 /// Another seed: only what is drawn by chance differs. This is no edit, and is not undone.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_set_seed(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_set_seed(
+    silhouette: *mut tree_silhouette_session,
     seed: u64,
 ) -> tree_status {
     call(|| {
@@ -299,11 +299,11 @@ pub unsafe extern "C" fn tree_silhouette_set_seed(
     })
 }
 
-/// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_draw_trunk`.
+/// Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_session_draw_trunk`.
 /// `TREE_ERROR_NO_RESULT` where there is none.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_undo(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_undo(
+    silhouette: *mut tree_silhouette_session,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
     call(|| {
@@ -314,11 +314,11 @@ pub unsafe extern "C" fn tree_silhouette_undo(
     })
 }
 
-/// Does again what was taken back last. `change` as in `tree_silhouette_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
+/// Does again what was taken back last. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
 /// is nothing.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_redo(
-    silhouette: *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_redo(
+    silhouette: *mut tree_silhouette_session,
     change: *mut *mut tree_silhouette_change,
 ) -> tree_status {
     call(|| {
@@ -334,7 +334,7 @@ fn nothing(text: &str) -> Failure {
 }
 
 /// Puts the session's parameters in C's form anew.
-unsafe fn keep_params(silhouette: *mut tree_silhouette) -> Result<()> {
+unsafe fn keep_params(silhouette: *mut tree_silhouette_session) -> Result<()> {
     let mut held = unsafe { lock(silhouette) }?;
     held.params = keep(held.session.params());
     Ok(())

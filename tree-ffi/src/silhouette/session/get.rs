@@ -1,6 +1,6 @@
 //! What a session has, and the tree.
 
-use super::{lock, tree_silhouette};
+use super::{lock, tree_silhouette_session};
 use crate::border::{
     Failure, TREE_ERROR_NO_RESULT, call, foresee, out, out_value, tree_status, view, write,
 };
@@ -14,8 +14,8 @@ use tree_model::tree_core::Control;
 
 /// The seed.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_seed(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_seed(
+    silhouette: *const tree_silhouette_session,
     seed: *mut u64,
 ) -> tree_status {
     call(|| {
@@ -25,11 +25,11 @@ pub unsafe extern "C" fn tree_silhouette_seed(
 }
 
 /// The parameters, all parts given; a trunk drawn as an area tells its radius there. What they point at belongs to the
-/// session and stays until `tree_silhouette_set_params`, `tree_silhouette_undo`, `tree_silhouette_redo` or
-/// `tree_silhouette_free`. Set `params->struct_size` first.
+/// session and stays until `tree_silhouette_session_set_params`, `tree_silhouette_session_undo`, `tree_silhouette_session_redo` or
+/// `tree_silhouette_session_free`. Set `params->struct_size` first.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_get_params(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_get_params(
+    silhouette: *const tree_silhouette_session,
     params: *mut tree_silhouette_params,
 ) -> tree_status {
     call(|| {
@@ -40,8 +40,8 @@ pub unsafe extern "C" fn tree_silhouette_get_params(
 
 /// Numbers of edits that can be undone, and done again.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_depth(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_depth(
+    silhouette: *const tree_silhouette_session,
     n_undo: *mut usize,
     n_redo: *mut usize,
 ) -> tree_status {
@@ -55,8 +55,8 @@ pub unsafe extern "C" fn tree_silhouette_depth(
 /// How well the outlines of branches cover the crown: shares of its area, 0 to 1, in those of branches from bumps, and in
 /// those of all. 0 before a crown was drawn.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_coverage(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_coverage(
+    silhouette: *const tree_silhouette_session,
     by_bumps: *mut f32,
     by_all: *mut f32,
 ) -> tree_status {
@@ -70,8 +70,8 @@ pub unsafe extern "C" fn tree_silhouette_coverage(
 /// What was repaired in the drawing it began with, a line each, for a person to read. Free the lines with
 /// `tree_lines_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_repairs(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_repairs(
+    silhouette: *const tree_silhouette_session,
     lines: *mut *mut tree_lines,
 ) -> tree_status {
     call(|| {
@@ -84,8 +84,8 @@ pub unsafe extern "C" fn tree_silhouette_repairs(
 /// Which strokes of the drawing it began with could not be used, and why, a line each. Free the lines with
 /// `tree_lines_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_refused(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_refused(
+    silhouette: *const tree_silhouette_session,
     lines: *mut *mut tree_lines,
 ) -> tree_status {
     call(|| {
@@ -98,8 +98,8 @@ pub unsafe extern "C" fn tree_silhouette_refused(
 /// The plan as it is now: a copy, which later edits do not change. Free it with `tree_outline_plan_free`.
 /// `TREE_ERROR_NO_RESULT` before a crown was drawn.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_plan(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_plan(
+    silhouette: *const tree_silhouette_session,
     plan: *mut *mut tree_outline_plan,
 ) -> tree_status {
     call(|| {
@@ -118,8 +118,8 @@ pub unsafe extern "C" fn tree_silhouette_plan(
 /// `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_INVALID` before a crown was drawn;
 /// `TREE_ERROR_LIMIT` comes before the memory is asked for.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_tree(
-    silhouette: *const tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_tree(
+    silhouette: *const tree_silhouette_session,
     control: *const tree_control,
     report: *mut tree_silhouette_grown,
     tree: *mut *mut tree_tree,

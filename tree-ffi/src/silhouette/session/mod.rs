@@ -32,7 +32,7 @@ use tree_model::tree_core::{Control, Seed};
 /// It is an object that changes: do not use it from two threads at once. A call that comes while another is at work
 /// on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
 /// and outlives it.
-pub struct tree_silhouette(Mutex<Held>);
+pub struct tree_silhouette_session(Mutex<Held>);
 
 /// A session, its seed, its parameters in C's form, and what became of the drawing it began with.
 struct Held {
@@ -45,11 +45,11 @@ struct Held {
 // SAFETY: the parameters in C's form point at what is kept with them, and at nothing of a thread's.
 unsafe impl Send for Held {}
 
-impl Handle for tree_silhouette {
-    const NAME: &'static str = "tree_silhouette";
+impl Handle for tree_silhouette_session {
+    const NAME: &'static str = "tree_silhouette_session";
 }
 
-impl tree_silhouette {
+impl tree_silhouette_session {
     pub(super) fn new(session: Session, seed: u64, played: PlayReport) -> Self {
         let params = keep(session.params());
         Self(Mutex::new(Held { session, seed, params, played }))
@@ -66,7 +66,7 @@ fn tree_of(drawing: &tree_outline_drawing, tree: usize) -> Result<&TreeStrokes> 
 }
 
 /// The session of a handle, for this call alone.
-unsafe fn lock<'a>(silhouette: *const tree_silhouette) -> Result<MutexGuard<'a, Held>> {
+unsafe fn lock<'a>(silhouette: *const tree_silhouette_session) -> Result<MutexGuard<'a, Held>> {
     match unsafe { object(silhouette, "silhouette") }?.0.try_lock() {
         Ok(held) => Ok(held),
         // An edit that panicked was not done.
@@ -78,35 +78,35 @@ unsafe fn lock<'a>(silhouette: *const tree_silhouette) -> Result<MutexGuard<'a, 
     }
 }
 
-/// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_free`.
+/// Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_session_free`.
 /// `TREE_ERROR_PARAMETER` names what is out of range.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_new(
+pub unsafe extern "C" fn tree_silhouette_session_new(
     params: *const tree_silhouette_params,
     seed: u64,
-    silhouette: *mut *mut tree_silhouette,
+    silhouette: *mut *mut tree_silhouette_session,
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(silhouette, "silhouette") }?;
         let session = Session::new(unsafe { silhouette_params(params) }?, Seed(seed))?;
-        place.put(tree_silhouette::new(session, seed, PlayReport::default()));
+        place.put(tree_silhouette_session::new(session, seed, PlayReport::default()));
         Ok(())
     })
 }
 
 /// Draws all strokes of one tree of a drawing, the first being number 0; its height becomes that of the parameters.
-/// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_repairs` and
-/// `tree_silhouette_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
-/// NULL. Free it with `tree_silhouette_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
+/// Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_session_repairs` and
+/// `tree_silhouette_session_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
+/// NULL. Free it with `tree_silhouette_session_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_of_drawing(
+pub unsafe extern "C" fn tree_silhouette_session_of_drawing(
     drawing: *const tree_outline_drawing,
     tree: usize,
     params: *const tree_silhouette_params,
     seed: u64,
     control: *const tree_control,
     report: *mut tree_silhouette_play_report,
-    silhouette: *mut *mut tree_silhouette,
+    silhouette: *mut *mut tree_silhouette_session,
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(silhouette, "silhouette") }?;
@@ -119,7 +119,7 @@ pub unsafe extern "C" fn tree_silhouette_of_drawing(
         };
         let (session, played) = unsafe { run(control, body) }?;
         unsafe { view(report, "report", &tree_silhouette_play_report::of(&played)) }?;
-        place.put(tree_silhouette::new(session, seed, played));
+        place.put(tree_silhouette_session::new(session, seed, played));
         Ok(())
     })
 }
@@ -127,15 +127,15 @@ pub unsafe extern "C" fn tree_silhouette_of_drawing(
 /// A second one in the state of the first, with all that can be undone: to try something, and go back. Free it
 /// too.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_copy(
-    silhouette: *const tree_silhouette,
-    copy: *mut *mut tree_silhouette,
+pub unsafe extern "C" fn tree_silhouette_session_copy(
+    silhouette: *const tree_silhouette_session,
+    copy: *mut *mut tree_silhouette_session,
 ) -> tree_status {
     call(|| {
         let place = unsafe { out(copy, "copy") }?;
         let held = unsafe { lock(silhouette) }?;
         let played = held.played.clone();
-        place.put(tree_silhouette::new(held.session.clone(), held.seed, played));
+        place.put(tree_silhouette_session::new(held.session.clone(), held.seed, played));
         Ok(())
     })
 }
@@ -143,7 +143,9 @@ pub unsafe extern "C" fn tree_silhouette_copy(
 /// Frees it. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a progress callback
 /// for instance: it lives on then.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_silhouette_free(silhouette: *mut tree_silhouette) -> tree_status {
+pub unsafe extern "C" fn tree_silhouette_session_free(
+    silhouette: *mut tree_silhouette_session,
+) -> tree_status {
     call(|| {
         if !silhouette.is_null() {
             // Waits for no one: who holds it would go on with what is freed.

@@ -3,7 +3,7 @@
 use crate::border::Versioned;
 use tree_model::silhouette::session::PlayReport;
 
-/// What became of a drawing's strokes. `tree_silhouette_repairs` and `tree_silhouette_refused` tell more. Set
+/// What became of a drawing's strokes. `tree_silhouette_session_repairs` and `tree_silhouette_session_refused` tell more. Set
 /// `struct_size` first.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]

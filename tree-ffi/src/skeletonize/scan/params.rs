@@ -1,14 +1,9 @@
 //! How a cloud of points is read.
 
 use crate::border::{Failure, Result, Versioned, call, init, read, tree_status};
-use tree_model::skeletonize::{ScanParams, Up};
-
-/// Which axis of a cloud points up: one of the `TREE_UP_` constants.
-pub type tree_up = u32;
-/// Z, as in most scanners' files: (x, y, z) becomes (x, z, -y). The default.
-pub const TREE_UP_Z: u32 = 0;
-/// Y, as here.
-pub const TREE_UP_Y: u32 = 1;
+use crate::skeleton::{TREE_UP_Y, TREE_UP_Z, tree_up};
+use tree_model::skeletonize::ScanParams;
+use tree_model::tree_core::UpAxis;
 
 /// How a cloud of points is read. Lengths are metres; "spacings" are the median distance of a point to its fourth
 /// neighbour. Begin with `tree_scan_params_init`.
@@ -66,8 +61,8 @@ unsafe impl Versioned for tree_scan_params {
             struct_size: size_of::<Self>(),
             unit,
             up: match up {
-                Up::Z => TREE_UP_Z,
-                Up::Y => TREE_UP_Y,
+                UpAxis::Z => TREE_UP_Z,
+                UpAxis::Y => TREE_UP_Y,
             },
             voxel,
             neighbours,
@@ -86,8 +81,8 @@ impl tree_scan_params {
     pub(super) fn rust(&self) -> Result<ScanParams> {
         Ok(ScanParams {
             up: match self.up {
-                TREE_UP_Z => Up::Z,
-                TREE_UP_Y => Up::Y,
+                TREE_UP_Z => UpAxis::Z,
+                TREE_UP_Y => UpAxis::Y,
                 other => return Err(Failure::not_one_of("params.up", other, "TREE_UP_")),
             },
             unit: self.unit,

@@ -10,8 +10,8 @@ use crate::control::tree_control;
 use crate::photo::tree_lines;
 use crate::skeleton::tree_skeleton;
 use crate::sketch::{
-    tree_choice, tree_crown, tree_drawing, tree_inferred, tree_plan, tree_sketch_branches,
-    tree_sketch_propagate_report, tree_templates,
+    tree_crown, tree_drawing, tree_inferred, tree_plan, tree_sketch_branches,
+    tree_sketch_propagate_report, tree_template_choice, tree_templates,
 };
 use crate::tree::tree_tree;
 use tree_model::sketch::crown::CrownReport;
@@ -46,7 +46,7 @@ pub unsafe extern "C" fn tree_sketch_session_seed(
 /// The parameters, all parts given. What they point at belongs to the session and stays until
 /// `tree_sketch_session_set_params` or `tree_sketch_session_free`. Set `params->struct_size` first.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_sketch_session_params(
+pub unsafe extern "C" fn tree_sketch_session_get_params(
     session: *const tree_sketch_session,
     params: *mut tree_sketch_params,
 ) -> tree_status {
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn tree_sketch_session_crown(
 pub unsafe extern "C" fn tree_sketch_session_choices(
     session: *mut tree_sketch_session,
     control: *const tree_control,
-    choices: *mut tree_choice,
+    choices: *mut tree_template_choice,
     capacity: usize,
     n_choices: *mut usize,
 ) -> tree_status {
@@ -123,7 +123,7 @@ pub unsafe extern "C" fn tree_sketch_session_choices(
         if choices.is_null() {
             return Ok(());
         }
-        let rows: Vec<_> = found.iter().map(tree_choice::of).collect();
+        let rows: Vec<_> = found.iter().map(tree_template_choice::of).collect();
         unsafe { fill(choices, capacity, &rows, "choices") }
     })
 }

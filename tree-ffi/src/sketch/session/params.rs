@@ -3,8 +3,8 @@
 use crate::border::{Result, Versioned, call, init, read, read_or_default, tree_status, tree_str};
 use crate::particle::Kept;
 use crate::sketch::{
-    tree_clean_params, tree_crown_params, tree_select_params, tree_sketch_finish_params,
-    tree_sketch_infer_params, tree_sketch_propagate_params,
+    tree_clean_params, tree_crown_params, tree_sketch_finish_params, tree_sketch_infer_params,
+    tree_sketch_propagate_params, tree_template_select_params,
 };
 use std::ptr::null;
 use tree_model::sketch::session::SketchParams;
@@ -18,7 +18,7 @@ pub struct tree_sketch_params {
     pub struct_size: usize,
     /// Name of the template. Empty, the default: the one that suits the drawing best.
     pub template_name: tree_str,
-    /// Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_species_name` gives. Empty,
+    /// Species whose twigs and leaves the tree bears: one of the names that `tree_foliage_preset_name` gives. Empty,
     /// the default: the template's.
     pub species: tree_str,
     /// How strokes are cleaned and joined. Its `height` is not used here.
@@ -26,7 +26,7 @@ pub struct tree_sketch_params {
     /// How the crown is closed.
     pub crown: *const tree_crown_params,
     /// How templates are compared with the drawing.
-    pub select: *const tree_select_params,
+    pub select: *const tree_template_select_params,
     /// How depths are inferred. Its `slenderness` is not used here.
     pub infer: *const tree_sketch_infer_params,
     /// How branches are propagated.
@@ -76,7 +76,7 @@ impl tree_sketch_params {
             species,
             clean: kept.one(tree_clean_params::of(&params.clean)),
             crown: kept.one(tree_crown_params::of(&params.crown)),
-            select: kept.one(tree_select_params::of(&params.select)),
+            select: kept.one(tree_template_select_params::of(&params.select)),
             infer: kept.one(tree_sketch_infer_params::of(&params.infer)),
             propagate: kept.one(tree_sketch_propagate_params::of(&params.propagate)),
             finish: kept.one(finish),

@@ -81,6 +81,7 @@ pub struct Boxes {
 
 /// What became of the leaves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct BoxReport {
     /// Number of boxes.
     pub n_boxes: usize,

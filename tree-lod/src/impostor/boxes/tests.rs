@@ -114,7 +114,7 @@ fn the_nearest_node_is_found() {
     let mesh = leaves(&at, 0.01);
     let grain = crate::Grain::Leaf;
     let elements =
-        Elements::of_mesh(&mesh, &crate::Foliage::Found, grain, &Control::default()).unwrap();
+        Elements::of_mesh(&mesh, &crate::LeafSurfaces::Found, grain, &Control::default()).unwrap();
     let found = Bearers::nearest(&skeleton, &elements);
     for (center, &node) in elements.centers.iter().zip(&found.0) {
         let far = |p: &Vec3| p.distance(*center);
@@ -145,7 +145,7 @@ fn leaves_of_a_tree_know_the_node_that_bears_them() {
     let look = tree_mesh::Look::plain(tree.species());
     let params = tree_mesh::MeshParams::default();
     let mesh = tree_mesh::build(&tree, &look, &params, &control).unwrap().mesh;
-    let foliage = crate::Foliage::Surfaces(vec![1, 2]);
+    let foliage = crate::LeafSurfaces::Surfaces(vec![1, 2]);
     let elements = Elements::of_mesh(&mesh, &foliage, crate::Grain::Leaf, &control).unwrap();
     let bearers = Bearers::of_tree(&tree, &mesh, &elements).unwrap();
     assert_eq!(bearers.0.len(), 16);
@@ -153,7 +153,7 @@ fn leaves_of_a_tree_know_the_node_that_bears_them() {
         let at = tree.skeleton().positions()[node as usize];
         assert!(center.distance(at) < 0.2, "{center} is not at {at}");
     }
-    let one = crate::Foliage::Surfaces(vec![1]);
+    let one = crate::LeafSurfaces::Surfaces(vec![1]);
     let few = Elements::of_mesh(&mesh, &one, crate::Grain::Leaf, &control).unwrap();
     assert_eq!(Bearers::of_tree(&tree, &mesh, &few).unwrap().0.len(), 8);
     let fewer = tree_core::Tree::bare(tree.skeleton().clone(), tree.species().clone());
@@ -180,7 +180,8 @@ fn leaves_on_branches_too_small_for_boxes_are_put_together_by_place() {
     let mesh = leaves(&at, 0.05);
     let control = Control::default();
     let elements =
-        Elements::of_mesh(&mesh, &crate::Foliage::Found, crate::Grain::Leaf, &control).unwrap();
+        Elements::of_mesh(&mesh, &crate::LeafSurfaces::Found, crate::Grain::Leaf, &control)
+            .unwrap();
     let (skeleton, bearers) = (builder.finish(), Bearers(nodes));
     let params = BoxParams::default();
     let boxes = Boxes::along(&skeleton, &mesh, &elements, &bearers, &params, &control).unwrap();

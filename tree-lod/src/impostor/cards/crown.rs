@@ -117,7 +117,7 @@ impl Light<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::{Foliage, Grain};
+    use crate::element::{Grain, LeafSurfaces};
     use crate::impostor::tests::leaves;
     use tree_core::{Control, Seed, seed};
 
@@ -127,7 +127,8 @@ mod tests {
         let at: Vec<Vec3> = (0..n).map(|_| 2.0 * seed::in_unit_ball(&mut rng)).collect();
         let mesh = leaves(&at, 0.05);
         let control = Control::default();
-        let elements = Elements::of_mesh(&mesh, &Foliage::Found, Grain::Leaf, &control).unwrap();
+        let elements =
+            Elements::of_mesh(&mesh, &LeafSurfaces::Found, Grain::Leaf, &control).unwrap();
         Crown::new(&mesh, &elements, &|_| 1.0)
     }
 

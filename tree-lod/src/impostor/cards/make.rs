@@ -45,6 +45,7 @@ impl CardParams {
 
 /// What was baked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct CardReport {
     /// Number of boxes.
     pub n_boxes: usize,

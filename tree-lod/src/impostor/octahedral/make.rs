@@ -1,8 +1,8 @@
 //! A mesh to frames.
 
 use super::map::axes;
-use super::meta::Meta;
-use super::{Octahedral, Report};
+use super::meta::OctahedralMeta;
+use super::{Octahedral, OctahedralReport};
 use crate::error::{LodError, Result, check_range};
 use crate::impostor::texel::{Atlas, Bytes, Grid, Samples, Window, bake};
 use crate::preview::{Part, Picture, Scene};
@@ -78,7 +78,7 @@ impl Octahedral {
         let scene = Scene::new(mesh, true, control)?;
         let [center, Vec3 { x: wide, y: high, z: radius }] = extent(mesh)?;
         let inner = (tile - 2 * params.gutter) as f32;
-        let meta = Meta {
+        let meta = OctahedralMeta {
             grid: params.grid,
             hemi: params.hemi,
             side: params.side,
@@ -129,7 +129,7 @@ impl Octahedral {
         }
         let detail = if params.half_detail { nearest_half(&atlas) } else { atlas.detail };
         let bytes = atlas.color.pixels.len() + detail.pixels.len();
-        let report = Report { n_views, n_triangles: part.len(), covered, bytes };
+        let report = OctahedralReport { n_views, n_triangles: part.len(), covered, bytes };
         control.report("views", 1.0)?;
         Ok(Self { meta, color: atlas.color, detail, report })
     }

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 
 /// Numbers that go with the two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meta {
+pub struct OctahedralMeta {
     /// Views along each side of the square of directions, 2 to 64.
     pub grid: u32,
     /// Whether only the upper hemisphere is there.
@@ -26,7 +26,7 @@ pub struct Meta {
     pub high: f32,
 }
 
-impl Meta {
+impl OctahedralMeta {
     /// Checks that the numbers fit each other.
     ///
     /// # Errors

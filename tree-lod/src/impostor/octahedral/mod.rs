@@ -33,7 +33,7 @@ mod view;
 
 pub use make::OctahedralParams;
 pub use map::{axes, decode, encode, frames};
-pub use meta::Meta;
+pub use meta::OctahedralMeta;
 pub use shader::{GLSL, HLSL, WGSL};
 pub use trace::{HIDDEN, SLACK, STEPS, THICKNESS};
 
@@ -43,7 +43,7 @@ use crate::preview::Picture;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Octahedral {
     /// Sizes and places.
-    pub meta: Meta,
+    pub meta: OctahedralMeta,
     /// sRGB colour without light, and alpha: the covered share. View (column, row) begins at
     /// (column, row) × `meta.tile` texels.
     pub color: Picture,
@@ -51,12 +51,12 @@ pub struct Octahedral {
     /// towards the viewer, likewise.
     pub detail: Picture,
     /// What went in and came out.
-    pub report: Report,
+    pub report: OctahedralReport,
 }
 
 /// What was baked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Report {
+pub struct OctahedralReport {
     /// Number of views.
     pub n_views: usize,
     /// Triangles drawn in each.

@@ -123,7 +123,7 @@ fn numbers_are_written_as_json_and_pictures_fit_them() {
     let mut odd = baked.clone();
     odd.color.pixels.pop();
     assert!(odd.check().is_err());
-    let odd = Octahedral { meta: Meta { tile: 65, ..baked.meta }, ..baked };
+    let odd = Octahedral { meta: OctahedralMeta { tile: 65, ..baked.meta }, ..baked };
     assert!(matches!(odd.check(), Err(LodError::Parameter { field: "meta.tile", .. })));
 }
 

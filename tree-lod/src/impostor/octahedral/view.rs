@@ -17,7 +17,7 @@ impl Octahedral {
     ///
     /// # Errors
     /// [`LodError::Parameter`] or [`LodError::Camera`] for a bad camera or a side outside 1 to 16,384;
-    /// [`LodError::Impostor`] for a framed camera or pictures that do not fit [`Meta`](super::Meta);
+    /// [`LodError::Impostor`] for a framed camera or pictures that do not fit [`OctahedralMeta`](super::OctahedralMeta);
     /// [`LodError::Limit`] over the limit of pixels.
     ///
     /// # Complexity

@@ -6,8 +6,8 @@
 //   vec4 tree_octa_detail(vec2 place);  // the nearest texel: detail, not sRGB; place / side * detail_side
 // such as
 //   vec4 tree_octa_color(vec2 place) { return textureLod(color, place / side, 0.0); }
-// `shape` is (grid, 1 if hemi, tile, 0) and `size` (radius, wide, high, 0) of Meta.
-// Fragment shader on a box around the tree, all in its own space, relative to Meta::center:
+// `shape` is (grid, 1 if hemi, tile, 0) and `size` (radius, wide, high, 0) of OctahedralMeta.
+// Fragment shader on a box around the tree, all in its own space, relative to OctahedralMeta::center:
 //   vec4 seen = tree_octa_view(eye, normalize(position - eye), shape, size, 0.0);  // linear colour, alpha
 //   vec4 where = tree_octa_view(eye, normalize(position - eye), shape, size, 1.0); // normal, distance
 // ---

@@ -7,8 +7,8 @@
 // such as
 //   float4 tree_octa_color(float2 place) { return color.SampleLevel(linear_clamp, place / side, 0); }
 //   float4 tree_octa_detail(float2 place) { return detail.SampleLevel(point_clamp, place / side, 0); }
-// `shape` is (grid, 1 if hemi, tile, 0) and `size` (radius, wide, high, 0) of Meta.
-// Fragment shader on a box around the tree, all in its own space, relative to Meta::center:
+// `shape` is (grid, 1 if hemi, tile, 0) and `size` (radius, wide, high, 0) of OctahedralMeta.
+// Fragment shader on a box around the tree, all in its own space, relative to OctahedralMeta::center:
 //   tree_octa_view(eye, normalize(position - eye), shape, size, 0.0)  // linear colour, alpha
 //   tree_octa_view(eye, normalize(position - eye), shape, size, 1.0)  // normal, distance
 // ---

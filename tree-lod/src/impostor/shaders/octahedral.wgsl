@@ -6,8 +6,8 @@
 //   fn tree_octa_detail(place: vec2<f32>) -> vec4<f32>  // the nearest texel: detail, not sRGB
 // such as
 //   { return textureSampleLevel(color, linear_clamp, place / side, 0.0); }
-// `shape` is (grid, 1 if hemi, tile, 0) and `size` (radius, wide, high, 0) of Meta.
-// Fragment shader on a box around the tree, all in its own space, relative to Meta::center:
+// `shape` is (grid, 1 if hemi, tile, 0) and `size` (radius, wide, high, 0) of OctahedralMeta.
+// Fragment shader on a box around the tree, all in its own space, relative to OctahedralMeta::center:
 //   tree_octa_view(eye, normalize(position - eye), shape, size, 0.0)  // linear colour, alpha
 //   tree_octa_view(eye, normalize(position - eye), shape, size, 1.0)  // normal, distance
 // ---

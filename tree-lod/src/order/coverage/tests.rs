@@ -1,5 +1,5 @@
 use super::*;
-use crate::element::{Foliage, Grain};
+use crate::element::{Grain, LeafSurfaces};
 use crate::order::{check, stochastic};
 use crate::quality::{Scale, Subject, Table, TableParams, mean_quality, score_at};
 use glam::Vec2;
@@ -46,7 +46,7 @@ fn quick() -> CoverageParams {
 
 fn elements(mesh: &Mesh) -> (Elements, Tier) {
     let elements =
-        Elements::of_mesh(mesh, &Foliage::Found, Grain::Blade, &Control::default()).unwrap();
+        Elements::of_mesh(mesh, &LeafSurfaces::Found, Grain::Blade, &Control::default()).unwrap();
     let tier = Tier::full(mesh, &elements);
     (elements, tier)
 }

@@ -213,8 +213,8 @@ fn assemble(mode: u32, mut corners: Vec<u32>) -> Vec<u32> {
             .flat_map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[0], w[2], w[1]] })
             .collect(),
         _ => match corners.split_first() {
-            Some((&centre, rim)) => {
-                rim.windows(2).flat_map(|edge| [edge[0], edge[1], centre]).collect()
+            Some((&center, rim)) => {
+                rim.windows(2).flat_map(|edge| [edge[0], edge[1], center]).collect()
             }
             None => Vec::new(),
         },

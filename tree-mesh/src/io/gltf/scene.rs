@@ -16,7 +16,7 @@ use tree_core::Aabb;
 /// Most vertices that 16-bit indices can name: 0xFFFF restarts primitives.
 const SHORT_VERTICES_MAX: usize = 0xFFFF;
 /// As much for 32-bit indices.
-const VERTICES_MAX: usize = 0xFFFF_FFFF;
+const MAX_VERTICES: usize = 0xFFFF_FFFF;
 /// Longest name of an attribute.
 const NAME_MAX: usize = 64;
 /// Bytes of a row of three 16-bit or of up to four 8-bit numbers: multiples of four.
@@ -67,9 +67,9 @@ impl<'a> Writer<'a> {
         attributes: impl Iterator<Item = &'b Attribute>,
     ) -> Result<Value> {
         let n = surface.positions.len();
-        if n > VERTICES_MAX {
+        if n > MAX_VERTICES {
             return Err(MeshError::Gltf(format!(
-                "{n} vertices in one primitive, 32-bit indices reach {VERTICES_MAX}"
+                "{n} vertices in one primitive, 32-bit indices reach {MAX_VERTICES}"
             )));
         }
         let mut columns = Map::new();

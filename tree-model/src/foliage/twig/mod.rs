@@ -27,6 +27,7 @@ pub struct Twigs {
 
 /// What growing twigs did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct TwigReport {
     /// Twigs that old nodes bear.
     pub n_twigs: u64,

@@ -38,6 +38,7 @@ pub struct Derived {
 
 /// What a derivation did.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct DeriveReport {
     /// Modules of the axiom, and then of the word after each step.
     pub modules: Vec<u64>,

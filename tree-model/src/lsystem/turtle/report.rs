@@ -2,6 +2,7 @@
 
 /// What the turtle did, and what it had to leave out.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct TurtleReport {
     /// Modules read.
     pub modules: usize,

@@ -67,8 +67,8 @@ pub(super) fn rate(working: &Working, trunk: &Trunk, params: &LivewireParams) ->
         strengthen(&mut evidence, &found, alpha);
     };
     see(alpha, Sign::Bright, 1.0);
-    if !working.colours.is_empty() {
-        see(&filled(&luminance(&working.colours), alpha), Sign::Either, TRUST_LIGHT);
+    if !working.colors.is_empty() {
+        see(&filled(&luminance(&working.colors), alpha), Sign::Either, TRUST_LIGHT);
         if let Some(wood) = likeness(working, trunk) {
             see(&wood.zip(alpha, |wood, alpha| wood * alpha), Sign::Bright, 1.0);
         }
@@ -82,7 +82,7 @@ fn plain(alpha: &Plane, params: &LivewireParams) -> Vec<f32> {
     let inside = alpha.values.iter().zip(&depth.values);
     inside
         .map(|(&alpha, &depth)| {
-            let middle = 1.0 + params.centre * (1.0 - depth) * (1.0 - depth);
+            let middle = 1.0 + params.center * (1.0 - depth) * (1.0 - depth);
             // Half covered is tree: twigs are thinner than a working pixel.
             let outside = 1.0 - (2.0 * alpha).min(1.0);
             middle * (1.0 + (params.outside - 1.0) * outside)
@@ -118,8 +118,8 @@ fn strengthen(evidence: &mut [[u8; DIRECTIONS]], planes: &[Plane], alpha: &Plane
     }
 }
 
-fn luminance(colours: &[Plane]) -> Plane {
-    match colours {
+fn luminance(colors: &[Plane]) -> Plane {
+    match colors {
         [red, green, blue] => {
             let two = red.zip(green, |red, green| 0.30 * red + 0.59 * green);
             two.zip(blue, |two, blue| two + 0.11 * blue)
@@ -142,7 +142,7 @@ fn filled(plane: &Plane, alpha: &Plane) -> Plane {
 /// trunk is seen.
 fn likeness(working: &Working, trunk: &Trunk) -> Option<Plane> {
     let (width, alpha) = (working.alpha.width, &working.alpha);
-    let colours = opponents(&working.colours)?;
+    let colors = opponents(&working.colors)?;
     let mut on_trunk = alpha.map(|_| 0.0);
     for &(row, middle, wide) in &trunk.rows {
         let reach = TRUNK_CORE * wide;
@@ -152,7 +152,7 @@ fn likeness(working: &Working, trunk: &Trunk) -> Option<Plane> {
         }
     }
     let mut evidence = alpha.map(|_| 0.0);
-    for plane in &colours {
+    for plane in &colors {
         let (mean, variance) = normal(plane, &on_trunk)?;
         let (all_mean, all_variance) = normal(plane, alpha)?;
         for (sum, &value) in evidence.values.iter_mut().zip(&plane.values) {
@@ -166,11 +166,11 @@ fn likeness(working: &Working, trunk: &Trunk) -> Option<Plane> {
 }
 
 /// Luminance, red against green, and blue against yellow.
-fn opponents(colours: &[Plane]) -> Option<[Plane; 3]> {
-    let [red, green, blue] = colours else { return None };
+fn opponents(colors: &[Plane]) -> Option<[Plane; 3]> {
+    let [red, green, blue] = colors else { return None };
     let yellow = red.zip(green, |red, green| 0.5 * (red + green));
     Some([
-        luminance(colours),
+        luminance(colors),
         red.zip(green, |red, green| red - green),
         blue.zip(&yellow, |blue, yellow| blue - yellow),
     ])

@@ -2,7 +2,7 @@
 
 use crate::error::{ModelError, Result};
 use crate::particle::Photo;
-use crate::particle::draw::{Canvas, Colour};
+use crate::particle::draw::{Canvas, Color};
 use glam::Vec2;
 use tree_core::NO_PARENT;
 
@@ -145,10 +145,10 @@ impl AttractorGraph {
     ///
     /// # Errors
     /// None that can happen.
-    pub fn draw_over(&self, photo: &Photo, width: f32, colour: Colour) -> Result<Photo> {
+    pub fn draw_over(&self, photo: &Photo, width: f32, color: Color) -> Result<Photo> {
         let mut canvas = Canvas::over(photo);
         for (below, above) in self.segments() {
-            canvas.line(below, above, width, colour);
+            canvas.line(below, above, width, color);
         }
         canvas.finish()
     }

@@ -40,7 +40,7 @@ pub struct LivewireParams {
     /// Cost of a step outside the tree, in steps inside, 1 to 100. Default 12.
     pub outside: f32,
     /// How much more a step at the silhouette costs than one in the middle, 0 to 10. Default 4.
-    pub centre: f32,
+    pub center: f32,
     /// How much more a step costs that leads back towards the base and down than one that leads away from
     /// it and up, 0 to 10. Default 0.6.
     pub outwards: f32,
@@ -62,7 +62,7 @@ impl Default for LivewireParams {
             rows: 256,
             follow: 0.88,
             outside: 12.0,
-            centre: 4.0,
+            center: 4.0,
             outwards: 0.6,
             join: 0.3,
             smoothing: 12,
@@ -81,7 +81,7 @@ impl LivewireParams {
         check("livewire.rows", self.rows, 16, 1024)?;
         check("livewire.follow", self.follow, 0.0_f32, 0.98_f32)?;
         check("livewire.outside", self.outside, 1.0_f32, 100.0_f32)?;
-        check("livewire.centre", self.centre, 0.0_f32, 10.0_f32)?;
+        check("livewire.center", self.center, 0.0_f32, 10.0_f32)?;
         check("livewire.outwards", self.outwards, 0.0_f32, 10.0_f32)?;
         check("livewire.join", self.join, 0.0_f32, 0.9_f32)?;
         check("livewire.smoothing", self.smoothing, 0, 1000)?;
@@ -161,7 +161,7 @@ pub fn livewire(
     rate_paths(&mut report, &working, &costs.evidence, &union.pixels);
 
     let mut nodes: Vec<Vec2> =
-        union.pixels.iter().map(|&pixel| working.centre(pixel as usize)).collect();
+        union.pixels.iter().map(|&pixel| working.center(pixel as usize)).collect();
     // Tips are where the seeds are, not at the centres of their pixels.
     let mut has_child = vec![false; nodes.len()];
     for &parent in union.parents.iter().filter(|&&parent| parent != NONE) {

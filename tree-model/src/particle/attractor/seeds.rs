@@ -186,7 +186,7 @@ fn away_from_trunk(
     let kept: Vec<usize> = contour.iter().copied().filter(is_crown).collect();
     // Better a seed on the trunk than none.
     let kept = if kept.is_empty() { contour } else { kept };
-    kept.into_iter().map(|pixel| working.centre(pixel)).collect()
+    kept.into_iter().map(|pixel| working.center(pixel)).collect()
 }
 
 /// How far the silhouette faces down at a pixel: -1 up, 0 aside, 1 down.

@@ -51,6 +51,7 @@ impl StrokeParams {
 
 /// What became of strokes.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct StrokeReport {
     /// Points left out because they were not finite, or more than a million pixels away.
     pub n_bad_points: u32,

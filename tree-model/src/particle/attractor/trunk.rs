@@ -76,10 +76,10 @@ impl Trunk {
 /// The run of solid pixels of a row that holds `middle`, or the nearest within a few pixels.
 fn run(alpha: &Plane, row: usize, middle: f32) -> Option<(usize, usize)> {
     let values = &alpha.values[row * alpha.width..][..alpha.width];
-    let centre = (middle as usize).min(alpha.width - 1);
+    let center = (middle as usize).min(alpha.width - 1);
     let near = (alpha.width / 40).max(2);
     let start = (0..=near)
-        .flat_map(|step| [centre.checked_sub(step), Some(centre + step)])
+        .flat_map(|step| [center.checked_sub(step), Some(center + step)])
         .flatten()
         .find(|&x| values.get(x).is_some_and(|&value| value > SOLID))?;
     let left = (0..start).rev().take_while(|&x| values[x] > SOLID).last().unwrap_or(start);

@@ -22,7 +22,7 @@ pub(super) struct Working {
     /// Coverage, 0 to 1.
     pub(super) alpha: Plane,
     /// Red, green and blue, 0 to 1, as seen where the tree covers; empty without a photograph.
-    pub(super) colours: Vec<Plane>,
+    pub(super) colors: Vec<Plane>,
     /// Height of the tree's box in pixels of the whole.
     pub(super) tree_height: f32,
 }
@@ -74,7 +74,7 @@ impl Working {
             corner: low,
             scale,
             alpha: Plane::new(width, height),
-            colours: vec![Plane::new(width, height); if photo.is_some() { 3 } else { 0 }],
+            colors: vec![Plane::new(width, height); if photo.is_some() { 3 } else { 0 }],
             tree_height,
         };
         working.average(matte, photo, high);
@@ -103,7 +103,7 @@ impl Working {
                 let Some(photo) = photo else { continue };
                 let weight = alpha + 1e-4;
                 weights[into] += weight;
-                for (plane, &value) in self.colours.iter_mut().zip(&photo.pixels()[from]) {
+                for (plane, &value) in self.colors.iter_mut().zip(&photo.pixels()[from]) {
                     plane.values[into] += weight * f32::from(value) / 255.0;
                 }
             }
@@ -112,7 +112,7 @@ impl Working {
             plane.values.iter_mut().zip(by).for_each(|(value, by)| *value /= by.max(1e-6));
         };
         divide(&mut self.alpha, &counts);
-        self.colours.iter_mut().for_each(|plane| divide(plane, &weights));
+        self.colors.iter_mut().for_each(|plane| divide(plane, &weights));
     }
 
     /// The working pixel that holds a point of the whole picture, or the nearest to it.
@@ -129,7 +129,7 @@ impl Working {
     }
 
     /// The centre of a working pixel, in pixels of the whole.
-    pub(super) fn centre(&self, pixel: usize) -> Vec2 {
+    pub(super) fn center(&self, pixel: usize) -> Vec2 {
         let (x, y) = self.column_row(pixel);
         self.corner + self.scale * (Vec2::new(x as f32, y as f32) + 0.5)
     }
@@ -147,9 +147,9 @@ mod tests {
         let working = Working::new(&matte, Some(&photo), &[], 40).unwrap();
         assert_eq!(working.scale, 2.0);
         assert!(working.alpha.values[0] == 1.0);
-        assert!((working.colours[2].values[0] - 0.2).abs() < 1e-3);
+        assert!((working.colors[2].values[0] - 0.2).abs() < 1e-3);
         for pixel in 0..working.alpha.values.len() {
-            assert_eq!(working.pixel(working.centre(pixel)), pixel);
+            assert_eq!(working.pixel(working.center(pixel)), pixel);
         }
     }
 

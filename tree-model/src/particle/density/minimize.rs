@@ -12,7 +12,7 @@
 //!
 //! H ≥ λ² I also tells when to stop: the distance to the solution is at most ‖projected gradient‖ / λ².
 
-use super::system::System;
+use super::system::Equations;
 use crate::error::Result;
 use rayon::prelude::*;
 use tree_core::Control;
@@ -34,14 +34,14 @@ pub(super) struct Minimum {
 
 /// ½ yᵀ H y − fᵀ y with x = W y.
 struct Problem<'a> {
-    system: &'a System,
+    system: &'a Equations,
     on_rays: Vec<f32>,
     on_voxels: Vec<f32>,
 }
 
 /// Minimises ‖A x − b‖² + λ² ‖W⁻¹ x‖² over x ≥ 0.
 pub(super) fn minimize(
-    system: &System,
+    system: &Equations,
     n_most: u32,
     tolerance: f32,
     control: &Control,
@@ -106,7 +106,7 @@ pub(super) fn minimize(
 }
 
 impl<'a> Problem<'a> {
-    fn new(system: &'a System) -> Self {
+    fn new(system: &'a Equations) -> Self {
         let (on_rays, on_voxels) = (vec![0.0; system.n_rays()], vec![0.0; system.n_voxels()]);
         Self { system, on_rays, on_voxels }
     }

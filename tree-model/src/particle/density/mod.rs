@@ -4,7 +4,7 @@
 //!
 //! 1. [`carve`]: a grid around what the views see. A voxel begins with the least of the average mattes it
 //!    projects to, and is thrown away where that is next to nothing (3.3.1, space carving).
-//! 2. [`System`]: one ray for every few pixels. Along it the densities times the lengths add up to −ln of
+//! 2. [`Equations`]: one ray for every few pixels. Along it the densities times the lengths add up to −ln of
 //!    the transparency seen (3.3.2, equations 3.2 and 3.3).
 //! 3. [`solve`]: the least-squares solution without negative densities.
 //! 4. [`sample_points`]: points in proportion to the density, where particles start.
@@ -45,4 +45,4 @@ pub use paint::{DensityBrush, DensityStroke, paint, paint_volume};
 pub use params::DensityParams;
 pub use sample::sample_points;
 pub use solve::{DensityReport, DensityWarning, solve};
-pub use system::System;
+pub use system::Equations;

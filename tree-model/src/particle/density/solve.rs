@@ -5,7 +5,7 @@ use super::super::view::View;
 use super::carve::Carved;
 use super::minimize::minimize;
 use super::params::DensityParams;
-use super::system::System;
+use super::system::Equations;
 use crate::error::Result;
 use rayon::prelude::*;
 use tree_core::Control;
@@ -15,6 +15,7 @@ const CONTRADICTION: f64 = 0.5;
 
 /// How a density came about.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct DensityReport {
     /// Rays: equations.
     pub n_rays: u64,
@@ -73,10 +74,10 @@ impl std::fmt::Display for DensityWarning {
 }
 
 /// Optical density per metre in the voxels that were left: the x ≥ 0 with the least
-/// ‖A x − b‖² + λ² ‖W⁻¹ x‖² (see [`System`]).
+/// ‖A x − b‖² + λ² ‖W⁻¹ x‖² (see [`Equations`]).
 ///
 /// # Errors
-/// As [`System::new`].
+/// As [`Equations::new`].
 ///
 /// # Complexity
 /// O(iterations × entries of A).
@@ -86,7 +87,7 @@ pub fn solve(
     params: &DensityParams,
     control: &Control,
 ) -> Result<(Grid, DensityReport)> {
-    let system = System::new(carved, views, params, control)?;
+    let system = Equations::new(carved, views, params, control)?;
     let found = minimize(&system, params.iterations, params.tolerance, control)?;
     let mut report = DensityReport {
         n_rays: system.n_rays() as u64,
@@ -115,7 +116,7 @@ pub fn solve(
 }
 
 /// Residuals, and warnings where they are large.
-fn measure(system: &System, x: &[f32], report: &mut DensityReport) {
+fn measure(system: &Equations, x: &[f32], report: &mut DensityReport) {
     let missed: Vec<f64> = (0..system.n_rays())
         .into_par_iter()
         .map(|ray| {

@@ -20,7 +20,7 @@ const RAYS_AT_ONCE: usize = 256;
 /// Rows are rays, columns the voxels left by [`carve`](super::carve). Wanted is the x ≥ 0 with the least
 /// ‖A x − b‖² + λ² ‖W⁻¹ x‖², where W holds the [`weights`](Self::weights).
 #[derive(Clone, Debug, PartialEq)]
-pub struct System {
+pub struct Equations {
     pub(super) rows: Sparse,
     /// The transpose of `rows`.
     pub(super) turned: Sparse,
@@ -52,7 +52,7 @@ struct Ray {
     n_entries: usize,
 }
 
-impl System {
+impl Equations {
     /// Sets up the equations for the same `views` and `params` that were carved.
     ///
     /// # Errors

@@ -41,7 +41,7 @@ fn lawson_hanson(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
 }
 
 /// The system with its Tikhonov rows, as a dense one.
-fn dense(system: &System) -> (DMatrix<f64>, DVector<f64>) {
+fn dense(system: &Equations) -> (DMatrix<f64>, DVector<f64>) {
     let (m, n) = (system.n_rays(), system.n_voxels());
     let mut a = DMatrix::zeros(m + n, n);
     let mut b = DVector::zeros(m + n);
@@ -94,7 +94,7 @@ fn the_density_is_that_of_dense_least_squares_without_negative_values() {
         let control = Control::default();
         let carved = carve(&views, &params, &control).unwrap();
         let (grid, report) = solve(&carved, &views, &params, &control).unwrap();
-        let system = System::new(&carved, &views, &params, &control).unwrap();
+        let system = Equations::new(&carved, &views, &params, &control).unwrap();
         let (a, b) = dense(&system);
         let wanted = lawson_hanson(&a, &b);
         let found = carved.voxels().iter().map(|&i| f64::from(grid.values()[i as usize]));
@@ -220,7 +220,7 @@ fn too_many_voxels_or_entries_are_refused() {
     let error = carve(&views, &params, &with(1000)).unwrap_err();
     assert!(matches!(error, ModelError::Limit(_)), "{error}");
     let carved = carve(&views, &params, &with(10_000)).unwrap();
-    let error = System::new(&carved, &views, &params, &with(3000)).unwrap_err();
+    let error = Equations::new(&carved, &views, &params, &with(3000)).unwrap_err();
     assert!(matches!(error, ModelError::Limit(_)), "{error}");
 }
 

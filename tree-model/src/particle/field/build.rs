@@ -158,7 +158,7 @@ impl Maker<'_> {
     fn fill(&self, field: &mut DirectionField, control: &Control) -> Result<()> {
         let width = field.size[0] as usize;
         let (cell, corner) = (field.cell, field.corner);
-        let centre = |x: usize, y: usize| corner + cell * (Vec2::new(x as f32, y as f32) + 0.5);
+        let center = |x: usize, y: usize| corner + cell * (Vec2::new(x as f32, y as f32) + 0.5);
         let bands = field.vectors.par_chunks_mut(width * BLOCK).enumerate();
         bands.try_for_each(|(band, rows)| {
             control.check()?;
@@ -166,10 +166,10 @@ impl Maker<'_> {
             let y1 = y0 + rows.len() / width;
             for x0 in (0..width).step_by(BLOCK) {
                 let x1 = (x0 + BLOCK).min(width);
-                let near = self.near(centre(x0, y0), centre(x1 - 1, y1 - 1));
+                let near = self.near(center(x0, y0), center(x1 - 1, y1 - 1));
                 for y in y0..y1 {
                     for x in x0..x1 {
-                        let vector = self.at(centre(x, y), &near, cell);
+                        let vector = self.at(center(x, y), &near, cell);
                         // Pictures have y down, the field has it up.
                         rows[(y - y0) * width + x] = Vec2::new(vector.x, -vector.y);
                     }

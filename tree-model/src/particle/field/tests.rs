@@ -125,12 +125,12 @@ proptest! {
         let field = direction_field(&graph, PICTURE, base, &params, &control).unwrap();
         let nx = field.size()[0] as usize;
         for (i, vector) in field.vectors().iter().enumerate() {
-            let centre = Vec2::new((i % nx) as f32 + 0.5, (i / nx) as f32 + 0.5) * field.cell();
+            let center = Vec2::new((i % nx) as f32 + 0.5, (i / nx) as f32 + 0.5) * field.cell();
             let (mut best, mut second) = ((f32::INFINITY, Vec2::ZERO), f32::INFINITY);
             for (a, b) in graph.segments() {
-                let t = (centre - a).dot(b - a) / (b - a).length_squared().max(1e-30);
+                let t = (center - a).dot(b - a) / (b - a).length_squared().max(1e-30);
                 let to = a.lerp(b, t.clamp(0.0, 1.0));
-                let distance = to.distance(centre);
+                let distance = to.distance(center);
                 if distance < best.0 {
                     if to.distance(best.1) > 1e-2 { second = best.0; }
                     best = (distance, to);
@@ -140,8 +140,8 @@ proptest! {
             }
             // Where two points are as near, either is right.
             if best.0 > 0.1 && second - best.0 > 1e-2 {
-                let wanted = (best.1 - centre).normalize() * Vec2::new(1.0, -1.0);
-                prop_assert!(wanted.dot(*vector) > 0.999, "{wanted} {vector} at {centre}");
+                let wanted = (best.1 - center).normalize() * Vec2::new(1.0, -1.0);
+                prop_assert!(wanted.dot(*vector) > 0.999, "{wanted} {vector} at {center}");
             }
         }
     }

@@ -25,6 +25,7 @@ const NODE_SHARE: f32 = 0.15;
 
 /// What growing the crown did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CrownReport {
     /// Nodes of twigs.
     pub twig_nodes: u64,

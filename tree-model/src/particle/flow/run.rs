@@ -34,6 +34,7 @@ pub struct Flow {
 
 /// What happened to the particles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct FlowReport {
     /// Particles that started.
     pub particles: u32,

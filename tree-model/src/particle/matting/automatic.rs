@@ -24,12 +24,12 @@ use tree_core::Control;
 /// How [`automatic`] works.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
-pub struct AutoParams {
+pub struct AutomaticParams {
     /// How the alpha of the pixels left unknown is found.
     pub natural: NaturalParams,
 }
 
-impl AutoParams {
+impl AutomaticParams {
     /// Checks ranges.
     ///
     /// # Errors
@@ -41,7 +41,8 @@ impl AutoParams {
 
 /// What [`automatic`] found.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct AutoReport {
+#[non_exhaustive]
+pub struct AutomaticReport {
     /// Whether the photograph's own alpha was taken.
     pub has_alpha: bool,
     /// The trimap that was made, at a size of its own; none where the photograph has alpha.
@@ -69,14 +70,14 @@ const SCENE_SIDE: u32 = 400;
 /// As [`natural`].
 pub fn automatic(
     photo: &Photo,
-    params: &AutoParams,
+    params: &AutomaticParams,
     control: &Control,
-) -> Result<(Matte, AutoReport)> {
+) -> Result<(Matte, AutomaticReport)> {
     params.validate()?;
     photo.check_limit(&control.limits)?;
     control.report("finding the tree", 0.0)?;
     if photo.has_alpha() {
-        let report = AutoReport { has_alpha: true, confidence: 1.0, ..Default::default() };
+        let report = AutomaticReport { has_alpha: true, confidence: 1.0, ..Default::default() };
         return Ok((alpha_of(photo)?, report));
     }
     let (width, height) = working_size(photo.width(), photo.height(), SCENE_SIDE);
@@ -93,10 +94,10 @@ pub fn automatic(
     let trimap = Trimap::new(width as u32, height as u32, levels)?;
     let (matte, natural) = natural(photo, &trimap, &params.natural, &control.part(0.1, 1.0))?;
     let scale = photo.width() as f32 / width as f32;
-    let mut report = AutoReport {
+    let mut report = AutomaticReport {
         base: scene.base_point().map(|base| scale * base),
         natural,
-        ..AutoReport::default()
+        ..AutomaticReport::default()
     };
     judge(&mut report, &trimap, &sky);
     report.trimap = Some(trimap);
@@ -104,7 +105,7 @@ pub fn automatic(
 }
 
 /// Fills in how sure the result is, and warns.
-fn judge(report: &mut AutoReport, trimap: &Trimap, sky: &Sky) {
+fn judge(report: &mut AutomaticReport, trimap: &Trimap, sky: &Sky) {
     /// Share of sky from which on it is as clear as can be.
     const MUCH_SKY: f32 = 0.1;
     /// Share of the tree's pixels that are known beforehand in a clear case.

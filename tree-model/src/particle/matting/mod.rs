@@ -25,7 +25,7 @@ mod solve;
 mod trimap;
 
 pub use alpha::alpha_of;
-pub use automatic::{AutoParams, AutoReport, automatic};
+pub use automatic::{AutomaticParams, AutomaticReport, automatic};
 pub use natural::{NaturalParams, NaturalReport, natural};
 pub use simple::{DifferenceParams, ScreenColor, ScreenParams, difference, screen};
 pub use trimap::{ColorSamples, Level, Stroke, Trimap};

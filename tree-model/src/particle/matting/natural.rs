@@ -67,6 +67,7 @@ impl NaturalParams {
 
 /// What [`natural`] did.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct NaturalReport {
     /// Width and height at which alpha was solved for, in pixels.
     pub size: [u32; 2],

@@ -2,15 +2,15 @@
 
 use super::stages::Session;
 use crate::error::{ModelError, Result};
-use crate::particle::draw::{Canvas, Colour};
+use crate::particle::draw::{Canvas, Color};
 use crate::particle::{Grid, Photo};
 use glam::{IVec3, Vec2};
 use tree_core::{Control, NO_PARENT};
 
-const RED: Colour = [230, 40, 30, 255];
-const BLUE: Colour = [30, 90, 230, 255];
-const YELLOW: Colour = [255, 210, 0, 255];
-const WHITE: Colour = [255, 255, 255, 255];
+const RED: Color = [230, 40, 30, 255];
+const BLUE: Color = [30, 90, 230, 255];
+const YELLOW: Color = [255, 210, 0, 255];
+const WHITE: Color = [255, 255, 255, 255];
 /// Arrows across a picture of a direction field.
 const ARROWS: f32 = 48.0;
 /// Slices in a picture of a density.

@@ -12,6 +12,7 @@ const FEW_LEAVES: f64 = 100.0;
 
 /// A tree from photographs and how it came about.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PhotoTree {
     /// The tree.
     pub tree: Tree,
@@ -21,6 +22,7 @@ pub struct PhotoTree {
 
 /// What was found, repaired and left out on the way to a tree.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct PhotoReport {
     /// One entry a view.
     pub views: Vec<ViewReport>,
@@ -40,6 +42,7 @@ pub struct PhotoReport {
 
 /// What one view gave.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ViewReport {
     /// What its alignment is doubtful about; empty where the caller placed the camera.
     pub warnings: Vec<AlignWarning>,

@@ -13,7 +13,7 @@ mod row;
 use crate::error::{ModelError, Result};
 use crate::foliage::LeafParams;
 use crate::path::params::{Endpoints, Level, LevelAxis, Lifespan, PathParams, Placing, SubShape};
-use crate::path::{Linking, Paint};
+use crate::path::{LinkParams, Paint};
 use glam::Vec3;
 use row::{LevelRow, Part, Row, Shape};
 use std::f32::consts::PI;
@@ -148,7 +148,7 @@ impl Row {
             shrink: self.shrink,
             levels: self.levels.iter().flat_map(LevelRow::levels).collect(),
             lifespan: self.lifespan_stop.map_or(Lifespan::Full, |stop| Lifespan::Random { stop }),
-            linking: Linking { low: self.low, ..Linking::default() },
+            linking: LinkParams { low: self.low, ..LinkParams::default() },
             paint,
             cost: None,
             obstacle: None,

@@ -233,7 +233,7 @@ fn costs_that_differ_by_powers_of_ten_do_not_slow_the_search() {
     let strewn = nodes::strew(&volume, None, 20_000, &[Vec3::ZERO], SEED, &control()).unwrap();
     let cost: CostField = std::sync::Arc::new(|p: Vec3| if p.y > 0.0 { 1e5 } else { 1.0 });
     let terrain = graph::Terrain { cost: Some(&cost), ..Default::default() };
-    let graph = Graph::link(&strewn, &Linking::default(), &terrain, SEED, &control()).unwrap();
+    let graph = Graph::link(&strewn, &LinkParams::default(), &terrain, SEED, &control()).unwrap();
     let routes = search(&graph, strewn.forced[0], &control()).unwrap();
     assert_eq!(routes.n_reached(), graph.len());
     let mut theirs = UnGraph::<(), f32>::default();
@@ -359,7 +359,7 @@ fn branches_go_on_through_narrow_sectors() {
 fn links_are_all_pairs_within_reach() {
     let volume = Volume::sphere(Vec3::ZERO, 3.0).unwrap();
     let strewn = nodes::strew(&volume, None, 600, &[], SEED, &control()).unwrap();
-    let linking = Linking::default();
+    let linking = LinkParams::default();
     let graph =
         Graph::link(&strewn, &linking, &graph::Terrain::default(), SEED, &control()).unwrap();
     let reach = linking.reach * strewn.separation;
@@ -443,7 +443,7 @@ proptest! {
         let params = PathParams {
             levels: vec![level.clone(), level],
             shrink,
-            linking: Linking { reach, low, ..Linking::default() },
+            linking: LinkParams { reach, low, ..LinkParams::default() },
             smoothing,
             lifespan: if random_life { Lifespan::Random { stop: 0.3 } } else { Lifespan::Full },
             ..shrub()

@@ -18,6 +18,7 @@ use tree_core::Control;
 
 /// What an update did.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Update {
     /// Trees that are not what they were, or get another light.
     pub changed: Vec<TreeId>,

@@ -6,7 +6,7 @@
 //!    points of the outline: that is the correspondence of axis and outline the paper asks for.
 //! 3. `stand`: how far each terminal stands out, and the least is taken off until all that are left are
 //!    bumps.
-//! 4. `centre`: central point, direction and radius of each.
+//! 4. `center`: central point, direction and radius of each.
 //!
 //! The paper does not say how the axis is pruned, and bare terminals are as many as the outline has corners. We ask how
 //! far a terminal sticks out of the disc that fits into its fork, as a share of the width it stands on (the erosion
@@ -19,7 +19,7 @@
 //! O(n + m log m + terminals · m) for n points of the outline and m = `border::POINTS`, whatever the outline.
 
 mod border;
-mod centre;
+mod center;
 mod mesh;
 mod stand;
 #[cfg(test)]
@@ -34,7 +34,7 @@ use glam::Vec2;
 pub struct Bump {
     /// Its central point, where the branch ends: going from the tip inwards along the axis, the last point whose disc
     /// still touches the tip. That is the middle of a round end, and about the tip itself of a sharp one.
-    pub centre: Vec2,
+    pub center: Vec2,
     /// Its outermost point, on the outline: the farthest from the fork it hangs on.
     pub tip: Vec2,
     /// Direction of the chordal axis at the centre, outwards, of unit length: over about the width of the bump.
@@ -88,10 +88,10 @@ pub fn bumps(outline: &Outline, params: &BumpParams) -> Vec<Bump> {
     let Some(mut mesh) = mesh::Mesh::of(&border) else { return Vec::new() };
     let ends = stand::ends(&mut mesh, params);
     if ends.is_empty() {
-        return vec![centre::whole(outline, &border, &mesh)];
+        return vec![center::whole(outline, &border, &mesh)];
     }
     let mut bumps: Vec<Bump> =
-        ends.iter().map(|end| centre::bump(outline, &border, &mesh, end)).collect();
+        ends.iter().map(|end| center::bump(outline, &border, &mesh, end)).collect();
     bumps.sort_by(|a, b| a.stretch[0].total_cmp(&b.stretch[0]));
     bumps
 }

@@ -9,7 +9,7 @@ use super::style::Styles;
 use crate::error::Result;
 use crate::silhouette::Line;
 use crate::silhouette::branch::{Shape, Span};
-use crate::silhouette::place::gibbs::MOST_SITES;
+use crate::silhouette::place::gibbs::MAX_SITES;
 use crate::silhouette::place::{Domain, Site, arrange};
 use crate::silhouette::plan::{END, Lateral, Origin, ROUND, System};
 use crate::silhouette::sub::{SubParams, sub_outline};
@@ -75,7 +75,7 @@ impl Explicit<'_> {
         let high = places().fold(0.0, f32::max) + BEYOND;
         let n = system.laterals.len();
         let n_added = (rules.density * n as f32 + 0.5) as usize;
-        let n_added = n_added.min((MOST_SITES as usize).saturating_sub(n));
+        let n_added = n_added.min((MAX_SITES as usize).saturating_sub(n));
         self.control.limits.check(Resource::Nodes, (n + n_added) as u64)?;
         let mut domains: Vec<Domain> = system
             .laterals

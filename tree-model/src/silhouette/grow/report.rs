@@ -4,6 +4,7 @@ use tree_core::Tree;
 
 /// How a plan became a tree.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct GrowReport {
     /// Branches of every level, the trunk first.
     pub branches: Vec<u64>,
@@ -31,6 +32,7 @@ impl GrowReport {
 
 /// A tree and how it grew.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Grown {
     /// The tree.
     pub tree: Tree,

@@ -1,7 +1,7 @@
 //! Shapes that branches are made of, with what is asked of them often.
 
 use crate::silhouette::branch::Shape;
-use crate::silhouette::place::revolve::{Section, Surface};
+use crate::silhouette::place::revolve::{Revolved, Section};
 use crate::silhouette::plan::System;
 use crate::silhouette::{Line, Outline};
 use glam::{Vec2, Vec3};
@@ -14,13 +14,13 @@ pub(super) struct Form {
     pub(super) leaving: f32,
     /// How far its outline reaches along the span, in spans.
     pub(super) reach: f32,
-    surface: Surface,
+    surface: Revolved,
 }
 
 impl Form {
     pub(super) fn of(shape: &Shape) -> Self {
         let section = Section { azimuth: 0.0, outline: &shape.outline };
-        Self::new(&shape.line, &shape.outline, Surface::of(&shape.line, &[section]))
+        Self::new(&shape.line, &shape.outline, Revolved::of(&shape.line, &[section]))
     }
 
     /// Of a system in the frame of its span.
@@ -28,7 +28,7 @@ impl Form {
         Self::new(&system.axis, &system.outline, surface_of(system))
     }
 
-    fn new(line: &Line, outline: &Outline, surface: Surface) -> Self {
+    fn new(line: &Line, outline: &Outline, surface: Revolved) -> Self {
         let foot = line.foot();
         Self {
             line: line.clone(),
@@ -57,7 +57,7 @@ impl Form {
 }
 
 /// The pseudo-surface of revolution of a system.
-pub(super) fn surface_of(system: &System) -> Surface {
+pub(super) fn surface_of(system: &System) -> Revolved {
     let mut sections = vec![Section { azimuth: 0.0, outline: &system.outline }];
     sections.extend(
         system
@@ -65,5 +65,5 @@ pub(super) fn surface_of(system: &System) -> Surface {
             .iter()
             .map(|section| Section { azimuth: section.azimuth, outline: &section.outline }),
     );
-    Surface::of(&system.axis, &sections)
+    Revolved::of(&system.axis, &sections)
 }

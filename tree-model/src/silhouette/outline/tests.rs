@@ -205,8 +205,8 @@ fn a_mask_holds_the_cells_with_their_centres_inside() {
     let lobes = Outline::from_points(ring(300, |a| 3.0 + libm::sinf(7.0 * a))).unwrap();
     let (low, high) = lobes.bounds();
     for (i, inside) in lobes.mask(low, high, 50, 40).into_iter().enumerate() {
-        let centre = Vec2::new((i % 50) as f32 + 0.5, (i / 50) as f32 + 0.5);
-        let point = low + (high - low) * centre / Vec2::new(50.0, 40.0);
+        let center = Vec2::new((i % 50) as f32 + 0.5, (i / 50) as f32 + 0.5);
+        let point = low + (high - low) * center / Vec2::new(50.0, 40.0);
         assert_eq!(inside, lobes.contains(point), "{point}");
     }
 }

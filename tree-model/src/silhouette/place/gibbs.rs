@@ -26,7 +26,7 @@ use tree_core::seed::{Rng, uniform};
 use tree_core::{Control, Seed};
 
 /// Most branches of one parent: the first sum over all pairs would take seconds.
-pub const MOST_SITES: u32 = 20_000;
+pub const MAX_SITES: u32 = 20_000;
 
 /// A move must lower the cost of a branch by this share of it: less is what sums of f32 lose, and the total could rise.
 const LEAST_GAIN: f32 = 1e-5;
@@ -115,7 +115,7 @@ pub struct Arranged {
 ///
 /// # Errors
 /// [`ModelError::Parameter`](crate::ModelError::Parameter) naming the first value out of range, and for more than
-/// [`MOST_SITES`] domains; [`ModelError::Cancelled`](crate::ModelError::Cancelled).
+/// [`MAX_SITES`] domains; [`ModelError::Cancelled`](crate::ModelError::Cancelled).
 ///
 /// # Complexity
 /// O(N²) once for the first cost, then O(N) a move.
@@ -126,7 +126,7 @@ pub fn arrange(
     seed: Seed,
     control: &Control,
 ) -> Result<Arranged> {
-    check("domains.len()", domains.len() as f64, 0.0, MOST_SITES)?;
+    check("domains.len()", domains.len() as f64, 0.0, MAX_SITES)?;
     params.validate()?;
     arrangement.validate()?;
     domains.iter().enumerate().try_for_each(|(i, domain)| domain.validate(i))?;
@@ -149,7 +149,7 @@ pub fn arrange(
 /// # Complexity
 /// As [`arrange`].
 pub fn ready(n: u32, arrangement: &Arrangement, variant: u64, seed: Seed) -> Result<Vec<Site>> {
-    check("n", n, 0_u32, MOST_SITES)?;
+    check("n", n, 0_u32, MAX_SITES)?;
     let domains = vec![Domain::default(); n as usize];
     let seed = seed.stream("ready").child(variant);
     let params = GibbsParams::default();

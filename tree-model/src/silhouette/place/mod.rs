@@ -6,7 +6,7 @@
 //! 1. [`Arrangement`]: which pattern the branches follow (5.5);
 //! 2. [`gibbs::arrange`]: positions of all of them by a Gibbs process (5.2 to 5.4), from a start by `nodes`;
 //! 3. [`concentration::privileged`]: how well they keep to the pattern, as a test that can fail;
-//! 4. [`revolve::Surface`]: how long the added ones are (5.6).
+//! 4. [`revolve::Revolved`]: how long the added ones are (5.6).
 
 pub mod arrangement;
 pub mod concentration;

@@ -44,7 +44,7 @@ pub struct Section<'a> {
 
 /// A closed surface round an axis, through outlines in planes through it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Surface {
+pub struct Revolved {
     view: View,
     /// Ascending by azimuth; none where there was no outline.
     halves: Vec<Half>,
@@ -113,7 +113,7 @@ impl Blend<'_> {
     }
 }
 
-impl Surface {
+impl Revolved {
     /// The surface through `sections`, round `axis`, which is drawn in the plane of azimuth 0 (in a plane turned from it,
     /// only so much of its bends shows).
     ///

@@ -67,7 +67,7 @@ fn radiate(heart: Vec2, bumps: &[Bump]) -> bool {
     const MOST: f32 = 0.6;
     const FEWEST: usize = 4;
     let is_frond = |bump: &&Bump| {
-        let way = bump.centre - heart;
+        let way = bump.center - heart;
         bump.radius < NARROW * way.length() && bump.tangent.dot(way.normalize_or_zero()) > AWAY
     };
     let n = bumps.iter().filter(is_frond).count();

@@ -103,7 +103,7 @@ impl System {
             let found = infer(
                 &self.axis,
                 &self.angles,
-                (bump.centre, bump.tangent),
+                (bump.center, bump.tangent),
                 within,
                 &|point| raster.is_inside(point),
                 &params.infer,
@@ -155,9 +155,9 @@ impl System {
 
     /// Whether a drawn branch ends in a bump.
     fn has_one_at(&self, bump: &Bump) -> bool {
-        let near = bump.radius.max(0.5 * bump.centre.distance(bump.tip));
+        let near = bump.radius.max(0.5 * bump.center.distance(bump.tip));
         let in_plane = self.laterals.iter().filter(|lateral| lateral.azimuth.is_none());
-        in_plane.into_iter().any(|lateral| lateral.line.end().distance(bump.centre) <= near)
+        in_plane.into_iter().any(|lateral| lateral.line.end().distance(bump.center) <= near)
     }
 
     /// The line to a branch's end as it is inferred from the angles.

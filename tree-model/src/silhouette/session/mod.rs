@@ -9,7 +9,7 @@
 //! * [`Session::draw_leaf`]: the last level.
 //! * [`Session::copy_style`]: whose style goes where.
 //!
-//! [`Session::of_drawing`] plays a whole drawing; [`OutlineModel`] is that as a [`Modeler`](crate::Modeler).
+//! [`Session::of_drawing`] plays a whole drawing; [`SilhouetteModel`] is that as a [`Modeler`](crate::Modeler).
 
 mod change;
 mod edit;
@@ -23,7 +23,7 @@ mod view;
 pub use change::Change;
 pub use params::SilhouetteParams;
 pub(super) use play::{Ground, stand};
-pub use play::{OutlineModel, PlayReport};
+pub use play::{PlayReport, SilhouetteModel};
 pub use redraw::Transfer;
 pub use state::Session;
 pub use view::Viewpoint;

@@ -11,6 +11,7 @@ use tree_core::{Control, Seed, Tree};
 
 /// What became of a drawing's strokes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct PlayReport {
     /// Strokes that were used.
     pub strokes: u32,
@@ -39,14 +40,14 @@ impl PlayReport {
 
 /// A tree of a drawing, as a modeler.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct OutlineModel {
+pub struct SilhouetteModel {
     /// The strokes of the tree.
     pub strokes: TreeStrokes,
     /// All parameters.
     pub params: SilhouetteParams,
 }
 
-impl Modeler for OutlineModel {
+impl Modeler for SilhouetteModel {
     fn model(&self, seed: Seed, control: &Control) -> Result<Tree, ModelError> {
         let (session, _) = Session::of_drawing(&self.strokes, self.params.clone(), seed)?;
         Ok(session.tree(control)?.tree)

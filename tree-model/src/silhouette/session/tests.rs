@@ -216,7 +216,7 @@ fn a_drawing_is_played_to_scale_and_what_cannot_be_used_is_told() {
             pixels(&[Vec2::new(90.0, 0.0), Vec2::new(91.0, 0.0), Vec2::new(90.0, 1.0)]),
         ),
     ];
-    let model = OutlineModel {
+    let model = SilhouetteModel {
         strokes: TreeStrokes { strokes, ..TreeStrokes::default() },
         params: SilhouetteParams { height: 20.0, ..SilhouetteParams::default() },
     };
@@ -228,7 +228,7 @@ fn a_drawing_is_played_to_scale_and_what_cannot_be_used_is_told() {
     let tree = model.model(Seed(1), &Control::default()).unwrap();
     let top = tree.skeleton().bounds().max.y;
     assert!((15.0..21.0).contains(&top), "{top}");
-    let nothing = OutlineModel::default().model(Seed(1), &Control::default());
+    let nothing = SilhouetteModel::default().model(Seed(1), &Control::default());
     assert!(matches!(nothing, Err(ModelError::Silhouette { .. })));
 }
 

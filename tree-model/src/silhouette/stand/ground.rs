@@ -33,7 +33,7 @@ pub struct StandView {
     /// The eye, in metres.
     pub eye: Vec3,
     /// The point of the drawing that the eye looks at: on the horizon, in units of the drawing.
-    pub centre: Vec2,
+    pub center: Vec2,
     /// Distance of the drawing from the eye, in units of the drawing.
     pub focal: f32,
 }
@@ -128,14 +128,14 @@ pub(super) fn places(
     let widest = stances.iter().map(|stance| stance.height).fold(0.0, f32::max);
     // Crowns reach beyond their trunks.
     let focal = 0.5 * (right - left + widest) / libm::tanf(0.5 * params.fov);
-    let centre = Vec2::new(0.5 * (left + right), horizon);
+    let center = Vec2::new(0.5 * (left + right), horizon);
     let places = stances.iter().zip(&below).map(|(stance, below)| {
         let scale = eye / below;
         let far = focal * (scale - eye / nearest);
-        let position = Vec3::new((stance.base.x - centre.x) * scale, 0.0, -far);
+        let position = Vec3::new((stance.base.x - center.x) * scale, 0.0, -far);
         Place { ground: Ground { base: stance.base, scale }, position }
     });
-    let view = StandView { eye: Vec3::new(0.0, eye, focal * eye / nearest), centre, focal };
+    let view = StandView { eye: Vec3::new(0.0, eye, focal * eye / nearest), center, focal };
     Ok((places.collect(), Some(view)))
 }
 

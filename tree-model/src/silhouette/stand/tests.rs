@@ -12,11 +12,11 @@ fn stroke(level: Level, kind: Kind, points: Vec<Vec2>) -> LevelStroke {
     LevelStroke { level, kind, azimuth: 0.0, points, name: String::new() }
 }
 
-fn lobes(centre: Vec2, radii: Vec2, n: f32) -> Vec<Vec2> {
+fn lobes(center: Vec2, radii: Vec2, n: f32) -> Vec<Vec2> {
     let at = |i: usize| {
         let angle = std::f32::consts::TAU * i as f32 / 60.0;
         let (sin, cos) = libm::sincosf(angle);
-        centre + (1.0 + 0.2 * libm::cosf(n * angle)) * radii * Vec2::new(cos, sin)
+        center + (1.0 + 0.2 * libm::cosf(n * angle)) * radii * Vec2::new(cos, sin)
     };
     (0..60).map(at).collect()
 }
@@ -171,7 +171,7 @@ fn far_trees_are_real_trees_farther_off() {
 fn the_horizon_follows_from_ground_points_and_sizes() {
     let stand = grow(&in_perspective(), &params()).unwrap();
     let view = stand.view.unwrap();
-    assert!((view.centre.y - 50.0).abs() < 1.0, "{view:?}");
+    assert!((view.center.y - 50.0).abs() < 1.0, "{view:?}");
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn the_view_sees_every_ground_point_where_it_was_drawn() {
     let view = stand.view.unwrap();
     for (tree, drawn) in stand.trees.iter().zip(&drawing.trees) {
         let seen = tree.position - view.eye;
-        let at = view.centre + view.focal * Vec2::new(seen.x, -seen.y) / -seen.z;
+        let at = view.center + view.focal * Vec2::new(seen.x, -seen.y) / -seen.z;
         let foot = drawn.strokes[0].points[0];
         assert!(at.distance(foot) < 0.1, "{at} {foot}");
     }

@@ -58,7 +58,7 @@ fn the_cone_opens_with_the_radius() {
 fn curves_go_on_in_the_direction_of_the_outline() {
     let crown = crown(7.0, 0.2);
     for bump in bumps(&crown, &BumpParams::default()) {
-        let branch = line(&[Vec2::new(0.1, 0.0), bump.centre]);
+        let branch = line(&[Vec2::new(0.1, 0.0), bump.center]);
         let params = SubParams::default();
         let found = sub_outline(&crown, &branch, bump.radius, Some(bump.stretch), &params);
         let directions = [found.curves[0].derivative(1.0), found.curves[1].derivative(0.0)];

@@ -41,7 +41,7 @@ pub(super) fn tree(
         let host = |(axis, place): (u32, u32)| firsts[axis as usize] + place;
         let mut parent = axis.host.map_or(NONE, host);
         for place in 0..kept {
-            positions.push(wood.centres[number][place]);
+            positions.push(wood.centers[number][place]);
             radii.push(wood.radii[number][place]);
             in_foliage.push(place >= begin);
             parents.push(parent);

@@ -54,8 +54,8 @@ pub(super) struct Axis {
 
 /// Finds axes.
 pub(super) fn axes(clusters: &Clusters, taking: Taking) -> Axes {
-    let n = clusters.centres.len();
-    let kd = Kd::new(&clusters.centres);
+    let n = clusters.centers.len();
+    let kd = Kd::new(&clusters.centers);
     let mut axes = Axes { taken: vec![(NONE, NONE); n], ..Axes::default() };
     // Tips, the farthest first.
     let mut is_tip = vec![true; n];
@@ -78,7 +78,7 @@ pub(super) fn axes(clusters: &Clusters, taking: Taking) -> Axes {
         let host = (at != NONE).then(|| axes.taken[at as usize]);
         if let Some((axis, place)) = host {
             let start =
-                clusters.centres[axes.axes[axis as usize].clusters[place as usize] as usize];
+                clusters.centers[axes.axes[axis as usize].clusters[place as usize] as usize];
             let reach =
                 taking.widths * axes.axes[axis as usize].widths[place as usize] + taking.beyond;
             if out_of(clusters, &way, start) < reach + taking.length {
@@ -98,7 +98,7 @@ pub(super) fn axes(clusters: &Clusters, taking: Taking) -> Axes {
 
 /// How far a way gets from where it starts.
 fn out_of(clusters: &Clusters, way: &[u32], start: Vec3) -> f32 {
-    way.iter().map(|&c| clusters.centres[c as usize].distance(start)).fold(0.0, f32::max)
+    way.iter().map(|&c| clusters.centers[c as usize].distance(start)).fold(0.0, f32::max)
 }
 
 fn thickness(clusters: &Clusters, way: &[u32]) -> Vec<f32> {
@@ -119,9 +119,9 @@ fn take_in(clusters: &Clusters, kd: &Kd, axes: &mut Axes, number: u32, taking: T
     let axis = &axes.axes[number as usize];
     let mut found: Vec<(u32, f32, u32)> = Vec::new();
     for ((&c, &width), place) in axis.clusters.iter().zip(&axis.widths).zip(0..) {
-        let (centre, length) = (clusters.centres[c as usize], clusters.lengths[c as usize]);
+        let (center, length) = (clusters.centers[c as usize], clusters.lengths[c as usize]);
         let reach = taking.widths * width + taking.beyond;
-        kd.within(centre, reach, &mut |d2, i| {
+        kd.within(center, reach, &mut |d2, i| {
             let other = kd.order()[i as usize];
             let apart = (clusters.lengths[other as usize] - length).abs();
             let free = axes.taken[other as usize].0 == NONE;

@@ -128,8 +128,8 @@ impl Cloud<'_> {
             });
             Vec3::new(x, 0.0, z)
         };
-        let centre = middle(&base.points);
-        let spread = base.points.iter().map(|&i| flat(i).distance_squared(centre)).sum::<f32>();
+        let center = middle(&base.points);
+        let spread = base.points.iter().map(|&i| flat(i).distance_squared(center)).sum::<f32>();
         let width = (spread / base.points.len().max(1) as f32).sqrt();
         if width <= WIDE * (high - low) {
             return None;

@@ -26,7 +26,7 @@ const HOLLOW_MAX: f32 = 0.12;
 /// A circle and how well it is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Circle {
-    pub(super) centre: Vec2,
+    pub(super) center: Vec2,
     pub(super) radius: f32,
     /// Share of the directions in which points lie on it.
     pub(super) seen: f32,
@@ -50,30 +50,30 @@ pub(super) fn fit(points: &[Vec2], range: [f32; 2], noise: f32, mut seed: u64) -
             points[((*seed >> 33) as usize) % points.len()].as_dvec2()
         };
         let [a, b, c] = [pick(&mut seed), pick(&mut seed), pick(&mut seed)];
-        let Some((centre, radius)) = through(a, b, c) else { continue };
+        let Some((center, radius)) = through(a, b, c) else { continue };
         if !(f64::from(range[0])..=f64::from(range[1])).contains(&radius) {
             continue;
         }
         let tolerance = band(radius as f32, noise);
         // Near points count by how near (MSAC), so that of two circles the truer wins.
         let score = points.iter().map(|p| {
-            let off = (p.distance(centre.as_vec2()) - radius as f32) / tolerance;
+            let off = (p.distance(center.as_vec2()) - radius as f32) / tolerance;
             (1.0 - off * off).max(0.0)
         });
         let score: f32 = score.sum();
         if best.is_none_or(|(least, ..)| score > least) {
-            best = Some((score, centre, radius));
+            best = Some((score, center, radius));
         }
     }
-    let (_, mut centre, mut radius) = best?;
+    let (_, mut center, mut radius) = best?;
     for _ in 0..ROUNDS {
-        let (next, r) = weighted(points, centre, radius, 1.5 * band(radius as f32, noise))?;
-        (centre, radius) = (next, r);
+        let (next, r) = weighted(points, center, radius, 1.5 * band(radius as f32, noise))?;
+        (center, radius) = (next, r);
     }
     if !(range[0]..=range[1]).contains(&(radius as f32)) {
         return None;
     }
-    judge(points, centre.as_vec2(), radius as f32, noise)
+    judge(points, center.as_vec2(), radius as f32, noise)
 }
 
 /// How far off a circle its points lie.
@@ -81,11 +81,11 @@ fn band(radius: f32, noise: f32) -> f32 {
     (0.15 * radius).max(noise)
 }
 
-fn judge(points: &[Vec2], centre: Vec2, radius: f32, noise: f32) -> Option<Circle> {
+fn judge(points: &[Vec2], center: Vec2, radius: f32, noise: f32) -> Option<Circle> {
     let tolerance = 1.5 * band(radius, noise);
     let (mut sectors, mut n, mut sum, mut n_inside, mut n_hollow) = (0_u32, 0_usize, 0.0, 0, 0);
     for point in points {
-        let away = *point - centre;
+        let away = *point - center;
         let off = away.length() - radius;
         n_inside += usize::from(off <= tolerance);
         n_hollow += usize::from(off <= (HOLLOW - 1.0) * radius);
@@ -105,7 +105,7 @@ fn judge(points: &[Vec2], centre: Vec2, radius: f32, noise: f32) -> Option<Circl
         return None;
     }
     let seen = sectors.count_ones() as f32 / SECTORS as f32;
-    Some(Circle { centre, radius, seen, error: (sum / n as f32).sqrt(), near })
+    Some(Circle { center, radius, seen, error: (sum / n as f32).sqrt(), near })
 }
 
 /// The circle through three points.
@@ -118,10 +118,10 @@ fn through(a: DVec2, b: DVec2, c: DVec2) -> Option<(DVec2, f64)> {
 }
 
 /// One weighted fit: x² + y² = 2ax + 2by + c, in the frame of the last one.
-fn weighted(points: &[Vec2], centre: DVec2, radius: f64, scale: f32) -> Option<(DVec2, f64)> {
+fn weighted(points: &[Vec2], center: DVec2, radius: f64, scale: f32) -> Option<(DVec2, f64)> {
     let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
     for point in points {
-        let p = (point.as_dvec2() - centre) / radius;
+        let p = (point.as_dvec2() - center) / radius;
         let off = (p.length() - 1.0) * radius / f64::from(scale);
         let inside = 1.0 - off * off;
         if inside > 0.0 {
@@ -134,7 +134,7 @@ fn weighted(points: &[Vec2], centre: DVec2, radius: f64, scale: f32) -> Option<(
     let found = matrix.inverse() * right;
     let middle = 0.5 * found.truncate();
     let r2 = found.z + middle.length_squared();
-    (found.is_finite() && r2 > 0.0).then(|| (centre + radius * middle, radius * r2.sqrt()))
+    (found.is_finite() && r2 > 0.0).then(|| (center + radius * middle, radius * r2.sqrt()))
 }
 
 #[cfg(test)]
@@ -142,10 +142,10 @@ mod tests {
     use super::*;
     use std::f32::consts::TAU;
 
-    fn arc(centre: Vec2, radius: f32, share: f32, n: u32) -> Vec<Vec2> {
+    fn arc(center: Vec2, radius: f32, share: f32, n: u32) -> Vec<Vec2> {
         let place = |i: u32| {
             let (sin, cos) = libm::sincosf(TAU * share * i as f32 / n as f32);
-            centre + radius * (1.0 + 0.02 * (i as f32 * 2.1 % 1.0 - 0.5)) * Vec2::new(cos, sin)
+            center + radius * (1.0 + 0.02 * (i as f32 * 2.1 % 1.0 - 0.5)) * Vec2::new(cos, sin)
         };
         (0..n).map(place).collect()
     }
@@ -156,13 +156,13 @@ mod tests {
         points.extend(arc(Vec2::new(0.8, 0.0), 0.1, 1.0, 15));
         let found = fit(&points, [0.05, 1.0], 0.005, 1).unwrap();
         assert!((found.radius - 0.25).abs() < 0.005, "{found:?}");
-        assert!(found.centre.distance(Vec2::new(0.3, -0.2)) < 0.01, "{found:?}");
+        assert!(found.center.distance(Vec2::new(0.3, -0.2)) < 0.01, "{found:?}");
     }
 
     #[test]
     fn a_side_view_is_enough_and_a_sliver_is_not() {
         let half = fit(&arc(Vec2::ZERO, 0.25, 0.45, 40), [0.05, 1.0], 0.005, 1).unwrap();
-        assert!((half.radius - 0.25).abs() < 0.01 && half.centre.length() < 0.01, "{half:?}");
+        assert!((half.radius - 0.25).abs() < 0.01 && half.center.length() < 0.01, "{half:?}");
         assert!((half.seen - 0.5).abs() < 0.1, "{half:?}");
         assert_eq!(fit(&arc(Vec2::ZERO, 0.25, 0.15, 40), [0.05, 1.0], 0.005, 1), None);
     }

@@ -1,7 +1,7 @@
 //! Step 1: points that are numbers, each place once, in metres, y up, round an origin of their own.
 
 use super::kd::{Kd, spacing};
-use super::params::{ScanParams, Up};
+use super::params::ScanParams;
 use super::report::ScanReport;
 use crate::error::{ModelError, Result};
 use glam::{DVec3, Vec3};
@@ -33,20 +33,12 @@ pub(super) struct Clean {
 
 /// Metres and y up from the axes and unit of the cloud.
 pub(super) fn inward(point: DVec3, params: &ScanParams) -> DVec3 {
-    let point = point * params.unit;
-    match params.up {
-        Up::Y => point,
-        Up::Z => DVec3::new(point.x, point.z, -point.y),
-    }
+    params.up.to_y_up((point * params.unit).to_array()).into()
 }
 
 /// The other way round.
 pub(super) fn outward(point: DVec3, params: &ScanParams) -> DVec3 {
-    let point = point / params.unit;
-    match params.up {
-        Up::Y => point,
-        Up::Z => DVec3::new(point.x, -point.z, point.y),
-    }
+    params.up.from_y_up((point / params.unit).to_array()).into()
 }
 
 /// Cleans a cloud.

@@ -15,7 +15,7 @@ pub(super) struct Clusters {
     /// Cluster of each point; `NONE` for points without a way.
     pub(super) of_point: Vec<u32>,
     pub(super) points: Rows,
-    pub(super) centres: Vec<Vec3>,
+    pub(super) centers: Vec<Vec3>,
     /// Mean distance from the base.
     pub(super) lengths: Vec<f32>,
     /// Root mean square distance of the points from the line to the parent: the radius of a tube
@@ -73,23 +73,23 @@ pub(super) fn clusters(
         let (place, length, n) = sums[*c as usize];
         (place / n as f32, (length / f64::from(n)) as f32)
     };
-    let (centres, lengths): (Vec<_>, Vec<_>) = order.iter().map(mean).unzip();
+    let (centers, lengths): (Vec<_>, Vec<_>) = order.iter().map(mean).unzip();
     let mut clusters = Clusters {
         of_point,
         points: rows,
-        widths: vec![0.0; centres.len()],
-        parents: vec![NONE; centres.len()],
-        base: vec![0; centres.len()],
-        centres,
+        widths: vec![0.0; centers.len()],
+        parents: vec![NONE; centers.len()],
+        base: vec![0; centers.len()],
+        centers,
         lengths,
     };
     let below = below(ways, level);
-    for c in 0..clusters.centres.len() as u32 {
+    for c in 0..clusters.centers.len() as u32 {
         clusters.base[c as usize] = ways.base[clusters.points.of(c)[0] as usize];
         clusters.parents[c as usize] = parent(&clusters, &below, c);
     }
     join_roots(&mut clusters);
-    for c in 0..clusters.centres.len() {
+    for c in 0..clusters.centers.len() {
         clusters.widths[c] = width(&clusters, points, c);
     }
     clusters
@@ -132,13 +132,13 @@ fn split(
 /// All points of a base start at their height, and several clusters with them: each but the first of
 /// a base goes on from the nearest one before it.
 fn join_roots(clusters: &mut Clusters) {
-    let n = clusters.centres.len() as u32;
+    let n = clusters.centers.len() as u32;
     let roots: Vec<u32> = (0..n).filter(|&c| clusters.parents[c as usize] == NONE).collect();
     for (i, &c) in roots.iter().enumerate() {
-        let centre = clusters.centres[c as usize];
+        let center = clusters.centers[c as usize];
         let same = |&&other: &&u32| clusters.base[other as usize] == clusters.base[c as usize];
         let near = roots[..i].iter().filter(same).min_by(|&&a, &&b| {
-            let d = |c: u32| clusters.centres[c as usize].distance_squared(centre);
+            let d = |c: u32| clusters.centers[c as usize].distance_squared(center);
             d(a).total_cmp(&d(b))
         });
         clusters.parents[c as usize] = near.copied().unwrap_or(NONE);
@@ -173,10 +173,10 @@ fn parent(clusters: &Clusters, below: &[u32], c: u32) -> u32 {
 }
 
 fn width(clusters: &Clusters, points: &[Vec3], c: usize) -> f32 {
-    let (centre, own) = (clusters.centres[c], clusters.points.of(c as u32));
-    let below = clusters.centres.get(clusters.parents[c] as usize).copied();
-    let along = below.and_then(|below| (centre - below).try_normalize()).unwrap_or(Vec3::Y);
+    let (center, own) = (clusters.centers[c], clusters.points.of(c as u32));
+    let below = clusters.centers.get(clusters.parents[c] as usize).copied();
+    let along = below.and_then(|below| (center - below).try_normalize()).unwrap_or(Vec3::Y);
     let off =
-        |&i: &u32| (points[i as usize] - centre).reject_from_normalized(along).length_squared();
+        |&i: &u32| (points[i as usize] - center).reject_from_normalized(along).length_squared();
     (own.iter().map(off).sum::<f32>() / own.len() as f32).sqrt()
 }

@@ -35,7 +35,7 @@ mod reach;
 mod report;
 mod wood;
 
-pub use params::{ScanParams, Up};
+pub use params::ScanParams;
 pub use report::{Bridge, ScanReport};
 
 use crate::error::{ModelError, Result};
@@ -58,6 +58,7 @@ pub struct ScannedTree {
 
 /// Trees and what became of the cloud on the way.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Scanned {
     /// One tree, or with [`ScanParams::several`] all of them.
     pub trees: Vec<ScannedTree>,
@@ -122,7 +123,7 @@ pub fn skeletonize_scan(
     control.report("axes", 0.75)?;
     let step = params.step * spacing;
     let clusters = levels::clusters(&graph, points, &ways, step, WIDEST * size.y);
-    report.n_clusters = clusters.centres.len();
+    report.n_clusters = clusters.centers.len();
     let length = params.prune * spacing;
     let taking = axes::Taking { widths: params.merge, beyond: spacing, length, step };
     let axes = axes::axes(&clusters, taking);

@@ -1,25 +1,15 @@
 //! How a cloud is read.
 
 use crate::error::{Result, check};
-
-/// Which axis of a cloud points up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Up {
-    /// As in most scanners' files: (x, y, z) becomes (x, z, −y).
-    #[default]
-    Z,
-    /// As here.
-    Y,
-}
+use tree_core::UpAxis;
 
 /// How a cloud is read. Lengths are metres; "spacings" are the median distance of a point to its
 /// fourth neighbour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct ScanParams {
-    /// The axis that points up. Default [`Up::Z`].
-    pub up: Up,
+    /// The axis that points up. Default [`UpAxis::Z`].
+    pub up: UpAxis,
     /// Metres for a unit of the cloud, 1e-6 to 1e6. Default 1.
     pub unit: f64,
     /// Edge of the voxels that become one point each, 0 to 10 m. Default 0: half a spacing.
@@ -50,7 +40,7 @@ pub struct ScanParams {
 impl Default for ScanParams {
     fn default() -> Self {
         Self {
-            up: Up::Z,
+            up: UpAxis::Z,
             unit: 1.0,
             voxel: 0.0,
             neighbours: 8,

@@ -2,7 +2,7 @@ use super::*;
 use crate::error::ModelError;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
-use tree_core::{CancelFlag, Limits};
+use tree_core::{CancelFlag, Limits, UpAxis};
 
 /// Points on the side of a cone from `a` to `b`, as scanners see it: no ends. Deterministic, without
 /// pattern (R2 sequence, Roberts 2018).
@@ -182,7 +182,7 @@ proptest! {
     ) {
         let points: Vec<DVec3> =
             places.iter().map(|p| scale * DVec3::from(p.map(f64::from))).collect();
-        let up = if y_up { Up::Y } else { Up::Z };
+        let up = if y_up { UpAxis::Y } else { UpAxis::Z };
         let params = ScanParams { several, foliage, up, ..ScanParams::default() };
         if let Ok(made) = skeletonize_scan(&points, &params, &Control::default()) {
             prop_assert!(!made.trees.is_empty());

@@ -46,7 +46,7 @@ const RADIUS_MIN: f32 = 5e-4;
 /// Nodes of all axes, place by place.
 #[derive(Debug)]
 pub(super) struct Wood {
-    pub(super) centres: Vec<Vec<Vec3>>,
+    pub(super) centers: Vec<Vec<Vec3>>,
     pub(super) radii: Vec<Vec<f32>>,
     /// For each axis the place from which on it runs through foliage.
     pub(super) foliage: Vec<usize>,
@@ -69,27 +69,27 @@ pub(super) fn wood(axes: &Axes, clusters: &Clusters, points: &[Vec3], spacing: f
             (found, hollow)
         })
         .unzip();
-    let centres: Vec<Vec<Vec3>> = axes
+    let centers: Vec<Vec<Vec3>> = axes
         .axes
         .iter()
         .zip(&fitted)
         .map(|(axis, fitted)| {
             let raw: Vec<Vec3> =
-                axis.clusters.iter().map(|&c| clusters.centres[c as usize]).collect();
+                axis.clusters.iter().map(|&c| clusters.centers[c as usize]).collect();
             smooth(&raw, fitted)
         })
         .collect();
-    let beyond = beyond(axes, &centres);
+    let beyond = beyond(axes, &centers);
     let radii = radii(axes, &mut fitted, &beyond);
     let n_fitted = fitted.iter().flatten().flatten().count();
     let foliage = foliage(axes, &hollow, spacing);
-    Wood { centres, radii, foliage, n_fitted }
+    Wood { centers, radii, foliage, n_fitted }
 }
 
 /// A circle in space.
 #[derive(Clone, Copy, Debug)]
 struct Circle3 {
-    centre: Vec3,
+    center: Vec3,
     circle: Circle,
     weight: f32,
 }
@@ -107,7 +107,7 @@ impl Places {
             starts.push(starts[starts.len() - 1] + axis.clusters.len() as u32);
         }
         let n = starts[axes.axes.len()] as usize;
-        let pairs = (0..clusters.centres.len() as u32).filter_map(|c| {
+        let pairs = (0..clusters.centers.len() as u32).filter_map(|c| {
             let (axis, place) = axes.taken[c as usize];
             (axis != NONE).then(|| (starts[axis as usize] + place, c))
         });
@@ -132,7 +132,7 @@ fn fit(
     let last = axis.clusters.len() - 1;
     let round = place.saturating_sub(WINDOW)..=(place + WINDOW).min(last);
     let wide = place.saturating_sub(2 * WINDOW)..=(place + 2 * WINDOW).min(last);
-    let centre_of = |place: usize| clusters.centres[axis.clusters[place] as usize];
+    let centre_of = |place: usize| clusters.centers[axis.clusters[place] as usize];
     let along = (centre_of(*wide.end()) - centre_of(*wide.start())).try_normalize()?;
     let origin = centre_of(place);
     let (x, y) = along.any_orthonormal_pair();
@@ -149,10 +149,10 @@ fn fit(
     let range = [(NARROW * width).max(THIN * spacing), WIDE * width];
     let seed = (u64::from(number) << 32) | place as u64;
     let circle = circle::fit(&flat, range, NOISE * spacing, seed)?;
-    let centre = origin + circle.centre.x * x + circle.centre.y * y;
+    let center = origin + circle.center.x * x + circle.center.y * y;
     let rough = circle.error / circle.radius;
     let weight = circle.seen * circle.near * (1.0 - 4.0 * rough).max(0.1);
-    Some(Circle3 { centre, circle, weight })
+    Some(Circle3 { center, circle, weight })
 }
 
 /// Drops circles that too few of those round them agree with.
@@ -172,29 +172,29 @@ fn drop_odd(found: &mut [Option<Circle3>]) {
 
 /// Centres of circles where there are some, means elsewhere, both smoothed along the axis.
 fn smooth(raw: &[Vec3], fitted: &[Option<Circle3>]) -> Vec<Vec3> {
-    let mut centres: Vec<Vec3> =
-        raw.iter().zip(fitted).map(|(raw, circle)| circle.map_or(*raw, |c| c.centre)).collect();
+    let mut centers: Vec<Vec3> =
+        raw.iter().zip(fitted).map(|(raw, circle)| circle.map_or(*raw, |c| c.center)).collect();
     for _ in 0..SMOOTH {
-        let old = centres.clone();
-        for i in 1..centres.len().saturating_sub(1) {
-            centres[i] = 0.5 * old[i] + 0.25 * (old[i - 1] + old[i + 1]);
+        let old = centers.clone();
+        for i in 1..centers.len().saturating_sub(1) {
+            centers[i] = 0.5 * old[i] + 0.25 * (old[i - 1] + old[i + 1]);
         }
     }
-    centres
+    centers
 }
 
 /// Length of all wood beyond each place.
-fn beyond(axes: &Axes, centres: &[Vec<Vec3>]) -> Vec<Vec<f32>> {
-    let mut beyond: Vec<Vec<f32>> = centres.iter().map(|axis| vec![0.0; axis.len()]).collect();
-    for number in (0..centres.len()).rev() {
-        let own = &centres[number];
+fn beyond(axes: &Axes, centers: &[Vec<Vec3>]) -> Vec<Vec<f32>> {
+    let mut beyond: Vec<Vec<f32>> = centers.iter().map(|axis| vec![0.0; axis.len()]).collect();
+    for number in (0..centers.len()).rev() {
+        let own = &centers[number];
         for i in (1..own.len()).rev() {
             let length = own[i].distance(own[i - 1]);
             beyond[number][i - 1] += beyond[number][i] + length;
         }
         if let Some((axis, place)) = axes.axes[number].host {
             let (axis, place) = (axis as usize, place as usize);
-            let length = own[0].distance(centres[axis][place]);
+            let length = own[0].distance(centers[axis][place]);
             let all = beyond[number][0] + length;
             beyond[axis][place] += all;
         }

@@ -71,9 +71,9 @@ impl Grid {
 
     /// Whether a point is within the cell's size of any segment.
     fn is_near(&self, point: Vec2) -> bool {
-        let centre = (point / self.cell).floor().as_ivec2();
+        let center = (point / self.cell).floor().as_ivec2();
         (0..9).any(|i| {
-            let bucket = self.bucket(centre + IVec2::new(i % 3 - 1, i / 3 - 1));
+            let bucket = self.bucket(center + IVec2::new(i % 3 - 1, i / 3 - 1));
             let mut segments = self.buckets[bucket].iter();
             segments.any(|segment| closest(point, segment.a, segment.b).1 < self.cell)
         })
@@ -81,10 +81,10 @@ impl Grid {
 
     /// The stroke nearest to a point among those that run this way there, and how far to its right the point is.
     fn along(&self, point: Vec2, way: Vec2, within: f32) -> Option<(u32, f32)> {
-        let centre = (point / self.cell).floor().as_ivec2();
+        let center = (point / self.cell).floor().as_ivec2();
         let mut best = (within, None);
         for i in 0..9 {
-            let bucket = self.bucket(centre + IVec2::new(i % 3 - 1, i / 3 - 1));
+            let bucket = self.bucket(center + IVec2::new(i % 3 - 1, i / 3 - 1));
             for segment in &self.buckets[bucket] {
                 let distance = closest(point, segment.a, segment.b).1;
                 let side = (segment.b - segment.a).normalize_or_zero();

@@ -184,7 +184,7 @@ fn imagined(crowns: &[Ink], spacing: f32, report: &mut CleanReport) -> Result<In
     };
     report.add(ink.stroke, RepairKind::ImaginedTrunk);
     let extent = Extent::all(crowns);
-    let foot = Vec2::new(extent.centre().x, extent.high.y);
+    let foot = Vec2::new(extent.center().x, extent.high.y);
     // A flat line has no inside: as high as it takes.
     let top = foot - Vec2::Y * (IMAGINED * extent.unit()).max(spacing);
     let points = resample(&[foot, top], spacing, spacing);

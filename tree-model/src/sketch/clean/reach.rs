@@ -60,7 +60,7 @@ pub(super) fn draw_on(
         .iter()
         .map(|&tip| {
             let share = if tips.len() > 1 { TOP - LOWER * off(tip).abs() / widest } else { TOP };
-            let x = extent.centre().x + if tips.len() > 1 { spread * off(tip) } else { 0.0 };
+            let x = extent.center().x + if tips.len() > 1 { spread * off(tip) } else { 0.0 };
             let (roof, floor) = column(crowns, x).unwrap_or((extent.low.y, extent.high.y));
             (tip, Vec2::new(x, floor - share * (floor - roof)))
         })

@@ -5,6 +5,7 @@ use std::fmt;
 
 /// What was done to the strokes of a drawing, step by step.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CleanReport {
     /// The repairs, in the order they were made.
     pub repairs: Vec<Repair>,

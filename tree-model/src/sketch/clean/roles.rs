@@ -193,12 +193,12 @@ fn is_arc_or_goes_on(inks: &[Ink], shapes: &[Shape], index: usize, unit: f32, ar
     let Some(far) = ink.points.iter().max_by(|a, b| bulge(a).total_cmp(&bulge(b))) else {
         return false;
     };
-    let centre = Extent::of(wood().flat_map(|(other, _)| &other.points)).centre();
+    let center = Extent::of(wood().flat_map(|(other, _)| &other.points)).center();
     // Of nothing the centre is no number, and nothing is farther.
     bulge(far) > BULGE * first.distance(last)
         && first.distance(last) > CHORD * unit
         && shapes[index].gap > UNFOLDED * shapes[index].length
-        && far.distance(centre) > chord.distance(centre)
+        && far.distance(center) > chord.distance(center)
         && free(first)
         && free(last)
 }

@@ -10,10 +10,10 @@ fn branch(list: &[(f32, f32)]) -> Stroke {
     Stroke::of(Role::Branch, line(list))
 }
 
-fn circle(centre: (f32, f32), radius: f32) -> Vec<Vec2> {
+fn circle(center: (f32, f32), radius: f32) -> Vec<Vec2> {
     let angle = |i: u32| std::f32::consts::TAU * i as f32 / 48.0;
     let at =
-        |i| Vec2::from(centre) + radius * Vec2::new(libm::cosf(angle(i)), libm::sinf(angle(i)));
+        |i| Vec2::from(center) + radius * Vec2::new(libm::cosf(angle(i)), libm::sinf(angle(i)));
     (0..48).map(at).collect()
 }
 

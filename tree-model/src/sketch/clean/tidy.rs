@@ -61,7 +61,7 @@ impl Extent {
         (self.high - self.low).max(Vec2::ZERO)
     }
 
-    pub(super) fn centre(&self) -> Vec2 {
+    pub(super) fn center(&self) -> Vec2 {
         0.5 * (self.low + self.high)
     }
 

@@ -194,23 +194,23 @@ fn ring(open: Vec<Line>, branches: &[Vec2], report: &mut CrownReport) -> Option<
     }
     let all = open.iter().flat_map(|line| &line.points).chain(branches);
     let hull = convex_hull(&all.copied().collect::<Vec<_>>());
-    let centre = unite::centroid(&hull)?;
-    let mut arcs: Vec<Arc> = open.into_iter().map(|line| arc(line.points, centre)).collect();
+    let center = unite::centroid(&hull)?;
+    let mut arcs: Vec<Arc> = open.into_iter().map(|line| arc(line.points, center)).collect();
     let middle = |arc: &Arc| (0.5 * (arc.from + arc.to)).rem_euclid(TAU);
     arcs.sort_by(|a, b| middle(a).total_cmp(&middle(b)));
     let mut out = Vec::new();
     for (i, here) in arcs.iter().enumerate() {
         let next = &arcs[(i + 1) % arcs.len()];
         out.extend_from_slice(&here.points);
-        out.extend(bridge(here, next, centre, branches, report));
+        out.extend(bridge(here, next, center, branches, report));
     }
     Some(out)
 }
 
-fn arc(mut points: Vec<Vec2>, centre: Vec2) -> Arc {
+fn arc(mut points: Vec<Vec2>, center: Vec2) -> Arc {
     let wind = |points: &[Vec2]| -> f32 {
         let turn = |pair: &[Vec2]| {
-            let (a, b) = (pair[0] - centre, pair[1] - centre);
+            let (a, b) = (pair[0] - center, pair[1] - center);
             libm::atan2f(a.perp_dot(b), a.dot(b))
         };
         points.windows(2).map(turn).sum()
@@ -220,7 +220,7 @@ fn arc(mut points: Vec<Vec2>, centre: Vec2) -> Arc {
         points.reverse();
         turned = -turned;
     }
-    let from = points.first().map_or(0.0, |&p| angle(p - centre));
+    let from = points.first().map_or(0.0, |&p| angle(p - center));
     Arc { points, from, to: from + turned }
 }
 
@@ -233,7 +233,7 @@ fn angle(direction: Vec2) -> f32 {
 fn bridge(
     here: &Arc,
     next: &Arc,
-    centre: Vec2,
+    center: Vec2,
     branches: &[Vec2],
     report: &mut CrownReport,
 ) -> Vec<Vec2> {
@@ -245,7 +245,7 @@ fn bridge(
     let overlap = gap + (here.to - here.from) > TAU + SAME_ANGLE || gap > TAU - SAME_ANGLE;
     let in_gap = |point: Vec2| {
         let outside = (start - end).perp_dot(point - end) < 0.0;
-        let turned = (angle(point - centre) - here.to).rem_euclid(TAU);
+        let turned = (angle(point - center) - here.to).rem_euclid(TAU);
         outside && (gap > PI || turned <= gap)
     };
     let mut around = vec![end, start];

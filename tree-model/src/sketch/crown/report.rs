@@ -123,6 +123,7 @@ impl fmt::Display for CrownRepair {
 
 /// What became of a drawn crown.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CrownReport {
     /// Everything repaired or noticed, in the order of work.
     pub repairs: Vec<CrownRepair>,

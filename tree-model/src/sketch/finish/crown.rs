@@ -1,6 +1,6 @@
 //! Twigs and leaves.
 
-use super::params::SketchFinish;
+use super::params::FinishParams;
 use super::spread::Cells;
 use crate::error::Result;
 use crate::foliage::{DENSITY_CAP, LeafParams, TwigParams, grow_leaves_in, grow_twigs_in, refine};
@@ -44,6 +44,7 @@ const TWIG_SHOOT: f32 = 1.3;
 
 /// What the finish did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct FinishReport {
     /// Nodes of branches.
     pub wood_nodes: u64,
@@ -62,7 +63,7 @@ pub struct FinishReport {
 /// Grows twigs and leaves of a species on `wood`; inside `crown`, where one is drawn, but for half a leaf.
 ///
 /// # Errors
-/// As [`SketchFinish::validate`], [`grow_twigs`](crate::foliage::grow_twigs) and
+/// As [`FinishParams::validate`], [`grow_twigs`](crate::foliage::grow_twigs) and
 /// [`grow_leaves`](crate::foliage::grow_leaves).
 ///
 /// # Complexity
@@ -70,7 +71,7 @@ pub struct FinishReport {
 pub fn grow_crown(
     wood: &Skeleton,
     crown: Option<&Crown>,
-    params: &SketchFinish,
+    params: &FinishParams,
     seed: Seed,
     control: &Control,
 ) -> Result<(Tree, FinishReport)> {

@@ -19,5 +19,5 @@ mod tests;
 mod wood;
 
 pub use crown::{FinishReport, grow_crown};
-pub use params::SketchFinish;
+pub use params::FinishParams;
 pub use wood::grow_wood;

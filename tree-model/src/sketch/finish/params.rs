@@ -2,7 +2,7 @@
 
 use crate::error::{Result, check};
 use crate::foliage::{LeafForm, Phyllotaxis, SpeciesPreset};
-use crate::particle::finish::FinishParams;
+use crate::particle::finish;
 use tree_core::allometry::PipeModel;
 
 /// Species that bear leaves on the trunk's tip, or on drawn fronds, and no twigs.
@@ -13,7 +13,7 @@ const LEAFLET_SPACING: f32 = 0.07;
 /// How branches become a tree.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
-pub struct SketchFinish {
+pub struct FinishParams {
     /// Whose twigs and leaves: a name of [`SPECIES`](crate::foliage::SPECIES). Default "oak".
     pub species: String,
     /// Whether there are leaves. Default true.
@@ -30,7 +30,7 @@ pub struct SketchFinish {
     pub twig_length: f32,
 }
 
-impl Default for SketchFinish {
+impl Default for FinishParams {
     fn default() -> Self {
         Self {
             species: "oak".into(),
@@ -44,7 +44,7 @@ impl Default for SketchFinish {
     }
 }
 
-impl SketchFinish {
+impl FinishParams {
     /// Checks all ranges and the species.
     ///
     /// # Errors
@@ -60,8 +60,8 @@ impl SketchFinish {
 
     /// The species' twigs and leaves, as far as they are wanted; `fronds` is the length of a palm's drawn fronds in
     /// metres, where there are any.
-    pub(super) fn sprays(&self, fronds: Option<f32>) -> Result<FinishParams> {
-        let mut params = FinishParams::find(&self.species)?;
+    pub(super) fn sprays(&self, fronds: Option<f32>) -> Result<finish::FinishParams> {
+        let mut params = finish::FinishParams::find(&self.species)?;
         let twigless = TWIGLESS.contains(&self.species.as_str());
         if !self.twigs || twigless {
             params.twigs = None;

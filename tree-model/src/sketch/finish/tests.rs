@@ -19,18 +19,18 @@ fn grown(branches: &Branches, crown: bool) -> Propagated {
 }
 
 fn wood(grown: &Propagated) -> Skeleton {
-    grow_wood(grown, &SketchFinish::default(), &Control::default()).unwrap()
+    grow_wood(grown, &FinishParams::default(), &Control::default()).unwrap()
 }
 
-fn finished(crown: bool, params: &SketchFinish) -> (Tree, FinishReport) {
+fn finished(crown: bool, params: &FinishParams) -> (Tree, FinishReport) {
     let wood = wood(&grown(&sketch(), crown));
     let shape = crate::sketch::propagate::fixtures::crown();
     let crown = crown.then_some(&shape);
     grow_crown(&wood, crown, params, Seed(1), &Control::default()).unwrap()
 }
 
-fn of(species: &str) -> SketchFinish {
-    SketchFinish { species: species.into(), ..Default::default() }
+fn of(species: &str) -> FinishParams {
+    FinishParams { species: species.into(), ..Default::default() }
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn branches_join_where_they_fork() {
 fn the_trunk_is_as_thick_as_slenderness_says() {
     let wood = wood(&grown(&sketch(), true));
     let height = wood.bounds().size().max_element();
-    assert!((wood.radii()[0] / height - SketchFinish::default().slenderness).abs() < 1e-4);
+    assert!((wood.radii()[0] / height - FinishParams::default().slenderness).abs() < 1e-4);
 }
 
 #[test]
@@ -99,14 +99,14 @@ fn twigs_and_leaves_stay_in_the_crown() {
 
 #[test]
 fn fuller_trees_have_more_leaves() {
-    let n = |fullness| finished(false, &SketchFinish { fullness, ..of("oak") }).0.foliage().len();
+    let n = |fullness| finished(false, &FinishParams { fullness, ..of("oak") }).0.foliage().len();
     let [none, half, usual] = [0.0, 0.5, 1.0].map(n);
     assert!(none == 0 && 10 * half < 7 * usual, "{none} {half} {usual}");
 }
 
 #[test]
 fn a_bare_tree_has_twigs_and_no_leaves() {
-    let (tree, report) = finished(false, &SketchFinish { leaves: false, ..of("oak") });
+    let (tree, report) = finished(false, &FinishParams { leaves: false, ..of("oak") });
     assert!(tree.foliage().is_empty() && report.twig_nodes > 1000, "{report:?}");
 }
 
@@ -142,15 +142,15 @@ fn the_number_of_threads_changes_nothing() {
 
 #[test]
 fn bad_parameters_are_named() {
-    let of = |params: SketchFinish| params.validate().unwrap_err().to_string();
+    let of = |params: FinishParams| params.validate().unwrap_err().to_string();
     assert!(of(of_species("baobab")).contains("no preset named 'baobab'"));
-    let params = SketchFinish { slenderness: f32::NAN, ..Default::default() };
+    let params = FinishParams { slenderness: f32::NAN, ..Default::default() };
     assert!(of(params).starts_with("finish.slenderness is NaN"));
-    let params = SketchFinish { twig_length: 0.0, ..Default::default() };
+    let params = FinishParams { twig_length: 0.0, ..Default::default() };
     assert!(of(params).starts_with("finish.twig_length is 0"));
 }
 
-fn of_species(name: &str) -> SketchFinish {
+fn of_species(name: &str) -> FinishParams {
     of(name)
 }
 

@@ -1,6 +1,6 @@
 //! Segments become a skeleton with radii.
 
-use super::params::SketchFinish;
+use super::params::FinishParams;
 use crate::error::Result;
 use crate::sketch::propagate::{Propagated, point_at};
 use glam::Vec3;
@@ -17,7 +17,7 @@ use tree_core::{Control, NO_PARENT, Resource, Skeleton, SkeletonColumns};
 ///
 /// # Complexity
 /// O(points + segments × log(new laterals of one segment)).
-pub fn grow_wood(grown: &Propagated, params: &SketchFinish, control: &Control) -> Result<Skeleton> {
+pub fn grow_wood(grown: &Propagated, params: &FinishParams, control: &Control) -> Result<Skeleton> {
     params.validate()?;
     let branches = &grown.branches;
     let n_nodes = (branches.points.len() + branches.len()) as u64;
@@ -110,7 +110,7 @@ impl Nodes {
         self.parents.len() as u32 - 1
     }
 
-    fn finish(self, params: &SketchFinish) -> Result<Skeleton> {
+    fn finish(self, params: &FinishParams) -> Result<Skeleton> {
         let Self { positions, parents } = self;
         let radii = vec![0.0; positions.len()];
         let mut skeleton = Skeleton::try_from(SkeletonColumns { positions, radii, parents })?;

@@ -67,6 +67,7 @@ pub struct Propagated {
 
 /// What propagation did. Numbers count segments unless they say otherwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct PropagateReport {
     /// New ones.
     pub n_new: u64,

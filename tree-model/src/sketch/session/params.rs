@@ -3,7 +3,7 @@
 use crate::error::{Result, check};
 use crate::sketch::clean::CleanParams;
 use crate::sketch::crown::CrownParams;
-use crate::sketch::finish::SketchFinish;
+use crate::sketch::finish::FinishParams;
 use crate::sketch::infer::InferParams;
 use crate::sketch::propagate::PropagateParams;
 use crate::sketch::template::SelectParams;
@@ -31,7 +31,7 @@ pub struct SketchParams {
     pub propagate: PropagateParams,
     /// How branches become a tree. Its `species` is not used here, its `slenderness` counts relative to the default: the
     /// template has its own.
-    pub finish: SketchFinish,
+    pub finish: FinishParams,
 }
 
 impl SketchParams {

@@ -8,6 +8,7 @@ use tree_core::Tree;
 
 /// A tree of a drawing.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SketchTree {
     /// The tree.
     pub tree: Tree,
@@ -17,6 +18,7 @@ pub struct SketchTree {
 
 /// What became of a drawing on the way to a tree.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct SketchReport {
     /// Repairs of strokes.
     pub clean: CleanReport,

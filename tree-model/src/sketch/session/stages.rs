@@ -6,7 +6,7 @@ use super::report::{SketchReport, SketchTree};
 use crate::error::{ModelError, Result};
 use crate::sketch::clean::{Cleaned, clean};
 use crate::sketch::crown::{Crown, CrownReport};
-use crate::sketch::finish::{SketchFinish, grow_crown, grow_wood};
+use crate::sketch::finish::{FinishParams, grow_crown, grow_wood};
 use crate::sketch::infer::{InferParams, Inferred, Pin, infer_with};
 use crate::sketch::omega::Omega;
 use crate::sketch::propagate::{Propagated, propagate};
@@ -19,6 +19,7 @@ const FROND_ORDERS: u32 = 1;
 
 /// What a session makes, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Stage {
     /// Strokes joined, the crown closed.
     Clean,
@@ -374,10 +375,10 @@ impl Session {
     }
 
     /// The finish of the template, or of the species asked for.
-    fn finish_params(&self) -> Result<SketchFinish> {
+    fn finish_params(&self) -> Result<FinishParams> {
         let template = &self.templates()?[self.template_index()?];
-        let relative = self.params.finish.slenderness / SketchFinish::default().slenderness;
-        Ok(SketchFinish {
+        let relative = self.params.finish.slenderness / FinishParams::default().slenderness;
+        Ok(FinishParams {
             species: self.params.species.clone().unwrap_or_else(|| template.species.clone()),
             slenderness: (template.slenderness * relative).clamp(1e-4, 0.2),
             ..self.params.finish.clone()
@@ -387,7 +388,7 @@ impl Session {
 
 /// Whether a template has fronds.
 fn is_palm(template: &Template) -> bool {
-    SketchFinish { species: template.species.clone(), ..Default::default() }.has_fronds()
+    FinishParams { species: template.species.clone(), ..Default::default() }.has_fronds()
 }
 
 /// Whether a plan has a fork.

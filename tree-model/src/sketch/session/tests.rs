@@ -4,10 +4,10 @@ use super::*;
 use crate::sketch::{Role, Stroke};
 use glam::Vec2;
 
-fn cloud(centre: Vec2, size: Vec2) -> Stroke {
+fn cloud(center: Vec2, size: Vec2) -> Stroke {
     let at = |i: i32| {
         let angle = std::f32::consts::TAU * i as f32 / 40.0;
-        centre + size * Vec2::new(libm::cosf(angle), libm::sinf(angle))
+        center + size * Vec2::new(libm::cosf(angle), libm::sinf(angle))
     };
     Stroke { closed: true, ..Stroke::of(Role::Crown, (0..40).map(at).collect()) }
 }

@@ -20,7 +20,7 @@ const IMAGINED_ROOT: f32 = 0.05;
 /// Which branches are main ones.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
-pub struct MainBranches {
+pub struct MainBranchParams {
     /// Least length of axes of order 1 as a share of the longest of them, 0 to 1. Default 0.3.
     pub least: f32,
     /// Least length of axes of order 2 as a share of their parent's, 0 to 1. Default 0.35.
@@ -33,7 +33,7 @@ pub struct MainBranches {
     pub continuation: Continuation,
 }
 
-impl Default for MainBranches {
+impl Default for MainBranchParams {
     fn default() -> Self {
         Self {
             least: 0.3,
@@ -45,7 +45,7 @@ impl Default for MainBranches {
     }
 }
 
-impl MainBranches {
+impl MainBranchParams {
     /// Checks all ranges.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl MainBranches {
 ///
 /// # Errors
 /// [`ModelError::Parameter`] naming a field of `params`, [`ModelError::Template`] for a skeleton without extent.
-pub fn main_branches(skeleton: &Skeleton, params: &MainBranches) -> Result<Branches> {
+pub fn main_branches(skeleton: &Skeleton, params: &MainBranchParams) -> Result<Branches> {
     params.validate()?;
     let extent = skeleton.bounds().size().max_element();
     if !(extent > 0.0 && extent.is_finite()) {
@@ -87,7 +87,7 @@ pub fn main_branches(skeleton: &Skeleton, params: &MainBranches) -> Result<Branc
 }
 
 /// The axes kept, in their order, parents first.
-fn kept(skeleton: &Skeleton, axes: &Axes, params: &MainBranches) -> Vec<u32> {
+fn kept(skeleton: &Skeleton, axes: &Axes, params: &MainBranchParams) -> Vec<u32> {
     let lengths: Vec<f32> = axes.iter().map(|axis| length(skeleton, axis)).collect();
     let of_order = |order| axes.iter().filter(move |axis| axis.order == order);
     let longest = of_order(1).map(|axis| lengths[axis.index as usize]).fold(0.0, f32::max);

@@ -12,7 +12,7 @@
 //!
 //! Some milliseconds for each tree, most of it for outlines.
 
-use super::main_branches::{MainBranches, main_branches};
+use super::main_branches::{MainBranchParams, main_branches};
 use super::project::{flat, seen_from};
 use super::shape::{BranchShape, Directions, Flat};
 use super::{Template, TemplateView};
@@ -33,12 +33,12 @@ pub struct TemplateParams {
     /// Views over half a turn, 1 to 180. Default 8, so with mirror images one every 22.5°.
     pub views: u32,
     /// Which branches are main ones.
-    pub main: MainBranches,
+    pub main: MainBranchParams,
 }
 
 impl Default for TemplateParams {
     fn default() -> Self {
-        Self { views: 8, main: MainBranches::default() }
+        Self { views: 8, main: MainBranchParams::default() }
     }
 }
 

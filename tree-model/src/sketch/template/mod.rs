@@ -18,8 +18,8 @@ mod select;
 mod shape;
 mod text;
 
-pub use exemplars::{EXEMPLARS, Exemplar, SEED};
-pub use main_branches::{MainBranches, main_branches};
+pub use exemplars::{EXEMPLAR_SEED, EXEMPLARS, Exemplar};
+pub use main_branches::{MainBranchParams, main_branches};
 pub use measure::{DrawnShape, TemplateParams, crown_points};
 pub use project::{project, seen_from};
 pub use select::{Choice, SelectParams, select};

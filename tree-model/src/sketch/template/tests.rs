@@ -33,7 +33,7 @@ fn simple() -> Skeleton {
 fn template_of(name: &str) -> Template {
     let exemplar = Exemplar::find(name).unwrap();
     let control = Control::default();
-    let tree = exemplar.tree(SEED, &control).unwrap();
+    let tree = exemplar.tree(EXEMPLAR_SEED, &control).unwrap();
     let params = TemplateParams::default();
     Template::of_tree(name, exemplar.species(), &tree, &params, &control).unwrap()
 }
@@ -50,8 +50,8 @@ fn chosen(names: &[&str], with_crown: bool) -> [f32; 2] {
     let (control, templates) = (Control::default(), Template::builtin().unwrap());
     let (mut n, mut first, mut third) = (0.0, 0.0, 0.0);
     for name in names {
-        let tree = Exemplar::find(name).unwrap().tree(SEED, &control).unwrap();
-        let branches = main_branches(tree.skeleton(), &MainBranches::default()).unwrap();
+        let tree = Exemplar::find(name).unwrap().tree(EXEMPLAR_SEED, &control).unwrap();
+        let branches = main_branches(tree.skeleton(), &MainBranchParams::default()).unwrap();
         for view in 0..8 {
             let yaw = (view as f32 + 0.37) * std::f32::consts::FRAC_PI_4;
             let crown = if with_crown { crown_points(&tree, yaw) } else { Vec::new() };
@@ -149,7 +149,7 @@ fn bad_text_is_refused_with_its_line() {
 
 #[test]
 fn a_trunk_and_its_branches_become_segments_from_fork_to_fork() {
-    let branches = main_branches(&simple(), &MainBranches::default()).unwrap();
+    let branches = main_branches(&simple(), &MainBranchParams::default()).unwrap();
     assert_eq!(branches.parents(), [NO_PARENT, 0, 1, 0, 1]);
     let labels = branches.labels();
     assert_eq!(labels[..3], [Label::Apical; 3]);
@@ -160,7 +160,7 @@ fn a_trunk_and_its_branches_become_segments_from_fork_to_fork() {
 
 #[test]
 fn forks_close_together_are_one() {
-    let wide = MainBranches { gather: 0.25, ..MainBranches::default() };
+    let wide = MainBranchParams { gather: 0.25, ..MainBranchParams::default() };
     let branches = main_branches(&simple(), &wide).unwrap();
     assert_eq!(branches.parents(), [NO_PARENT, 0, 0, 0]);
     // The upper branch now leaves where the lower one does.
@@ -175,7 +175,7 @@ fn several_stems_stand_on_an_imagined_root() {
         ([-1.0, 4.0, 0.0], 0),
         ([0.0, 4.0, 1.0], 0),
     ]);
-    let branches = main_branches(&bush, &MainBranches::default()).unwrap();
+    let branches = main_branches(&bush, &MainBranchParams::default()).unwrap();
     assert!(branches.has_imagined_root());
     assert_eq!(branches.parents(), [NO_PARENT, 0, 0, 0]);
     assert_eq!(project(&branches, 0.0, &[]).strokes.len(), 3);
@@ -192,7 +192,7 @@ fn laterals_of_a_whorl_are_numbered_round_the_axis() {
         ([0.0, 4.0, 2.0], 1),
         ([0.0, 4.0, -2.0], 1),
     ]);
-    let branches = main_branches(&whorl, &MainBranches::default()).unwrap();
+    let branches = main_branches(&whorl, &MainBranchParams::default()).unwrap();
     let mut laterals: Vec<(u16, Vec3)> = (0..branches.len())
         .filter_map(|segment| match branches.labels()[segment] {
             Label::Lateral(number) => Some((number, branches.vector(segment))),
@@ -221,7 +221,7 @@ fn trees_that_show_nothing_are_refused() {
 
 #[test]
 fn parameters_out_of_range_are_named() {
-    let main = MainBranches { most: 0, ..MainBranches::default() };
+    let main = MainBranchParams { most: 0, ..MainBranchParams::default() };
     let error = main_branches(&simple(), &main).unwrap_err().to_string();
     assert!(error.contains("main.most"), "{error}");
     let select_params = SelectParams { crown: f32::NAN, ..SelectParams::default() };
@@ -233,7 +233,7 @@ fn parameters_out_of_range_are_named() {
 
 #[test]
 fn a_drawing_has_its_trunk_first_and_y_down() {
-    let branches = main_branches(&simple(), &MainBranches::default()).unwrap();
+    let branches = main_branches(&simple(), &MainBranchParams::default()).unwrap();
     let crown = vec![vec![Vec2::new(1.0, 2.0), Vec2::new(2.0, 3.0), Vec2::new(0.0, 3.0)]];
     let Drawing { strokes } = project(&branches, 0.0, &crown);
     assert_eq!(strokes[0].role, Some(Role::Trunk));
@@ -335,7 +335,7 @@ proptest! {
             let parent = if n == 0 { NO_PARENT } else { (share * n as f64) as u32 };
             (p.map(f32::from), parent)
         }).collect();
-        let params = MainBranches { gather, least: 0.0, least_second: 0.0, ..Default::default() };
+        let params = MainBranchParams { gather, least: 0.0, least_second: 0.0, ..Default::default() };
         let Ok(branches) = main_branches(&skeleton(&rows), &params) else { return Ok(()) };
         prop_assert_eq!(branches.parents()[0], NO_PARENT);
         for segment in 1..branches.len() {

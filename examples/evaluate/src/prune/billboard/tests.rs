@@ -2,7 +2,7 @@ use super::super::modelled;
 use super::*;
 use tree_core::{Control, Seed};
 use tree_lod::cover::{self, Around};
-use tree_lod::{Foliage, Grain};
+use tree_lod::{Grain, LeafSurfaces};
 use tree_mesh::Surface;
 
 /// Leaves in a ball of 2 m about a height of 3 m; or all in the plane z = 0.
@@ -26,7 +26,7 @@ fn leaves(n: u32, flat: bool) -> (Mesh, Elements) {
     let materials = vec![modelled::material()];
     let mesh = Mesh { surfaces: vec![surface], materials, branches: Vec::new() };
     let elements =
-        Elements::of_mesh(&mesh, &Foliage::Found, Grain::Blade, &Control::default()).unwrap();
+        Elements::of_mesh(&mesh, &LeafSurfaces::Found, Grain::Blade, &Control::default()).unwrap();
     (mesh, elements)
 }
 

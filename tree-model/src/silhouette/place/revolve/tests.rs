@@ -6,13 +6,13 @@ use std::f32::consts::TAU;
 use tree_core::Seed;
 
 /// A lobed outline about a centre, different left and right.
-fn lobed(centre: Vec2, size: f32, lobes: u32, seed: u64) -> Outline {
+fn lobed(center: Vec2, size: f32, lobes: u32, seed: u64) -> Outline {
     let seed = Seed(seed);
     let point = |i: u32| {
         let angle = i as f32 / 300.0 * TAU;
         let wave = 1.0 + 0.15 * libm::sinf(lobes as f32 * angle + seed.unit(1));
         let lean = 1.0 + 0.3 * libm::cosf(angle + TAU * seed.unit(2));
-        centre + size * wave * lean * Vec2::new(libm::cosf(angle), 1.3 * libm::sinf(angle))
+        center + size * wave * lean * Vec2::new(libm::cosf(angle), 1.3 * libm::sinf(angle))
     };
     Outline::of_simple((0..300).map(point).collect())
 }
@@ -25,8 +25,8 @@ fn line(points: &[(f32, f32)]) -> Line {
     Line::new(points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()).unwrap()
 }
 
-fn single(axis: &Line, outline: &Outline) -> Surface {
-    Surface::of(axis, &[Section { azimuth: 0.0, outline }])
+fn single(axis: &Line, outline: &Outline) -> Revolved {
+    Revolved::of(axis, &[Section { azimuth: 0.0, outline }])
 }
 
 /// A crown as wide to the left as 1, to the right as 3.
@@ -76,7 +76,7 @@ fn further_planes_are_met_exactly() {
         Section { azimuth: 0.0, outline: &wide },
         Section { azimuth: -0.6, outline: &wide },
     ];
-    let surface = Surface::of(&axis, &sections);
+    let surface = Revolved::of(&axis, &sections);
     for section in &sections {
         let profile = surface.profile(section.azimuth).unwrap();
         assert!((profile.area() / section.outline.area() - 1.0).abs() < 0.02);
@@ -89,7 +89,7 @@ fn a_plane_drawn_twice_counts_as_drawn_last() {
     let (old, new) = (lobed(Vec2::Y, 2.0, 4, 1), lobed(Vec2::Y, 1.0, 4, 2));
     let sections = [0.0, 0.001].map(|azimuth| (azimuth, if azimuth > 0.0 { &new } else { &old }));
     let surface =
-        Surface::of(&axis, &sections.map(|(azimuth, outline)| Section { azimuth, outline }));
+        Revolved::of(&axis, &sections.map(|(azimuth, outline)| Section { azimuth, outline }));
     assert_eq!(surface.halves.len(), 2);
     assert!((surface.profile(0.0).unwrap().area() / new.area() - 1.0).abs() < 0.02);
 }
@@ -163,7 +163,7 @@ fn a_leaning_axis_is_upright_where_its_lean_is_not_seen() {
     let side = polygon(&[(0.0, 1.0), (1.0, 3.0), (0.0, 4.0), (-1.0, 3.0)]);
     let sections = [(0.0, &drawn), (PI / 2.0, &side)];
     let surface =
-        Surface::of(&axis, &sections.map(|(azimuth, outline)| Section { azimuth, outline }));
+        Revolved::of(&axis, &sections.map(|(azimuth, outline)| Section { azimuth, outline }));
     // As long along the axis as it is high, over the cosine of the lean.
     let (low, high) = surface.profile(PI / 2.0).unwrap().bounds();
     let length = 20.0_f32.sqrt() / 4.0;
@@ -176,7 +176,7 @@ fn no_outline_gives_no_surface() {
     let axis = line(&[(0.0, 0.0), (0.0, 4.0)]);
     let outline = askew();
     for sections in [&[][..], &[Section { azimuth: f32::NAN, outline: &outline }]] {
-        let surface = Surface::of(&axis, sections);
+        let surface = Revolved::of(&axis, sections);
         assert!(surface.is_empty() && surface.half(0.0).is_empty());
         assert!(surface.profile(0.0).is_none() && surface.exit(Vec2::Y, Vec2::X, 0.0).is_none());
     }
@@ -244,7 +244,7 @@ proptest! {
         let sections =
             [(0.0, &one), (1.3, &two)].map(|(azimuth, outline)| Section { azimuth, outline });
         let axis = line(&[(0.0, 0.0), (0.5, 2.0), (-0.5, 3.0), (0.3, 4.0)]);
-        let profile = Surface::of(&axis, &sections).profile(azimuth).unwrap();
+        let profile = Revolved::of(&axis, &sections).profile(azimuth).unwrap();
         let (_, contours) = Frame::of(&[profile.points().to_vec()]).unwrap();
         prop_assert_eq!(crossings(&contours, 1), 0);
         prop_assert!(profile.area() > 0.0);

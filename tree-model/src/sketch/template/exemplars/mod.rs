@@ -30,7 +30,7 @@ pub struct Exemplar {
 }
 
 /// The seed of the trees that the [built-in templates](super::Template::builtin) were measured by.
-pub const SEED: Seed = Seed(1);
+pub const EXEMPLAR_SEED: Seed = Seed(1);
 
 const ROWS: [&Row; 20] = [
     &broadleaved::OAK,

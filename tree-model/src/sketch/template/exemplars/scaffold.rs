@@ -6,7 +6,7 @@
 
 use super::row::{Arms, Laterals, Row, Toward, Twigs};
 use crate::error::Result;
-use crate::path::{Endpoints, Level, LevelAxis, Lifespan, Linking, PathParams, SubShape};
+use crate::path::{Endpoints, Level, LevelAxis, Lifespan, LinkParams, PathParams, SubShape};
 use glam::{Quat, Vec2, Vec3};
 use tree_core::allometry::{PipeModel, RadiusRule};
 use tree_core::seed::normal;
@@ -61,7 +61,7 @@ pub(super) fn params(row: &Row, seed: Seed) -> Result<PathParams> {
         shrink: SHRINK,
         levels,
         lifespan: Lifespan::Full,
-        linking: Linking { low: row.low, ..Linking::default() },
+        linking: LinkParams { low: row.low, ..LinkParams::default() },
         paint: Vec::new(),
         cost: None,
         obstacle: None,

@@ -34,12 +34,12 @@ pub(super) fn bump(outline: &Outline, border: &Border, mesh: &Mesh, end: &End) -
         }
         (at, radius) = (i, free);
     }
-    let centre = line[at];
+    let center = line[at];
     let reach = (REACH[0] * end.neck).max(REACH[1] * radius);
-    let behind = line[at..].iter().find(|p| p.distance(centre) >= reach);
+    let behind = line[at..].iter().find(|p| p.distance(center) >= reach);
     // A bump flatter than its disc has its centre where it begins.
     let (from, to) = match behind {
-        Some(&behind) => (behind, centre),
+        Some(&behind) => (behind, center),
         None => (line[line.len() - 1], tip),
     };
     let tangent = (to - from).try_normalize().or((tip - from).try_normalize());
@@ -48,7 +48,7 @@ pub(super) fn bump(outline: &Outline, border: &Border, mesh: &Mesh, end: &End) -
     let smoothed = border.frame.to_drawing(tip);
     let tip = sharp(outline, border, end.tip, body).unwrap_or(smoothed);
     Bump {
-        centre: border.frame.to_drawing(centre),
+        center: border.frame.to_drawing(center),
         tip,
         tangent: tangent.map_or(Vec2::Y, DVec2::as_vec2).normalize_or(Vec2::Y),
         radius,
@@ -64,8 +64,8 @@ pub(super) fn whole(outline: &Outline, border: &Border, mesh: &Mesh) -> Bump {
     let middle = mesh.at().iter().sum::<DVec2>() / mesh.at().len().max(1) as f64;
     let none = (middle, mesh.clearance(middle));
     let widest = discs.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(none);
-    let centre = border.frame.to_drawing(widest.0);
-    let (mut top, mut at, mut along) = (centre, 0.0, 0.0);
+    let center = border.frame.to_drawing(widest.0);
+    let (mut top, mut at, mut along) = (center, 0.0, 0.0);
     for (from, to) in outline.sides() {
         if from.y > top.y {
             (top, at) = (from, along);
@@ -74,9 +74,9 @@ pub(super) fn whole(outline: &Outline, border: &Border, mesh: &Mesh) -> Bump {
     }
     let half = (at + 0.5 * border.length) % border.length;
     Bump {
-        centre,
+        center,
         tip: top,
-        tangent: (top - centre).normalize_or(Vec2::Y),
+        tangent: (top - center).normalize_or(Vec2::Y),
         radius: border.frame.length(widest.1),
         stretch: [half as f32, (half + border.length) as f32],
     }
