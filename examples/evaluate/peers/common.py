@@ -15,11 +15,14 @@ def peak():
         return None
 
 
-def fastest(runs, work):
-    """Seconds of the fastest run, the last result, and the memory that the first took."""
-    idle, best, used = peak(), float("inf"), None
-    for run in range(runs):
+def fastest(seconds, work):
+    """Of the runs that begin within so many seconds (at least one, at most 100): seconds of the fastest, the last
+    result, and the memory that the first took."""
+    idle, best, used, started = peak(), float("inf"), None, time.perf_counter()
+    for run in range(100):
         start = time.perf_counter()
+        if run > 0 and start - started >= seconds:
+            break
         result = work()
         best = min(best, time.perf_counter() - start)
         if run == 0 and idle is not None:

@@ -17,4 +17,6 @@ for package in "modular-tree==5.6.0 numpy" "pymatting==1.1.16 pillow"; do
     # shellcheck disable=SC2086 # Two packages.
     python/bin/python -m pip install --quiet --disable-pip-version-check $package || failed=1
 done
+# The first import compiles for half a minute, and keeps what it has compiled.
+python/bin/python -c "import pymatting" || failed=1
 exit $failed

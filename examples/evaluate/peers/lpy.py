@@ -1,6 +1,6 @@
 """L-Py: a ternary tree, derived and interpreted.
 
-Usage: lpy.py STEPS RUNS
+Usage: lpy.py STEPS SECONDS
 Prints one line of JSON: seconds of both, of the derivation alone, modules of the last word. Leaves with status 3 where
 L-Py is not installed. It is given out through conda only, so this is written by its manual and was not run here.
 """
@@ -36,7 +36,7 @@ def work():
     return word
 
 
-steps, runs = int(sys.argv[1]), int(sys.argv[2])
+steps, within = int(sys.argv[1]), float(sys.argv[2])
 derive_seconds = float("inf")
-seconds, word, used = fastest(runs, work)
+seconds, word, used = fastest(within, work)
 answer(seconds=seconds, derive_seconds=derive_seconds, modules=len(word), peak_bytes=used)

@@ -1,6 +1,6 @@
 """modular-tree: a trunk with branches, and its manifold mesher, as the add-on's quick generation has them.
 
-Usage: modular_tree.py PRESET RUNS BARK.ply, with PRESET one of default, oak, pine, willow.
+Usage: modular_tree.py PRESET SECONDS BARK.ply, with PRESET one of default, oak, pine, willow.
 Prints one line of JSON. Leaves with status 3 where modular-tree or numpy is not installed.
 """
 
@@ -67,9 +67,9 @@ def mesh():
     return made
 
 
-preset, runs, out = sys.argv[1], int(sys.argv[2]), sys.argv[3]
+preset, within, out = sys.argv[1], float(sys.argv[2]), sys.argv[3]
 mesh_seconds = float("inf")
-seconds, made, used = fastest(runs, mesh)
+seconds, made, used = fastest(within, mesh)
 points = np.asarray(made.get_vertices(), dtype="<f4").reshape(-1, 3)
 quads = np.asarray(made.get_polygons()).reshape(-1, 4)
 faces = np.zeros(len(quads), dtype=[("n", "u1"), ("corners", "<i4", 4)])

@@ -170,7 +170,7 @@ fn matting(table: &mut Table) -> Result<(), Box<dyn Error>> {
         let (matte, _) = natural(&known.photo, &known.trimap, &params, &Control::default())?;
         let ours = known.error(matte.alpha());
         let told =
-            if absent { None } else { Some(ask(&known.photo, &known.trimap, CLOSED_FORM, 1)) };
+            if absent { None } else { Some(ask(&known.photo, &known.trimap, CLOSED_FORM, 0.0)) };
         let peer = match told {
             Some(Ok(alpha)) => Some(known.error(&alpha.values)),
             Some(Err(absence)) => {

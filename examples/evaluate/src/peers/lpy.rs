@@ -3,10 +3,9 @@
 //! Beside the crate `symbios`, which `multires` compares with, it is what people derive plants with. Both are given the
 //! same system. L-Py makes triangles of what it draws, ours a skeleton, so the aim is on the derivation alone.
 
-use super::ours::RUNS;
 use super::program::{Language, Peer};
-use super::{CASE, Outcome, beside, memory, or_note};
-use crate::measure::{fastest, peak_bytes};
+use super::{CASE, Outcome, SECONDS, beside, fastest, memory, or_note};
+use crate::measure::peak_bytes;
 use crate::table::{Aim, Table};
 use serde::Deserialize;
 use std::hint::black_box;
@@ -14,7 +13,12 @@ use tree_core::{Control, Limits, Seed, Species};
 use tree_model::lsystem::Grammar;
 use tree_model::lsystem::turtle::{TurtleParams, interpret};
 
-const PEER: Peer = Peer { name: "L-Py", language: Language::Python, script: "lpy.py" };
+const PEER: Peer = Peer {
+    name: "L-Py",
+    install: "conda install -c openalea3 -c conda-forge openalea.lpy, and TREE_PEERS_PYTHON",
+    language: Language::Python,
+    script: "lpy.py",
+};
 /// Steps of the derivation: a hundred thousand modules.
 const STEPS: u32 = 8;
 /// The same as in `lpy.py`, where the width is set by `_`.
@@ -31,14 +35,14 @@ struct More {
 }
 
 pub(super) fn evaluate(table: &mut Table) -> Outcome {
-    let runs = RUNS.to_string();
-    let told = PEER.ask::<More>(&[STEPS.to_string().as_ref(), runs.as_ref()]);
+    let (steps, within) = (STEPS.to_string(), SECONDS.to_string());
+    let told = PEER.ask::<More>(&[steps.as_ref(), within.as_ref()]);
     let Some(told) = or_note("L-Py", told) else { return Ok(()) };
     let control = Control::default();
     let grammar = Grammar::parse(SYSTEM, &Limits::default())?;
-    let derive = || grammar.derive(Some(STEPS), Seed(1), &control);
-    let (derive_seconds, derived) = fastest(RUNS, derive)?;
-    let (seconds, ()) = fastest(RUNS, draw)?;
+    let (derive_seconds, derived) =
+        fastest(|| Ok(grammar.derive(Some(STEPS), Seed(1), &control)?))?;
+    let (seconds, ()) = fastest(draw)?;
     let case = format!("L-Py, ternary tree, {STEPS} steps");
     let mut row = |metric, figures, unit, aim| beside(table, &case, metric, figures, unit, aim);
     row("modules", [told.more.modules, derived.word.len() as f64], "", Aim::None);

@@ -4,8 +4,8 @@
 //! closed form only. Ours takes all threads, and so do theirs where numba and scipy know how.
 
 use super::program::{Absence, Language, Nothing, Peer, Scratch, Told};
-use super::{CASE, Outcome, beside, memory, or_note};
-use crate::measure::{fastest, peak_bytes};
+use super::{CASE, Outcome, SECONDS, beside, fastest, memory, or_note};
+use crate::measure::peak_bytes;
 use crate::particle::{Known, known_pictures};
 use crate::table::{Aim, Table};
 use std::hint::black_box;
@@ -14,15 +14,18 @@ use tree_core::{Control, Limits};
 use tree_model::particle::matting::{Level, NaturalParams, Trimap, natural};
 use tree_model::particle::{Matte, Photo};
 
-const PEER: Peer = Peer { name: "pymatting", language: Language::Python, script: "matting.py" };
+const PEER: Peer = Peer {
+    name: "pymatting",
+    install: "pip install pymatting==1.1.16 pillow, or examples/evaluate/peers/install.sh",
+    language: Language::Python,
+    script: "matting.py",
+};
 /// Largest share of the peer's error, as in `particle`.
 const ERROR_RATIO: f64 = 1.1;
-const RUNS: u32 = 3;
 /// Levin, Lischinski & Weiss 2008.
 pub(crate) const CLOSED_FORM: &str = "cf";
-/// Its methods: closed form, which ours is too, nearest neighbours, random walks.
-const METHODS: [(&str, &str); 3] =
-    [(CLOSED_FORM, "closed form"), ("knn", "KNN"), ("rw", "random walk")];
+/// Its methods: closed form, which ours is too, and nearest neighbours. Random walks take half a minute.
+const METHODS: [(&str, &str); 2] = [(CLOSED_FORM, "closed form"), ("knn", "KNN")];
 
 /// Pictures that are few enough to be quick.
 const PICTURES: [&str; 2] = ["rendered oak before hedge", "cutout_holm_oak.png before hedge"];
@@ -39,12 +42,13 @@ pub(crate) struct Alpha {
     ours_bytes: Option<u64>,
 }
 
-/// Asks pymatting for the alpha of a picture, by one of its methods, once or as often as it takes to know its time.
+/// Asks pymatting for the alpha of a picture, by one of its methods: once, and again as long as so many seconds are
+/// not over.
 pub(crate) fn ask(
     photo: &Photo,
     trimap: &Trimap,
     method: &str,
-    runs: u32,
+    seconds: f64,
 ) -> Result<Alpha, Absence> {
     let work = || -> Outcome<Result<Alpha, Absence>> {
         let scratch = Scratch::new("matting")?;
@@ -56,15 +60,15 @@ pub(crate) fn ask(
             Level::Foreground => 1.0,
         });
         Matte::new(trimap.width(), trimap.height(), levels.collect())?.save_png(&known)?;
-        let often = runs.to_string();
+        let within = seconds.to_string();
         let arguments =
-            [image.as_ref(), known.as_ref(), out.as_ref(), method.as_ref(), often.as_ref()];
+            [image.as_ref(), known.as_ref(), out.as_ref(), method.as_ref(), within.as_ref()];
         let told = match PEER.ask(&arguments) {
             Ok(told) => told,
             Err(absence) => return Ok(Err(absence)),
         };
         let folder = image.parent().ok_or("no folder")?.display().to_string();
-        let timed = runs > 1;
+        let timed = seconds > 0.0;
         let ours_bytes = timed.then(|| peak_bytes(&format!("{CASE}{FOLDER}{folder}"))).flatten();
         let alpha = Photo::open(out, &Limits::default())?;
         let values: Vec<f32> = alpha.pixels().iter().map(|p| f32::from(p[0]) / 255.0).collect();
@@ -88,10 +92,10 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
 /// One picture; tells whether there is a peer to go on with.
 fn picture(table: &mut Table, known: &Known) -> Outcome<bool> {
     let Known { name, photo, trimap, .. } = known;
-    let cut_out = || natural(photo, trimap, &NaturalParams::default(), &Control::default());
+    let cut_out = || Ok(natural(photo, trimap, &NaturalParams::default(), &Control::default())?.0);
     let mut ours = None;
     for (method, title) in METHODS {
-        let told = ask(photo, trimap, method, RUNS);
+        let told = ask(photo, trimap, method, SECONDS);
         let lost = matches!(told, Err(Absence::NotInstalled(..) | Absence::Hangs(_)));
         let Some(theirs) = or_note("pymatting", told) else {
             if lost {
@@ -101,7 +105,7 @@ fn picture(table: &mut Table, known: &Known) -> Outcome<bool> {
         };
         let (seconds, matte) = match ours.take() {
             Some(measured) => measured,
-            None => fastest(RUNS, cut_out).map(|(seconds, (matte, _))| (seconds, matte))?,
+            None => fastest(cut_out)?,
         };
         let size = format!("{} x {}", photo.width(), photo.height());
         let case = format!("pymatting {title}, {name}, {size}");

@@ -1,24 +1,31 @@
 //! modular-tree 5.6 (PyPI, written in C++): the wood of trees, grown and meshed.
 //!
 //! Its presets are those of its add-on's quick generation: a trunk with one level of branches that split. It has no
-//! leaves outside of Blender, so ours are bare too.
+//! leaves outside of Blender, so ours are bare too (L-systems derive theirs and drop them). It has 32 sides on every
+//! branch, thick or thin; ours has as many as 3 mm of error ask for.
 
-use super::ours::{Ours, Preset, RUNS};
+use super::ours::{Ours, Preset};
 use super::program::{Absence, Language, Peer, Scratch, Told};
 use super::wood::Wood;
-use super::{Outcome, beside, memory, or_note};
+use super::{Outcome, SECONDS, beside, memory, or_note};
 use crate::table::{Aim, Table};
 use serde::Deserialize;
 use tree_mesh::Surface;
 
-const PEER: Peer =
-    Peer { name: "modular-tree", language: Language::Python, script: "modular_tree.py" };
+const PEER: Peer = Peer {
+    name: "modular-tree",
+    install: "pip install modular-tree==5.6.0 numpy, or examples/evaluate/peers/install.sh",
+    language: Language::Python,
+    script: "modular_tree.py",
+};
 
 /// Its preset, and ours of the species; without one, of no species in particular.
-const PAIRS: [(&str, Preset); 4] = [
-    ("default", Preset::Growth("maple")),
-    ("oak", Preset::Path("oak")),
+const PAIRS: [(&str, Preset); 5] = [
+    ("default", Preset::Grammar("birch")),
     ("oak", Preset::Grammar("oak")),
+    ("oak", Preset::Path("oak")),
+    // Conifers: ours of rules is a spruce.
+    ("pine", Preset::Grammar("spruce")),
     ("pine", Preset::Path("e")),
 ];
 
@@ -50,8 +57,14 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
 
 fn ask(preset: &str, scratch: &Scratch) -> Result<(Told<More>, Surface), Absence> {
     let path = scratch.file("bark.ply");
-    let told = PEER.ask(&[preset.as_ref(), RUNS.to_string().as_ref(), path.as_ref()])?;
+    let told = PEER.ask(&[preset.as_ref(), SECONDS.to_string().as_ref(), path.as_ref()])?;
     let wood = Wood::read(&path).map_err(|error| PEER.broken(error))?;
+    let Told { more: More { mesh_seconds }, seconds, .. } = &told;
+    if !(0.0..=*seconds).contains(mesh_seconds) || *mesh_seconds == 0.0 {
+        return Err(
+            PEER.broken(format!("it says that it meshes in {mesh_seconds} s of {seconds} s"))
+        );
+    }
     Ok((told, wood))
 }
 
@@ -63,7 +76,7 @@ fn rows(table: &mut Table, case: &str, told: &Told<More>, wood: &Surface, ours: 
     row("time to mesh", [1e3 * told.more.mesh_seconds, 1e3 * ours.mesh_seconds], "ms", Aim::None);
     row("triangles of wood", [theirs, own], "", Aim::None);
     let rates = [theirs / told.seconds, own / ours.seconds];
-    row("triangles a second, all", rates, "1/s", Aim::AtLeast(rates[0]));
+    row("triangles a second, all", rates, "1/s", ours.aim(rates[0]));
     let rates = [theirs / told.more.mesh_seconds, own / ours.mesh_seconds];
     row("triangles a second, mesh", rates, "1/s", Aim::AtLeast(rates[0]));
     Wood::rows(table, case, &Wood::of(wood)?, &Wood::of(bark)?);

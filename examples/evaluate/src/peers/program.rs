@@ -25,18 +25,16 @@ const ARRIVAL: Duration = Duration::from_secs(1);
 const SAID_MAX: u64 = 1 << 20;
 /// Most letters of a complaint that are repeated.
 const SHOWN: usize = 200;
-/// How to come by all of them.
-const INSTALL: &str = "examples/evaluate/peers/install.sh installs it";
 
 /// Why a peer has no figures.
 #[derive(Debug)]
 pub(crate) enum Absence {
-    /// What is not installed: the name, and what was said.
-    NotInstalled(&'static str, String),
+    /// Its program or package is not there: what was said.
+    NotInstalled(Peer, String),
     /// It took longer than [`LIMIT`].
-    Hangs(&'static str),
+    Hangs(Peer),
     /// It ended badly, or said nothing that could be understood.
-    Broken(&'static str, String),
+    Broken(Peer, String),
 }
 
 impl fmt::Display for Absence {
@@ -68,7 +66,7 @@ pub(crate) struct Told<T> {
 pub(crate) struct Nothing {}
 
 /// A language that peers are written in, as this machine has it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Language {
     /// `TREE_PEERS_PYTHON`, the one that `install.sh` made, or `python3`.
     Python,
@@ -99,10 +97,12 @@ fn folder() -> PathBuf {
     )
 }
 
-/// A peer: its name, and a script that runs it.
-#[derive(Clone, Copy)]
+/// A peer, and a script that runs it.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Peer {
     pub(crate) name: &'static str,
+    /// What installs it.
+    pub(crate) install: &'static str,
     pub(crate) language: Language,
     pub(crate) script: &'static str,
 }
@@ -135,7 +135,7 @@ impl Peer {
 
     /// That it does not work, and why.
     pub(crate) fn broken(&self, why: impl fmt::Display) -> Absence {
-        Absence::Broken(self.name, why.to_string())
+        Absence::Broken(*self, why.to_string())
     }
 
     /// What the command says on its standard output.
@@ -147,7 +147,7 @@ impl Peer {
             .spawn()
             .map_err(|error| {
                 let program = command.get_program().to_string_lossy();
-                Absence::NotInstalled(self.name, format!("{program}: {error}"))
+                Absence::NotInstalled(*self, format!("{program}: {error}"))
             })?;
         let said = listen(child.stdout.take());
         let complaints = listen(child.stderr.take());
@@ -162,7 +162,7 @@ impl Peer {
                     let _ = child.wait();
                     return Err(match other {
                         Err(error) => self.broken(error),
-                        Ok(_) => Absence::Hangs(self.name),
+                        Ok(_) => Absence::Hangs(*self),
                     });
                 }
             }
@@ -175,7 +175,7 @@ impl Peer {
         let complaints = complaints.recv_timeout(ARRIVAL).unwrap_or_default();
         let why = complaints.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or_default();
         Err(if status.code() == Some(NOT_INSTALLED) {
-            Absence::NotInstalled(self.name, short(why))
+            Absence::NotInstalled(*self, short(why))
         } else {
             self.broken(format!("{status}: {}", short(why)))
         })
@@ -232,7 +232,12 @@ impl Drop for Scratch {
 mod tests {
     use super::*;
 
-    const PEER: Peer = Peer { name: "peer", language: Language::Python, script: "none" };
+    const PEER: Peer = Peer {
+        name: "peer",
+        install: "pip install peer",
+        language: Language::Python,
+        script: "none",
+    };
 
     fn sh(text: &str, limit: Duration) -> Result<String, Absence> {
         PEER.run(Command::new("sh").args(["-c", text]), limit)
@@ -249,7 +254,7 @@ mod tests {
         let package = sh("echo No module named m >&2; exit 3", LIMIT).unwrap_err();
         assert!(matches!(program, Absence::NotInstalled(..)), "{program}");
         assert!(
-            package.to_string().contains("peer is not installed (No module named m)"),
+            package.to_string().ends_with("(No module named m); to have it: pip install peer"),
             "{package}"
         );
     }
@@ -257,7 +262,7 @@ mod tests {
     #[test]
     fn a_program_that_hangs_is_ended() {
         let hangs = sh("sleep 60", Duration::from_millis(50)).unwrap_err();
-        assert!(matches!(hangs, Absence::Hangs("peer")), "{hangs}");
+        assert!(matches!(hangs, Absence::Hangs(_)), "{hangs}");
     }
 
     #[test]
