@@ -10,6 +10,7 @@ mod mesh;
 mod multires;
 mod particle;
 mod path;
+mod peers;
 mod plastic;
 mod prune;
 mod realism;
@@ -26,7 +27,7 @@ use table::Table;
 type Evaluation = fn(&mut Table) -> Result<(), Box<dyn std::error::Error>>;
 
 /// Every system, by the name of its module.
-const SYSTEMS: [(&str, Evaluation); 11] = [
+const SYSTEMS: [(&str, Evaluation); 12] = [
     ("path", path::evaluate),
     ("particle", particle::evaluate),
     ("sketch", sketch::evaluate),
@@ -36,6 +37,7 @@ const SYSTEMS: [(&str, Evaluation); 11] = [
     ("multires", multires::evaluate),
     ("plastic", plastic::evaluate),
     ("realism", realism::evaluate),
+    ("peers", peers::evaluate),
     ("ffi", ffi::evaluate),
     ("soak", soak::evaluate),
 ];
@@ -45,7 +47,9 @@ fn main() -> ExitCode {
     if let [flag, case] = arguments.as_slice()
         && flag == measure::MEMORY_FLAG
     {
-        let done = path::grow_case(case).and_then(|()| mesh::build_case(case));
+        let done = path::grow_case(case)
+            .and_then(|()| mesh::build_case(case))
+            .and_then(|()| peers::build_case(case));
         measure::print_peak();
         return if done.is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }

@@ -1,12 +1,11 @@
 //! How exact density and matting are: against dense least squares, and against an alpha that is known.
 
 use super::pictures::{Behind, compose, known_matte, known_tree, paint, photo_folder, trimap};
+use crate::peers::{CLOSED_FORM, ask_for_alpha as ask};
 use crate::table::{Aim, Row, Table};
 use nalgebra::{DMatrix, DVector};
 use std::error::Error;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
-use std::path::{Path, PathBuf};
-use std::process::Command;
 use tree_core::{Control, Limits, Seed};
 use tree_model::glam::Vec2;
 use tree_model::particle::density::{DensityParams, Equations, carve, solve};
@@ -22,8 +21,6 @@ const CUT_OUTS: [&str; 3] =
     ["cutout_holm_oak.png", "cutout_birch_winter.png", "cutout_pinnate_tree.png"];
 /// Side in pixels of the picture that takes no shared data.
 const KNOWN_PIXELS: f32 = 400.0;
-/// What the peer's script ends with when there is no pymatting.
-const NO_PEER: i32 = 3;
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     density(table)?;
@@ -118,10 +115,42 @@ fn lawson_hanson(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
     Some(x)
 }
 
-fn matting(table: &mut Table) -> Result<(), Box<dyn Error>> {
-    let mut peer = Peer::find();
-    let known = paint(&known_matte(&known_tree()?, 0.0, KNOWN_PIXELS)?)?;
-    let mut cut_outs = vec![("rendered oak".to_owned(), known)];
+/// A picture whose alpha is known.
+pub(crate) struct Known {
+    /// What is cut out, and what it stands before.
+    pub(crate) name: String,
+    pub(crate) photo: Photo,
+    pub(crate) trimap: Trimap,
+    truth: Matte,
+}
+
+impl Known {
+    fn new(name: &str, cut_out: &Photo, behind: Behind) -> Result<Self, Box<dyn Error>> {
+        let truth = alpha_of(cut_out)?;
+        let trimap = trimap(&truth)?;
+        let photo = compose(cut_out, behind)?;
+        Ok(Self { name: format!("{name} before {}", behind.name()), photo, trimap, truth })
+    }
+
+    /// Mean distance to the truth where the trimap does not know.
+    pub(crate) fn error(&self, alpha: &[f32]) -> f64 {
+        let (mut sum, mut n) = (0.0, 0.0);
+        for ((&found, &wanted), &level) in
+            alpha.iter().zip(self.truth.alpha()).zip(self.trimap.levels())
+        {
+            if level == Level::Unknown {
+                sum += f64::from((found - wanted).abs());
+                n += 1.0;
+            }
+        }
+        sum / f64::max(n, 1.0)
+    }
+}
+
+/// A rendered oak, and the cut-out photographs that are there, before a sky and before a hedge.
+pub(crate) fn known_pictures() -> Result<Vec<Known>, Box<dyn Error>> {
+    let oak = paint(&known_matte(&known_tree()?, 0.0, KNOWN_PIXELS)?)?;
+    let mut cut_outs = vec![("rendered oak".to_owned(), oak)];
     for name in CUT_OUTS {
         let path = photo_folder().join(name);
         if path.exists() {
@@ -130,101 +159,35 @@ fn matting(table: &mut Table) -> Result<(), Box<dyn Error>> {
             eprintln!("{name}: not there, left out");
         }
     }
-    for (name, cut_out) in &cut_outs {
-        let truth = alpha_of(cut_out)?;
-        let trimap = trimap(&truth)?;
-        for behind in [Behind::Sky, Behind::Hedge] {
-            let photo = compose(cut_out, behind)?;
-            let params = NaturalParams::default();
-            let (matte, _) = natural(&photo, &trimap, &params, &Control::default())?;
-            let ours = error(matte.alpha(), &truth, &trimap);
-            let peer = peer.alpha(&photo, &trimap)?.map(|alpha| error(&alpha, &truth, &trimap));
-            let case = format!("matting, {name} before {}", behind.name());
-            let mut row = |metric, peer, ours, aim| {
-                table.row(&Row { case: &case, metric, paper: None, peer, ours, unit: "", aim });
-            };
-            row("mean abs. error, unknown", peer, ours, Aim::None);
-            if let Some(peer) = peer {
-                row("error against peer's", None, ours / peer, Aim::AtMost(MATTING_RATIO));
+    let both = [Behind::Sky, Behind::Hedge];
+    cut_outs.iter().flat_map(|(name, cut_out)| both.map(|b| Known::new(name, cut_out, b))).collect()
+}
+
+fn matting(table: &mut Table) -> Result<(), Box<dyn Error>> {
+    let mut absent = false;
+    for known in known_pictures()? {
+        let params = NaturalParams::default();
+        let (matte, _) = natural(&known.photo, &known.trimap, &params, &Control::default())?;
+        let ours = known.error(matte.alpha());
+        let told =
+            if absent { None } else { Some(ask(&known.photo, &known.trimap, CLOSED_FORM, 0.0)) };
+        let peer = match told {
+            Some(Ok(alpha)) => Some(known.error(&alpha.values)),
+            Some(Err(absence)) => {
+                eprintln!("no peer for matting: {absence}");
+                absent = true;
+                None
             }
+            None => None,
+        };
+        let case = format!("matting, {}", known.name);
+        let mut row = |metric, peer, ours, aim| {
+            table.row(&Row { case: &case, metric, paper: None, peer, ours, unit: "", aim });
+        };
+        row("mean abs. error, unknown", peer, ours, Aim::None);
+        if let Some(peer) = peer {
+            row("error against peer's", None, ours / peer, Aim::AtMost(MATTING_RATIO));
         }
     }
     Ok(())
-}
-
-/// Mean distance to the truth where the trimap does not know.
-fn error(alpha: &[f32], truth: &Matte, trimap: &Trimap) -> f64 {
-    let (mut sum, mut n) = (0.0, 0.0);
-    for ((&found, &wanted), &level) in alpha.iter().zip(truth.alpha()).zip(trimap.levels()) {
-        if level == Level::Unknown {
-            sum += f64::from((found - wanted).abs());
-            n += 1.0;
-        }
-    }
-    sum / f64::max(n, 1.0)
-}
-
-/// Pymatting's closed-form matting, in Python if there is one that has it.
-struct Peer {
-    python: String,
-    folder: PathBuf,
-    absent: bool,
-}
-
-impl Peer {
-    fn find() -> Self {
-        let python = std::env::var("TREE_PYTHON").unwrap_or_else(|_| "python3".into());
-        let has = |python: &str| {
-            let run = Command::new(python).args(["-c", "import pymatting"]).output();
-            run.is_ok_and(|output| output.status.success())
-        };
-        let absent = !has(&python);
-        if absent {
-            eprintln!(
-                "{python} has no pymatting, no peer for matting (set TREE_PYTHON to one that has)"
-            );
-        }
-        let folder = std::env::temp_dir().join(format!("evaluate-matting-{}", std::process::id()));
-        Self { python, folder, absent }
-    }
-
-    fn alpha(
-        &mut self,
-        photo: &Photo,
-        trimap: &Trimap,
-    ) -> Result<Option<Vec<f32>>, Box<dyn Error>> {
-        if self.absent {
-            return Ok(None);
-        }
-        std::fs::create_dir_all(&self.folder)?;
-        let [image, known, out] =
-            ["image.png", "trimap.png", "alpha.png"].map(|name| self.folder.join(name));
-        photo.save_png(&image)?;
-        let levels = trimap.levels().iter().map(|level| match level {
-            Level::Background => 0.0,
-            Level::Unknown => 0.5,
-            Level::Foreground => 1.0,
-        });
-        Matte::new(trimap.width(), trimap.height(), levels.collect())?.save_png(&known)?;
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("matting_peer.py");
-        let run =
-            Command::new(&self.python).arg(script).args([image, known, out.clone()]).output()?;
-        if run.status.code() == Some(NO_PEER) {
-            eprintln!("{}", String::from_utf8_lossy(&run.stderr).trim());
-            self.absent = true;
-            return Ok(None);
-        }
-        if !run.status.success() {
-            return Err(format!("matting_peer.py: {}", String::from_utf8_lossy(&run.stderr)).into());
-        }
-        let alpha = Photo::open(out, &Limits::default())?;
-        Ok(Some(alpha.pixels().iter().map(|pixel| f32::from(pixel[0]) / 255.0).collect()))
-    }
-}
-
-impl Drop for Peer {
-    fn drop(&mut self) {
-        // Nothing hangs on a folder of temporary files that stays.
-        let _ = std::fs::remove_dir_all(&self.folder);
-    }
 }

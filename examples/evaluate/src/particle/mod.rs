@@ -13,6 +13,7 @@ mod synthetic;
 use crate::table::Table;
 use std::error::Error;
 
+pub(crate) use accuracy::{Known, known_pictures};
 pub(crate) use photos::tree;
 
 pub(crate) fn evaluate(table: &mut Table) -> Result<(), Box<dyn Error>> {

@@ -13,7 +13,7 @@ mod pictures;
 mod popping;
 mod pruned;
 mod scene;
-mod simplify;
+pub(crate) mod simplify;
 mod steady;
 mod turning;
 

@@ -10,7 +10,7 @@ const ANY_ERROR: f32 = 1e10;
 
 /// How meshoptimizer simplifies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum How {
+pub(crate) enum How {
     /// `simplify`, borders free, no options: with `Prune`, small pieces dropped whole, Q is the same to
     /// three digits.
     Simplify,
@@ -19,15 +19,15 @@ pub(super) enum How {
 }
 
 /// A simplified mesh.
-pub(super) struct Simplified {
-    pub(super) mesh: Mesh,
+pub(crate) struct Simplified {
+    pub(crate) mesh: Mesh,
     /// Share of the foliage's triangles that is left; not always what was asked for.
     #[cfg_attr(not(test), expect(dead_code))]
-    pub(super) share: f64,
+    pub(crate) share: f64,
 }
 
 /// Simplifies the surfaces `foliage` of a mesh to about `share` of their triangles.
-pub(super) fn simplify(mesh: &Mesh, foliage: &[u32], share: f64, how: How) -> Simplified {
+pub(crate) fn simplify(mesh: &Mesh, foliage: &[u32], share: f64, how: How) -> Simplified {
     let mut out = mesh.clone();
     for &number in foliage {
         let surface = &mut out.surfaces[number as usize];
