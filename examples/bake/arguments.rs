@@ -5,9 +5,6 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use tree_core::Limits;
 
-pub(crate) const USAGE: &str =
-    "bake MANIFEST.jsonl [--out FOLDER] [--shard I --of N] [--memory GIB] [--dry-run]";
-
 pub(crate) struct Request {
     pub(crate) manifest: PathBuf,
     pub(crate) out: PathBuf,

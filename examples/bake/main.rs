@@ -15,9 +15,12 @@ mod run;
 mod shard;
 mod store;
 
-use arguments::{Request, USAGE};
+use arguments::Request;
 use std::io::Write;
 use std::process::ExitCode;
+
+const USAGE: &str =
+    "bake MANIFEST.jsonl [--out FOLDER] [--shard I --of N] [--memory GIB] [--dry-run]";
 
 fn main() -> ExitCode {
     let environment = |name: &str| std::env::var(name).ok();

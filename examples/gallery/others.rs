@@ -81,13 +81,16 @@ const PARTS: &[Part] = &[
         ..PART
     },
     Part {
-        name: "scan",
+        name: "scans",
         shared: true,
         commands: &[
-            "skeletonize -- SHARED/pointclouds/archi_tree1.ply --picture out/gallery/scan.png",
+            "skeletonize -- SHARED/pointclouds/itsme_tree2.ply --picture out/gallery/f.png --out out/gallery/f.swc",
+            "skeletonize -- SHARED/pointclouds/puu1_crown.ply --picture out/gallery/g.png --out out/gallery/g.swc",
+            "skeletonize -- SHARED/pointclouds/hard_treeiso_pine_plot.ply --several --picture out/gallery/h.png --out \
+             out/gallery/h.swc",
         ],
-        rows: &[&["scan.png"]],
-        width: 1200,
+        rows: &[&["f.png", "g.png", "h.png"]],
+        width: 1440,
         ..PART
     },
     Part {

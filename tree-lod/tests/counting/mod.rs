@@ -11,7 +11,7 @@ thread_local! {
 }
 
 /// How often this thread has asked for memory.
-pub fn allocations() -> usize {
+pub(crate) fn allocations() -> usize {
     COUNT.get()
 }
 
