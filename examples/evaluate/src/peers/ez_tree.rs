@@ -52,7 +52,7 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     let mut last: Option<(&str, Theirs)> = None;
     for (theirs, preset) in PAIRS {
         if last.as_ref().is_none_or(|(name, _)| *name != theirs) {
-            let Some(made) = or_note("ez-tree", ask(theirs, &scratch)) else {
+            let Some(made) = or_note(ask(theirs, &scratch)) else {
                 return Ok(());
             };
             last = Some((theirs, made));

@@ -37,7 +37,7 @@ struct More {
 pub(super) fn evaluate(table: &mut Table) -> Outcome {
     let (steps, within) = (STEPS.to_string(), SECONDS.to_string());
     let told = PEER.ask::<More>(&[steps.as_ref(), within.as_ref()]);
-    let Some(told) = or_note("L-Py", told) else { return Ok(()) };
+    let Some(told) = or_note(told) else { return Ok(()) };
     let control = Control::default();
     let grammar = Grammar::parse(SYSTEM, &Limits::default())?;
     let (derive_seconds, derived) =

@@ -97,7 +97,7 @@ fn picture(table: &mut Table, known: &Known) -> Outcome<bool> {
     for (method, title) in METHODS {
         let told = ask(photo, trimap, method, SECONDS);
         let lost = matches!(told, Err(Absence::NotInstalled(..) | Absence::Hangs(_)));
-        let Some(theirs) = or_note("pymatting", told) else {
+        let Some(theirs) = or_note(told) else {
             if lost {
                 return Ok(false);
             }

@@ -38,16 +38,17 @@ const CASE: &str = "peers:";
 /// All of it; see the rows.
 pub(crate) fn evaluate(table: &mut Table) -> Outcome {
     let one = ThreadPoolBuilder::new().num_threads(1).build()?;
-    for part in [ez_tree::evaluate, modular_tree::evaluate, meshoptimizer::evaluate, lpy::evaluate]
-    {
+    for part in [ez_tree::evaluate, modular_tree::evaluate, meshoptimizer::wood, lpy::evaluate] {
         one.install(|| part(table).map_err(|error| error.to_string()))?;
     }
+    // On all threads.
+    meshoptimizer::leaves(table)?;
     matting::evaluate(table)
 }
 
 /// What a peer told, or a note that it is left out.
-fn or_note<T>(case: &str, told: Result<T, Absence>) -> Option<T> {
-    told.map_err(|absence| eprintln!("{case}: skipped: {absence}")).ok()
+fn or_note<T>(told: Result<T, Absence>) -> Option<T> {
+    told.map_err(|absence| eprintln!("skipped: {absence}")).ok()
 }
 
 /// A peer's figure beside ours.

@@ -1,4 +1,4 @@
-//! modular-tree 5.6 (PyPI, written in C++): the wood of trees, grown and meshed.
+//! modular-tree 5.6 (`PyPI`, written in C++): the wood of trees, grown and meshed.
 //!
 //! Its presets are those of its add-on's quick generation: a trunk with one level of branches that split. It has no
 //! leaves outside of Blender, so ours are bare too (L-systems derive theirs and drop them). It has 32 sides on every
@@ -43,7 +43,7 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     let mut last: Option<(&str, Told<More>, Surface)> = None;
     for (theirs, preset) in PAIRS {
         if last.as_ref().is_none_or(|(name, ..)| *name != theirs) {
-            let Some((told, wood)) = or_note("modular-tree", ask(theirs, &scratch)) else {
+            let Some((told, wood)) = or_note(ask(theirs, &scratch)) else {
                 return Ok(());
             };
             last = Some((theirs, told, wood));

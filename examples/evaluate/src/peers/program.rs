@@ -40,11 +40,14 @@ pub(crate) enum Absence {
 impl fmt::Display for Absence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotInstalled(name, why) => {
-                write!(f, "{name} is not installed ({why}): {INSTALL}")
+            Self::NotInstalled(peer, why) => {
+                let Peer { name, install, .. } = peer;
+                write!(f, "{name} is not installed ({why}); to have it: {install}")
             }
-            Self::Hangs(name) => write!(f, "{name} has no answer after {} s", LIMIT.as_secs()),
-            Self::Broken(name, why) => write!(f, "{name} does not work: {why}"),
+            Self::Hangs(peer) => {
+                write!(f, "{} has no answer after {} s", peer.name, LIMIT.as_secs())
+            }
+            Self::Broken(peer, why) => write!(f, "{} does not work: {why}", peer.name),
         }
     }
 }

@@ -217,7 +217,7 @@ fn flaws(fates: &[Fate]) {
     for (case, fate) in (0..CASES).zip(fates) {
         match fate {
             Fate::Panicked(said) => {
-                eprintln!("case {case} ({}) panics: {said}", MODELERS[kind(case)].0)
+                eprintln!("case {case} ({}) panics: {said}", MODELERS[kind(case)].0);
             }
             Fate::Invalid(what) => eprintln!("case {case} ({}): {what}", MODELERS[kind(case)].0),
             Fate::Refused(name) => *refused.entry((kind(case), name)).or_default() += 1,
