@@ -2806,7 +2806,7 @@ typedef struct tree_leaf_boxes_report {
     // Leaves in all.
     size_t n_leaves;
     // Leaves that are in no box but that of the whole tree.
-    size_t in_root_only;
+    size_t n_in_root_only;
     // Branches that got no box because it would have been too small.
     size_t dropped;
 } tree_leaf_boxes_report;
@@ -4347,14 +4347,14 @@ typedef struct tree_mesh_report {
     uint64_t n_stubs;
     // Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What they
     // carry is drawn on the axis below.
-    uint64_t skipped_axes;
+    uint64_t n_skipped_axes;
     // Laterals whose base was turned or moved because another one has its place.
-    uint64_t moved_axes;
+    uint64_t n_moved_axes;
     // Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
     // the wood.
-    uint64_t skipped_nodes;
+    uint64_t n_skipped_nodes;
     // Leaves of size 0, not drawn.
-    uint64_t skipped_leaves;
+    uint64_t n_skipped_leaves;
     // Number of leaf kinds whose picture could not be outlined as their look asks (it has no mask, or
     // nothing of it is visible): drawn as cards.
     uint64_t n_leaf_fallbacks;
@@ -6066,7 +6066,7 @@ typedef struct tree_plastic_params {
     // under 0.95.
     float gravitropism;
     // The sky the tree grew under: direction to its brightest point, as in `tree_plastic_sky`. Default 0, 1, 0.
-    float sky_brightest[3];
+    float sky_light[3];
     // Factor on all its light, 0 to 10. Default 1.
     float sky_brightness;
     // 0.

@@ -2840,7 +2840,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Leaves that are in no box but that of the whole tree.
         /// </summary>
-        public UIntPtr in_root_only;
+        public UIntPtr n_in_root_only;
         /// <summary>
         /// Branches that got no box because it would have been too small.
         /// </summary>
@@ -5742,20 +5742,20 @@ namespace TreeFamily.Native
         /// Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What they
         /// carry is drawn on the axis below.
         /// </summary>
-        public ulong skipped_axes;
+        public ulong n_skipped_axes;
         /// <summary>
         /// Laterals whose base was turned or moved because another one has its place.
         /// </summary>
-        public ulong moved_axes;
+        public ulong n_moved_axes;
         /// <summary>
         /// Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
         /// the wood.
         /// </summary>
-        public ulong skipped_nodes;
+        public ulong n_skipped_nodes;
         /// <summary>
         /// Leaves of size 0, not drawn.
         /// </summary>
-        public ulong skipped_leaves;
+        public ulong n_skipped_leaves;
         /// <summary>
         /// Number of leaf kinds whose picture could not be outlined as their look asks (it has no mask, or
         /// nothing of it is visible): drawn as cards.
@@ -8957,7 +8957,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// The sky the tree grew under: direction to its brightest point, as in `tree_plastic_sky`. Default 0, 1, 0.
         /// </summary>
-        public fixed float sky_brightest[3];
+        public fixed float sky_light[3];
         /// <summary>
         /// Factor on all its light, 0 to 10. Default 1.
         /// </summary>
