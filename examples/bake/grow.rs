@@ -7,7 +7,7 @@ use std::sync::Arc;
 use tree_core::{Control, CoreError, Seed, Tree, file};
 use tree_lod::LodError;
 use tree_mesh::io::{self, ImportOptions};
-use tree_mesh::{ErrorBound, LeafForm, LeafMesh, Look, Mesh, MeshError, MeshParams};
+use tree_mesh::{ErrorBound, LeafForm, LeafMesh, Look, MeshError, MeshParams};
 use tree_model::lsystem::LSystem;
 use tree_model::particle::finish::FinishParams;
 use tree_model::particle::session::{PhotoModel, PhotoParams, Shot};

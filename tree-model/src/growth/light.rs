@@ -182,12 +182,6 @@ impl ShadowGrid {
             .iter()
             .fold(Vec3::ZERO, |sum, &(offset, weight)| sum + shadow(offset) as f32 * weight)
     }
-
-    /// Lowest and highest voxel that was ever shaded; high below low when none was.
-    #[must_use]
-    pub(crate) fn range(&self) -> (IVec3, IVec3) {
-        self.cells.range()
-    }
 }
 
 /// Shadow and shift of each layer of a pyramid that opens away from the light.
