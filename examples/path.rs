@@ -117,8 +117,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     println!(
         "{}: {} graph nodes in {} graphs, {} endpoints, {} skeleton nodes, {} leaves, {} triangles",
         path("glb").display(),
-        graphs.nodes,
-        graphs.graphs,
+        graphs.n_nodes,
+        graphs.n_graphs,
         grown.report.endpoints(),
         tree.skeleton().len(),
         tree.foliage().len(),

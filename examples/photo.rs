@@ -166,10 +166,10 @@ fn run() -> Result<(), Box<dyn Error>> {
     println!(
         "{}: {} particles, {} skeleton nodes, {} leaves ({} discarded), {} triangles",
         path(".glb").display(),
-        grown.report.flow.particles,
+        grown.report.flow.n_particles,
         grown.tree.skeleton().len(),
         grown.tree.foliage().len(),
-        grown.report.crown.leaves_discarded,
+        grown.report.crown.n_leaves_discarded,
         mesh.n_triangles(),
     );
     Ok(())

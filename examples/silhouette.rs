@@ -142,11 +142,11 @@ fn run() -> Result<(), Box<dyn Error>> {
         path(".glb").display(),
         report.strokes,
         grown.report.branches,
-        grown.report.leaves,
+        grown.report.n_leaves,
         grown.report.elements(),
         mesh.n_triangles(),
         session.coverage(),
-        grown.report.without_room,
+        grown.report.n_without_room,
     );
     Ok(())
 }

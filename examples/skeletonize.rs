@@ -14,10 +14,8 @@ use tree_core::glam::DVec3;
 use tree_core::{Control, Foliage, Skeleton, Species, Tree, UpAxis, swc};
 use tree_lod::preview::{self, Picture, Style, View};
 use tree_mesh::io::{self, ImportOptions, points};
-use tree_mesh::{Alpha, ErrorBound, Look, Mesh, MeshError, MeshParams};
-use tree_model::skeletonize::{
-    Hint, Part, ScanParams, SkeletonizeParams, skeletonize, skeletonize_scan,
-};
+use tree_mesh::{ErrorBound, Look, Mesh, MeshError, MeshParams};
+use tree_model::skeletonize::{ScanParams, SkeletonizeParams, skeletonize, skeletonize_scan};
 
 const USAGE: &str = "skeletonize MESH.glb|MESH.obj|CLOUD.ply|CLOUD.xyz [--out tree.swc] \
                      [--glb tree.glb] [--picture tree.png] [--wood-only] [--several] [--y-up]";
@@ -85,7 +83,7 @@ fn run() -> Result<(), Box<dyn Error>> {
 fn mesh(options: &Options, mesh: &Mesh, control: &Control) -> Result<(), Box<dyn Error>> {
     let params = SkeletonizeParams { leaves: !options.wood_only, ..Default::default() };
     let start = std::time::Instant::now();
-    let made = skeletonize(&parts(mesh), &params, control)?;
+    let made = skeletonize(&mesh.parts(), &params, control)?;
     let skeleton = made.tree.skeleton();
     println!(
         "{}: {:.0} ms, {} nodes, {} tips, {:.3} high, trunk radius {:.4}\n  {:?}",
@@ -193,25 +191,6 @@ fn save(
         io::gltf::write_glb(mesh, numbered(path), &io::gltf::GlbOptions::default())?;
     }
     Ok(())
-}
-
-/// What the modeler asks for, borrowed from a mesh.
-fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
-    mesh.surfaces
-        .iter()
-        .map(|surface| {
-            let material = mesh.materials.get(surface.material as usize);
-            Part {
-                positions: &surface.positions,
-                uvs: &surface.uvs,
-                indices: &surface.indices,
-                name: material.map_or("", |material| &material.name),
-                hint: Hint::Auto,
-                alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
-                double_sided: material.is_some_and(|m| m.double_sided),
-            }
-        })
-        .collect()
 }
 
 /// The tree as this library draws it.

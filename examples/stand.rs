@@ -143,7 +143,7 @@ fn table(stand: &Stand) {
             tree.name,
             tree.strokes.strokes,
             report.branches.iter().sum::<u64>(),
-            report.leaves,
+            report.n_leaves,
             tree.position.x,
             tree.position.z,
             height,

@@ -15,8 +15,8 @@ use tree_core::glam::Vec2;
 use tree_core::{Control, CoreError, Foliage, Seed, Species, Tree, file, swc};
 use tree_lod::preview::{self, Camera, Framing, Picture, Style, View};
 use tree_mesh::io::{self, ImportOptions};
-use tree_mesh::{Alpha, Look, Mesh, MeshParams};
-use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, skeletonize};
+use tree_mesh::{Look, MeshParams};
+use tree_model::skeletonize::{SkeletonizeParams, skeletonize};
 use tree_model::sketch::Drawing;
 use tree_model::sketch::template::{
     self, EXEMPLARS, Exemplar, MainBranchParams, Template, TemplateParams, main_branches, project,
@@ -137,26 +137,7 @@ fn tree(path: &Path, control: &Control) -> Outcome<Tree> {
         return Ok(Tree::new(read.skeleton, Foliage::default(), Species::default())?);
     }
     let mesh = io::read(path, &ImportOptions { external: true }, control)?.mesh;
-    Ok(skeletonize(&parts(&mesh), &SkeletonizeParams::default(), control)?.tree)
-}
-
-/// What the modeler asks for, borrowed from a mesh.
-fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
-    mesh.surfaces
-        .iter()
-        .map(|surface| {
-            let material = mesh.materials.get(surface.material as usize);
-            Part {
-                positions: &surface.positions,
-                uvs: &surface.uvs,
-                indices: &surface.indices,
-                name: material.map_or("", |material| &material.name),
-                hint: Hint::Auto,
-                alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
-                double_sided: material.is_some_and(|m| m.double_sided),
-            }
-        })
-        .collect()
+    Ok(skeletonize(&mesh.parts(), &SkeletonizeParams::default(), control)?.tree)
 }
 
 /// Every exemplar beside its sketch.

@@ -59,6 +59,9 @@
 // `tree_plastic_scene_update` works out what that means, `tree_plastic_scene_adapted` hands out a tree as it is then.
 // `examples/c/wall.c` does this.
 //
+// Measuring: `tree_skeleton_branching` gives the figures of foresters, `tree_skeleton_runs` and
+// `tree_skeleton_lateral_angles` the rows behind them.
+//
 // Comparing: `tree_skeleton_distance` says how different two trees are, `tree_skeleton_distance_pairs` which branch is which.
 //
 // * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
@@ -925,11 +928,11 @@
 // The child that bends least from the segment below; at the root, the longest.
 #define TREE_CONTINUATION_STRAIGHTEST 2
 
-// +Y, as in this library.
-#define TREE_UP_Y 0
+// +Z, as laser scanners and foresters have it: (x, y, z) becomes (x, z, -y). The default.
+#define TREE_UP_Z 0
 
-// +Z, as laser scanners and foresters have it.
-#define TREE_UP_Z 1
+// +Y, as in this library.
+#define TREE_UP_Y 1
 
 // They stay 0, for example to be found by `tree_skeleton_with_rule`.
 #define TREE_SWC_RADIUS_KEEP 0
@@ -953,12 +956,6 @@
 
 // Leaf widths in a report: those of the first kinds.
 #define TREE_SKELETONIZE_LEAF_WIDTHS 256
-
-// Z, as in most scanners' files: (x, y, z) becomes (x, z, -y). The default.
-#define TREE_UP_Z 0
-
-// Y, as here.
-#define TREE_UP_Y 1
 
 // Bark.
 #define TREE_CLASS_WOOD 0
@@ -1504,6 +1501,9 @@ typedef struct tree_scene_state tree_scene_state;
 // body of leaves or nothing. It holds copies of the parts.
 typedef struct tree_separation tree_separation;
 
+// What an edit of a `tree_silhouette_session` changed.
+typedef struct tree_silhouette_change tree_silhouette_change;
+
 // A tree being drawn: trunk, crown, outlines of branches, leaf. Strokes are in metres, y up, the trunk's base near
 // the origin. The plan in the plane is ready after each edit; the tree in space is made when it is asked for.
 //
@@ -1514,9 +1514,6 @@ typedef struct tree_separation tree_separation;
 // on it, from a progress callback too, is `TREE_ERROR_ORDER`. What it hands out is copied, does not change with it,
 // and outlives it.
 typedef struct tree_silhouette_session tree_silhouette_session;
-
-// What an edit of a `tree_silhouette_session` changed.
-typedef struct tree_silhouette_change tree_silhouette_change;
 
 // Branches as a rooted tree of nodes with radii.
 typedef struct tree_skeleton tree_skeleton;
@@ -2806,9 +2803,9 @@ typedef struct tree_leaf_boxes_report {
     // Leaves in all.
     size_t n_leaves;
     // Leaves that are in no box but that of the whole tree.
-    size_t in_root_only;
+    size_t n_in_root_only;
     // Branches that got no box because it would have been too small.
-    size_t dropped;
+    size_t n_dropped;
 } tree_leaf_boxes_report;
 
 // The box of a branch with all its leaves.
@@ -2867,11 +2864,11 @@ typedef struct tree_cards_report {
     // Number of pictures: six for each box.
     size_t n_images;
     // Texels of all pictures.
-    uint64_t texels;
+    uint64_t n_texels;
     // Bytes of both atlases, as they are in memory.
     size_t bytes;
     // Pictures in which nothing covers half a texel.
-    size_t empty;
+    size_t n_empty;
     // Side of a picture in texels, gutters included.
     uint32_t size;
     // 0.
@@ -3735,18 +3732,18 @@ typedef struct tree_scene_report {
     // `sizeof(tree_scene_report)`.
     size_t struct_size;
     // Instances in view.
-    uint64_t drawn;
+    uint64_t n_drawn;
     // Instances out of view.
-    uint64_t culled;
+    uint64_t n_culled;
     // Instances in view of which some sample points are hidden. What is so far that it is drawn as coarsely as can
     // be is not tested, and counts as seen.
-    uint64_t occluded;
+    uint64_t n_occluded;
     // Instances in view of which all are.
-    uint64_t hidden;
+    uint64_t n_hidden;
     // Indices drawn: what a vertex shader sees at most.
-    uint64_t indices;
+    uint64_t n_indices;
     // Triangles drawn, if all are lists.
-    uint64_t triangles;
+    uint64_t n_triangles;
 } tree_scene_report;
 
 // Arguments of an indexed indirect draw, laid out as Vulkan, Direct3D 12, WebGPU and Metal take them.
@@ -4347,14 +4344,14 @@ typedef struct tree_mesh_report {
     uint64_t n_stubs;
     // Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What they
     // carry is drawn on the axis below.
-    uint64_t skipped_axes;
+    uint64_t n_skipped_axes;
     // Laterals whose base was turned or moved because another one has its place.
-    uint64_t moved_axes;
+    uint64_t n_moved_axes;
     // Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
     // the wood.
-    uint64_t skipped_nodes;
+    uint64_t n_skipped_nodes;
     // Leaves of size 0, not drawn.
-    uint64_t skipped_leaves;
+    uint64_t n_skipped_leaves;
     // Number of leaf kinds whose picture could not be outlined as their look asks (it has no mask, or
     // nothing of it is visible): drawn as cards.
     uint64_t n_leaf_fallbacks;
@@ -5581,26 +5578,26 @@ typedef struct tree_path_params {
 // What one level took, and what it left out.
 typedef struct tree_path_level_report {
     // Graphs searched.
-    uint64_t graphs;
+    uint64_t n_graphs;
     // Nodes in them.
-    uint64_t graph_nodes;
+    uint64_t n_graph_nodes;
     // Arcs in them: two for each edge.
-    uint64_t graph_arcs;
+    uint64_t n_graph_arcs;
     // Nodes no path led to.
-    uint64_t stray_nodes;
+    uint64_t n_stray_nodes;
     // Graphs that fell apart at the linking distance asked for and were linked again with a longer one.
-    uint64_t widened;
+    uint64_t n_widened;
     // Bytes of the largest single graph.
     uint64_t largest_bytes;
     // Endpoints reached.
-    uint64_t endpoints;
+    uint64_t n_endpoints;
     // Random endpoints asked for that the graphs had no nodes for.
-    uint64_t missing;
+    uint64_t n_missing;
     // Endpoints of the levels before from which nothing grew, because an obstacle left no room or a
     // narrow subgraph did not hang together.
-    uint64_t stunted;
+    uint64_t n_stunted;
     // Endpoints of the level before whose lifespan had ended.
-    uint64_t ended;
+    uint64_t n_ended;
 } tree_path_level_report;
 
 // What growing a tree took, and what it left out.
@@ -6066,7 +6063,7 @@ typedef struct tree_plastic_params {
     // under 0.95.
     float gravitropism;
     // The sky the tree grew under: direction to its brightest point, as in `tree_plastic_sky`. Default 0, 1, 0.
-    float sky_brightest[3];
+    float sky_light[3];
     // Factor on all its light, 0 to 10. Default 1.
     float sky_brightness;
     // 0.
@@ -6153,7 +6150,7 @@ typedef struct tree_plastic_sky {
     // `sizeof(tree_plastic_sky)`.
     size_t struct_size;
     // Direction to the brightest point, of any length but 0, not below the horizon. Default 0, 1, 0.
-    float brightest[3];
+    float light[3];
     // Factor on all light, 0 to 10. Default 1. At 0 every branch starves but the trunk.
     float brightness;
 } tree_plastic_sky;
@@ -7049,7 +7046,59 @@ typedef struct tree_axis_columns {
     const uint32_t *axis_of;
 } tree_axis_columns;
 
-// Which axis of an SWC file points up: one of the `TREE_UP_` constants.
+// How a skeleton branches.
+typedef struct tree_branching_report {
+    // `sizeof(tree_branching_report)`.
+    size_t struct_size;
+    // The Horton-Strahler order of the root, which no other exceeds; at least 1.
+    uint32_t n_orders;
+    // Unbranched runs, at least 1.
+    uint32_t n_runs;
+    // How many times more branches there are of an order than of the next higher one: trees have about 3 to 5.
+    // 0 where all is of order 1.
+    double bifurcation_ratio;
+    // How many times longer the branches of an order are than those of the next lower one; 0 where fewer than two
+    // orders have a length.
+    double length_ratio;
+    // The median of what `tree_skeleton_pipe_exponents` gives, of two in the middle the higher: infinite where most
+    // forks have none. 0 of a skeleton without forks.
+    double pipe_exponent;
+} tree_branching_report;
+
+// The branches of a Horton-Strahler order.
+typedef struct tree_strahler_order {
+    // How many there are; one of the highest order.
+    uint64_t n_branches;
+    // Their mean length in metres. 0 for the highest order where the root itself is the fork.
+    double mean_length;
+} tree_strahler_order;
+
+// An unbranched run: what lies between two forks, or a fork and a tip.
+typedef struct tree_unbranched_run {
+    // The run below; `TREE_NO_PARENT` for run 0.
+    uint32_t parent;
+    // Its upper end: a fork or a tip.
+    uint32_t end;
+    // 1 where it ends in a tip.
+    uint32_t is_tip;
+    // Its segments, the one above the fork included: at least 1, but for a root that is a fork or a tip.
+    uint32_t n_segments;
+    // Length from the fork below to the end, in metres.
+    double length;
+    // Mean radius in metres, weighted by length; radii of 0 are left out, as they are not known. 0 where none is. A run
+    // without length has the radius of its end.
+    double radius;
+} tree_unbranched_run;
+
+// How far a lateral turns away from its parent axis.
+typedef struct tree_lateral_angle {
+    // First node of the lateral, the one above the fork.
+    uint32_t node;
+    // Between the axis below the fork and the lateral, in radians from 0 to pi.
+    float angle;
+} tree_lateral_angle;
+
+// Which axis of a file or a cloud points up: one of the `TREE_UP_` constants.
 typedef uint32_t tree_up;
 
 // What becomes of radii that an SWC file does not know: one of the `TREE_SWC_RADIUS_` constants.
@@ -7151,9 +7200,6 @@ typedef struct tree_mesh_part {
     // 0.
     uint32_t reserved;
 } tree_mesh_part;
-
-// Which axis of a cloud points up: one of the `TREE_UP_` constants.
-typedef uint32_t tree_up;
 
 // How a cloud of points is read. Lengths are metres; "spacings" are the median distance of a point to its fourth
 // neighbour. Begin with `tree_scan_params_init`.
@@ -8092,8 +8138,8 @@ tree_status tree_skeleton_radii(const struct tree_skeleton *skeleton,
 // A new skeleton with the radii that a rule gives, see `tree_skeleton_radii`. For radii of your own
 // there is `tree_skeleton_with_radii`. Free it with `tree_skeleton_free`.
 tree_status tree_skeleton_with_rule(const struct tree_skeleton *skeleton,
-                                  const struct tree_radius_rule *rule,
-                                  struct tree_skeleton **changed);
+                                    const struct tree_radius_rule *rule,
+                                    struct tree_skeleton **changed);
 
 // The radius of every node by distance to the tip, in metres, with levels of your own in place of the
 // axes' orders: `levels` has `n_levels` numbers, one for each node, 0 for the trunk. Of `rule`, which
@@ -8442,7 +8488,7 @@ size_t tree_foliage_preset_count(void);
 // Name of the species with this number, from 0 up to, but not including, `tree_foliage_preset_count`.
 // Valid for ever.
 tree_status tree_foliage_preset_name(size_t index,
-                                      struct tree_str *name);
+                                     struct tree_str *name);
 
 // Leaves and twigs of a species by its name, of `len` bytes. Set `struct_size` of `leaves` and `twigs`
 // first. `leaf_kind` is the name of the leaf kind that goes with them, valid for ever, for the
@@ -9128,7 +9174,7 @@ tree_status tree_twigs_count(const struct tree_twigs *twigs, size_t *n_twigs);
 
 // What the twigs weigh and how near they come. Set `report->struct_size` first.
 tree_status tree_twigs_measure(const struct tree_twigs *twigs,
-                              struct tree_instancing_report *report);
+                               struct tree_instancing_report *report);
 
 // The base mesh: wood and leaves that are not part of a twig, surfaces as `tree_mesh_build` makes them.
 // Not copied; the mesh keeps the twigs alive. Free it with `tree_mesh_free`.
@@ -9968,7 +10014,7 @@ tree_status tree_scene_state_new(const struct tree_scene *scene,
 
 // Number of the instances that were in view in the last frame: rows of `tree_instance_lod` that it needs.
 tree_status tree_scene_state_count_drawn(const struct tree_scene_state *state,
-                                     size_t *n_drawn);
+                                         size_t *n_drawn);
 
 // How an instance of `scene` was drawn in the last frame; not in view when there is no such instance.
 tree_status tree_scene_state_shown(const struct tree_scene_state *state,
@@ -10990,14 +11036,14 @@ tree_status tree_multi_mesh_write_glb_levels(const struct tree_multi_mesh *multi
 // The function `tree_grow_position` for a shader: text to be put into your own. It tells what it takes and where that
 // comes from. `language` is a `TREE_SHADER_` constant. The text is never freed.
 tree_status tree_multi_mesh_shader(tree_shader language,
-                             struct tree_str *text);
+                                   struct tree_str *text);
 
 // Where a shader draws a vertex at a level: `vertex`, three floats, drawn together about its fork while its path grows
 // in. `branch` is four floats of `tree_multi_mesh_column.branches`. For shaders of your own, and for checking them.
 tree_status tree_multi_mesh_position(const float *vertex,
-                               const float *branch,
-                               float level,
-                               float (*drawn)[3]);
+                                     const float *branch,
+                                     float level,
+                                     float (*drawn)[3]);
 
 // Draws a tree: each path is a closed tube of its own, with a cap at either end, and begins inside the wood that bears
 // it; it has a ring at each node, and as many sides all along as `params` ask for. Surface 0 is the wood, surface 1 + k
@@ -11084,9 +11130,9 @@ tree_status tree_multires_count(const struct tree_multires *multires, size_t *n_
 
 // Nodes and leaves of the first `n_levels` levels, at least one level, at most all.
 tree_status tree_multires_level_counts(const struct tree_multires *multires,
-                                 size_t n_levels,
-                                 size_t *n_nodes,
-                                 size_t *n_leaves);
+                                       size_t n_levels,
+                                       size_t *n_nodes,
+                                       size_t *n_leaves);
 
 // Views the first `n_levels` levels, at least one, at most all: their nodes are a skeleton, and their leaves stand on
 // these. Nothing is copied, and all levels begin at the same places. Each of `columns` and `foliage` may be NULL; set
@@ -11427,16 +11473,16 @@ tree_status tree_finish_params_init(struct tree_finish_params *params, size_t si
 // Makes `params`, of `size` bytes, those of a species by its name, of `len` bytes or
 // `TREE_NUL_TERMINATED`: the defaults with its twigs, and sprays of its leaves or needles. Names are
 // those of `tree_foliage_preset_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
-tree_status tree_finish_params_find(struct tree_finish_params *params,
-                                    size_t size,
-                                    const char *name,
-                                    size_t len);
+tree_status tree_finish_params_find(const char *name,
+                                    size_t len,
+                                    struct tree_finish_params *params,
+                                    size_t size);
 
 // As `tree_finish_params_find`, with single leaves and needles instead of sprays: far more of them.
-tree_status tree_finish_params_of(struct tree_finish_params *params,
-                                  size_t size,
-                                  const char *name,
-                                  size_t len);
+tree_status tree_finish_params_of(const char *name,
+                                  size_t len,
+                                  struct tree_finish_params *params,
+                                  size_t size);
 
 // Whether all fields are in order: `TREE_OK`, or the error that their use would give.
 tree_status tree_finish_params_check(const struct tree_finish_params *params);
@@ -11664,7 +11710,7 @@ tree_status tree_photo_session_seed(const struct tree_photo_session *session, ui
 // The parameters, all parts given. What they point at belongs to the session and stays until
 // `tree_photo_session_set_params` or `tree_photo_session_free`. Set `params->struct_size` first.
 tree_status tree_photo_session_get_params(const struct tree_photo_session *session,
-                                      struct tree_photo_params *params);
+                                          struct tree_photo_params *params);
 
 // How often a stage has been done so far.
 tree_status tree_photo_session_runs(const struct tree_photo_session *session,
@@ -11908,7 +11954,7 @@ tree_status tree_path_params_init(struct tree_path_params *params, size_t size);
 // Checks that all parameters lie in their ranges, as `tree_path_grow` does first. `params` may be NULL for
 // an oak; `control` may be NULL, only its limits matter.
 tree_status tree_path_params_check(const struct tree_path_params *params,
-                            const struct tree_control *control);
+                                   const struct tree_control *control);
 
 // Radius in metres of the subgraphs of `params->levels[index]`: its own, or the one that follows from
 // `size` and `shrink`. `params` may be NULL for an oak.
@@ -12192,14 +12238,14 @@ tree_status tree_seed_params_init(struct tree_seed_params *params, size_t size);
 // must be twice the number found or more: `2 * most` is enough. `base_pixel`, two floats, is the tree's base.
 // `params` and `control` may be NULL. `TREE_ERROR_NO_RESULT` where the matte is empty.
 tree_status tree_matte_seeds(const struct tree_matte *matte,
-                                  const float *base_pixel,
-                                  uint32_t most,
-                                  const struct tree_seed_params *params,
-                                  uint64_t seed,
-                                  const struct tree_control *control,
-                                  float *seeds,
-                                  size_t capacity,
-                                  size_t *n_seeds);
+                             const float *base_pixel,
+                             uint32_t most,
+                             const struct tree_seed_params *params,
+                             uint64_t seed,
+                             const struct tree_control *control,
+                             float *seeds,
+                             size_t capacity,
+                             size_t *n_seeds);
 
 // Makes a matte of `width * height` floats, which are copied, rows from top to bottom; clamped to 0 to 1,
 // not NaN. `control` may be NULL; only its limits matter. Free the matte with `tree_matte_free`.
@@ -13378,25 +13424,25 @@ tree_status tree_revolved_free(struct tree_revolved *revolved);
 // Begins with nothing drawn. `params` may be NULL for the defaults. Free it with `tree_silhouette_session_free`.
 // `TREE_ERROR_PARAMETER` names what is out of range.
 tree_status tree_silhouette_session_new(const struct tree_silhouette_params *params,
-                                uint64_t seed,
-                                struct tree_silhouette_session **silhouette);
+                                        uint64_t seed,
+                                        struct tree_silhouette_session **silhouette);
 
 // Draws all strokes of one tree of a drawing, the first being number 0; its height becomes that of the parameters.
 // Strokes of finer levels that cannot be used are left out: `report`, `tree_silhouette_session_repairs` and
 // `tree_silhouette_session_refused` tell which, and why. What was read cannot be undone. `params`, `control` and `report` may be
 // NULL. Free it with `tree_silhouette_session_free`. `TREE_ERROR_INVALID` says why level 0 gives no crown.
 tree_status tree_silhouette_session_of_drawing(const struct tree_outline_drawing *drawing,
-                                       size_t tree,
-                                       const struct tree_silhouette_params *params,
-                                       uint64_t seed,
-                                       const struct tree_control *control,
-                                       struct tree_silhouette_play_report *report,
-                                       struct tree_silhouette_session **silhouette);
+                                               size_t tree,
+                                               const struct tree_silhouette_params *params,
+                                               uint64_t seed,
+                                               const struct tree_control *control,
+                                               struct tree_silhouette_play_report *report,
+                                               struct tree_silhouette_session **silhouette);
 
 // A second one in the state of the first, with all that can be undone: to try something, and go back. Free it
 // too.
 tree_status tree_silhouette_session_copy(const struct tree_silhouette_session *silhouette,
-                                 struct tree_silhouette_session **copy);
+                                         struct tree_silhouette_session **copy);
 
 // Frees it. What it handed out lives on. `TREE_ERROR_ORDER` while a call is at work on it, from a progress callback
 // for instance: it lives on then.
@@ -13414,49 +13460,49 @@ tree_status tree_silhouette_change_free(struct tree_silhouette_change *change);
 // limits caps the points. `change` may be NULL where it is not wanted; else free what is put there with
 // `tree_silhouette_change_free`. `TREE_ERROR_INVALID` for a line without length or one that stays away from the crown.
 tree_status tree_silhouette_session_draw_trunk(struct tree_silhouette_session *silhouette,
-                                       const float *stroke,
-                                       size_t n_points,
-                                       const struct tree_control *control,
-                                       struct tree_silhouette_change **change);
+                                               const float *stroke,
+                                               size_t n_points,
+                                               const struct tree_control *control,
+                                               struct tree_silhouette_change **change);
 
 // Draws the crown's outline. Branches that were drawn or refined stay where the new crown has a branch near. `stroke`,
 // `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or where
 // the trunk stays away from it.
 tree_status tree_silhouette_session_draw_crown(struct tree_silhouette_session *silhouette,
-                                       const float *stroke,
-                                       size_t n_points,
-                                       const struct tree_control *control,
-                                       struct tree_silhouette_change **change);
+                                               const float *stroke,
+                                               size_t n_points,
+                                               const struct tree_control *control,
+                                               struct tree_silhouette_change **change);
 
 // Draws the crown as it is seen when the tree is turned by `azimuth` radians, -2π to 2π, from +X towards +Z: another
 // drawing plane. An outline in that plane is replaced. `stroke`, `control` and `change` as in
 // `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 tree_status tree_silhouette_session_draw_section(struct tree_silhouette_session *silhouette,
-                                         float azimuth,
-                                         const float *stroke,
-                                         size_t n_points,
-                                         const struct tree_control *control,
-                                         struct tree_silhouette_change **change);
+                                                 float azimuth,
+                                                 const float *stroke,
+                                                 size_t n_points,
+                                                 const struct tree_control *control,
+                                                 struct tree_silhouette_change **change);
 
 // Draws the outline of the foliage of a branch of a level, 1 (branches on the trunk) to 8. The branch is the one with
 // the greatest length inside; its own branches are inferred, and its style spreads to its siblings. `stroke`, `control`
 // and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area or no part of a
 // branch of that level.
 tree_status tree_silhouette_session_refine(struct tree_silhouette_session *silhouette,
-                                   uint32_t level,
-                                   const float *stroke,
-                                   size_t n_points,
-                                   const struct tree_control *control,
-                                   struct tree_silhouette_change **change);
+                                           uint32_t level,
+                                           const float *stroke,
+                                           size_t n_points,
+                                           const struct tree_control *control,
+                                           struct tree_silhouette_change **change);
 
 // Draws the outline of the foliage of the branch of this id. `stroke`, `control` and `change` as in
 // `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for what encloses no area, and an id that is not there.
 tree_status tree_silhouette_session_refine_branch(struct tree_silhouette_session *silhouette,
-                                          uint32_t id,
-                                          const float *stroke,
-                                          size_t n_points,
-                                          const struct tree_control *control,
-                                          struct tree_silhouette_change **change);
+                                                  uint32_t id,
+                                                  const float *stroke,
+                                                  size_t n_points,
+                                                  const struct tree_control *control,
+                                                  struct tree_silhouette_change **change);
 
 // Draws a branch of a level, 1 (branches on the trunk) to 8, over: the one whose ends are nearest to the stroke's.
 // Where none is near, it is a new one. Its angle becomes a sample of the branching angles, and siblings take angle and
@@ -13464,14 +13510,14 @@ tree_status tree_silhouette_session_refine_branch(struct tree_silhouette_session
 // `control` and `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for a line without length, or where
 // there is no axis of that level.
 tree_status tree_silhouette_session_redraw(struct tree_silhouette_session *silhouette,
-                                   uint32_t level,
-                                   const float *stroke,
-                                   size_t n_points,
-                                   tree_transfer transfer,
-                                   const uint32_t *only,
-                                   size_t n_only,
-                                   const struct tree_control *control,
-                                   struct tree_silhouette_change **change);
+                                           uint32_t level,
+                                           const float *stroke,
+                                           size_t n_points,
+                                           tree_transfer transfer,
+                                           const uint32_t *only,
+                                           size_t n_only,
+                                           const struct tree_control *control,
+                                           struct tree_silhouette_change **change);
 
 // Draws a branch on the trunk as it is seen by a viewer who has gone round the tree by `yaw` radians, -2π to 2π,
 // against the clock seen from above (0 is in front, +X to the right), and looks down by `pitch`, within ±1.4. It lies
@@ -13479,100 +13525,102 @@ tree_status tree_silhouette_session_redraw(struct tree_silhouette_session *silho
 // the stroke's, is replaced; else it is a new one. The rest as in `tree_silhouette_session_redraw`, which this is from in
 // front.
 tree_status tree_silhouette_session_redraw_from(struct tree_silhouette_session *silhouette,
-                                        float yaw,
-                                        float pitch,
-                                        const float *stroke,
-                                        size_t n_points,
-                                        tree_transfer transfer,
-                                        const uint32_t *only,
-                                        size_t n_only,
-                                        const struct tree_control *control,
-                                        struct tree_silhouette_change **change);
+                                                float yaw,
+                                                float pitch,
+                                                const float *stroke,
+                                                size_t n_points,
+                                                tree_transfer transfer,
+                                                const uint32_t *only,
+                                                size_t n_only,
+                                                const struct tree_control *control,
+                                                struct tree_silhouette_change **change);
 
 // Takes a branch away, with all on it. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for an id
 // that is not there.
 tree_status tree_silhouette_session_remove(struct tree_silhouette_session *silhouette,
-                                   uint32_t id,
-                                   struct tree_silhouette_change **change);
+                                           uint32_t id,
+                                           struct tree_silhouette_change **change);
 
 // Draws the leaf. Its length is as drawn. `stroke`, `control` and `change` as in `tree_silhouette_session_draw_trunk`.
 // `TREE_ERROR_INVALID` for what encloses no area, or before there is a crown.
 tree_status tree_silhouette_session_draw_leaf(struct tree_silhouette_session *silhouette,
-                                      const float *stroke,
-                                      size_t n_points,
-                                      const struct tree_control *control,
-                                      struct tree_silhouette_change **change);
+                                              const float *stroke,
+                                              size_t n_points,
+                                              const struct tree_control *control,
+                                              struct tree_silhouette_change **change);
 
 // Has `n_targets` branches take the style of the branch `source`, whose outline was drawn; 0: of the nearest such branch
 // again. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_INVALID` for ids that are not there, and a source
 // whose outline was not drawn.
 tree_status tree_silhouette_session_copy_style(struct tree_silhouette_session *silhouette,
-                                       uint32_t source,
-                                       const uint32_t *targets,
-                                       size_t n_targets,
-                                       struct tree_silhouette_change **change);
+                                               uint32_t source,
+                                               const uint32_t *targets,
+                                               size_t n_targets,
+                                               struct tree_silhouette_change **change);
 
 // Other parameters, NULL for the defaults. Where those of branches or angles differ, branches are inferred anew.
 // `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_PARAMETER` names what is out of range.
 tree_status tree_silhouette_session_set_params(struct tree_silhouette_session *silhouette,
-                                       const struct tree_silhouette_params *params,
-                                       struct tree_silhouette_change **change);
+                                               const struct tree_silhouette_params *params,
+                                               struct tree_silhouette_change **change);
 
 // Another seed: only what is drawn by chance differs. This is no edit, and is not undone.
-tree_status tree_silhouette_session_set_seed(struct tree_silhouette_session *silhouette, uint64_t seed);
+tree_status tree_silhouette_session_set_seed(struct tree_silhouette_session *silhouette,
+                                             uint64_t seed);
 
 // Takes back the last edit, changes of parameters included. `change` as in `tree_silhouette_session_draw_trunk`.
 // `TREE_ERROR_NO_RESULT` where there is none.
 tree_status tree_silhouette_session_undo(struct tree_silhouette_session *silhouette,
-                                 struct tree_silhouette_change **change);
+                                         struct tree_silhouette_change **change);
 
 // Does again what was taken back last. `change` as in `tree_silhouette_session_draw_trunk`. `TREE_ERROR_NO_RESULT` where there
 // is nothing.
 tree_status tree_silhouette_session_redo(struct tree_silhouette_session *silhouette,
-                                 struct tree_silhouette_change **change);
+                                         struct tree_silhouette_change **change);
 
 // The seed.
-tree_status tree_silhouette_session_seed(const struct tree_silhouette_session *silhouette, uint64_t *seed);
+tree_status tree_silhouette_session_seed(const struct tree_silhouette_session *silhouette,
+                                         uint64_t *seed);
 
 // The parameters, all parts given; a trunk drawn as an area tells its radius there. What they point at belongs to the
 // session and stays until `tree_silhouette_session_set_params`, `tree_silhouette_session_undo`, `tree_silhouette_session_redo` or
 // `tree_silhouette_session_free`. Set `params->struct_size` first.
 tree_status tree_silhouette_session_get_params(const struct tree_silhouette_session *silhouette,
-                                       struct tree_silhouette_params *params);
+                                               struct tree_silhouette_params *params);
 
 // Numbers of edits that can be undone, and done again.
 tree_status tree_silhouette_session_depth(const struct tree_silhouette_session *silhouette,
-                                  size_t *n_undo,
-                                  size_t *n_redo);
+                                          size_t *n_undo,
+                                          size_t *n_redo);
 
 // How well the outlines of branches cover the crown: shares of its area, 0 to 1, in those of branches from bumps, and in
 // those of all. 0 before a crown was drawn.
 tree_status tree_silhouette_session_coverage(const struct tree_silhouette_session *silhouette,
-                                     float *by_bumps,
-                                     float *by_all);
+                                             float *by_bumps,
+                                             float *by_all);
 
 // What was repaired in the drawing it began with, a line each, for a person to read. Free the lines with
 // `tree_lines_free`.
 tree_status tree_silhouette_session_repairs(const struct tree_silhouette_session *silhouette,
-                                    struct tree_lines **lines);
+                                            struct tree_lines **lines);
 
 // Which strokes of the drawing it began with could not be used, and why, a line each. Free the lines with
 // `tree_lines_free`.
 tree_status tree_silhouette_session_refused(const struct tree_silhouette_session *silhouette,
-                                    struct tree_lines **lines);
+                                            struct tree_lines **lines);
 
 // The plan as it is now: a copy, which later edits do not change. Free it with `tree_outline_plan_free`.
 // `TREE_ERROR_NO_RESULT` before a crown was drawn.
 tree_status tree_silhouette_session_plan(const struct tree_silhouette_session *silhouette,
-                                 struct tree_outline_plan **plan);
+                                         struct tree_outline_plan **plan);
 
 // The tree in space. The same strokes, parameters and seed give the same bits for any number of threads. `control` and
 // `report` may be NULL. Free the tree with `tree_tree_free`. `TREE_ERROR_INVALID` before a crown was drawn;
 // `TREE_ERROR_LIMIT` comes before the memory is asked for.
 tree_status tree_silhouette_session_tree(const struct tree_silhouette_session *silhouette,
-                                 const struct tree_control *control,
-                                 struct tree_silhouette_grown *report,
-                                 struct tree_tree **tree);
+                                         const struct tree_control *control,
+                                         struct tree_silhouette_grown *report,
+                                         struct tree_tree **tree);
 
 // Makes `params`, of `size` bytes, the default.
 tree_status tree_stand_params_init(struct tree_stand_params *params, size_t size);
@@ -13683,6 +13731,58 @@ tree_status tree_axes_view(const struct tree_axes *axes, struct tree_axis_column
 
 // Frees the axes.
 tree_status tree_axes_free(struct tree_axes *axes);
+
+// Measures how a skeleton branches: Horton-Strahler orders, unbranched runs, the exponent of the pipe model read off
+// the radii. Set `report->struct_size` first.
+tree_status tree_skeleton_branching(const struct tree_skeleton *skeleton,
+                                    struct tree_branching_report *report);
+
+// The Horton-Strahler order of each node, from 1 up: that of the segment below it. `orders` has room for `capacity`
+// numbers, at least one for each node.
+tree_status tree_skeleton_strahler_orders(const struct tree_skeleton *skeleton,
+                                          uint32_t *orders,
+                                          size_t capacity);
+
+// The branches of order 1, 2 and so on, a row for each order, and the number of orders into `n_rows`. `rows` has room
+// for `capacity` rows: 33 are enough, and as many as there are nodes.
+tree_status tree_skeleton_strahler_counts(const struct tree_skeleton *skeleton,
+                                          struct tree_strahler_order *rows,
+                                          size_t capacity,
+                                          size_t *n_rows);
+
+// All unbranched runs, those below first, and their number into `n_runs`. Run 0 starts at the root and has no length
+// where the root is a fork. `runs` has room for `capacity` rows: as many as there are nodes are enough.
+tree_status tree_skeleton_runs(const struct tree_skeleton *skeleton,
+                               struct tree_unbranched_run *runs,
+                               size_t capacity,
+                               size_t *n_runs);
+
+// The run that each node lies on, a number of `tree_skeleton_runs`; a fork lies on the run below it. `run_of` has room
+// for `capacity` numbers, at least one for each node.
+tree_status tree_skeleton_run_of(const struct tree_skeleton *skeleton,
+                                 uint32_t *run_of,
+                                 size_t capacity);
+
+// The exponent of the pipe model at each fork that has one, r^e = r1^e + r2^e + ..., as the radii are, in the order of
+// the runs below, and their number into `n_exponents`. Infinite where a branch is as thick as the run below it or
+// thicker. Forks at which a radius is 0, or a branch is a tip of one segment, are left out. `exponents` has room for
+// `capacity` numbers: as many as there are nodes are enough.
+tree_status tree_skeleton_pipe_exponents(const struct tree_skeleton *skeleton,
+                                         double *exponents,
+                                         size_t capacity,
+                                         size_t *n_exponents);
+
+// The angle of every lateral, in the order of axes, and their number into `n_laterals`; `rule` says what is axis and
+// what lateral. Both directions are chords of `reach` metres, 0 or more: of the axis below the fork, and along the
+// lateral. With a reach of 0 they are the segments next to the fork; measured skeletons are rough there and want a
+// reach of a few diameters. Laterals at the root, and those without length, are left out. `laterals` has room for
+// `capacity` rows: as many as there are nodes are enough.
+tree_status tree_skeleton_lateral_angles(const struct tree_skeleton *skeleton,
+                                         tree_continuation rule,
+                                         float reach,
+                                         struct tree_lateral_angle *laterals,
+                                         size_t capacity,
+                                         size_t *n_laterals);
 
 // A new skeleton with other radii: `radii` has `n` floats, one for each node, in metres, 0 or more. Free
 // it with `tree_skeleton_free`.
@@ -14474,7 +14574,8 @@ tree_status tree_sketch_branches_propagate(const struct tree_sketch_branches *br
                                            struct tree_sketch_branches **grown);
 
 // Makes `params`, of `size` bytes, the default.
-tree_status tree_template_select_params_init(struct tree_template_select_params *params, size_t size);
+tree_status tree_template_select_params_init(struct tree_template_select_params *params,
+                                             size_t size);
 
 // Checks every range: `TREE_ERROR_PARAMETER` names the first field out of range.
 tree_status tree_template_select_params_check(const struct tree_template_select_params *params);
@@ -14573,7 +14674,7 @@ tree_status tree_sketch_session_seed(const struct tree_sketch_session *session, 
 // The parameters, all parts given. What they point at belongs to the session and stays until
 // `tree_sketch_session_set_params` or `tree_sketch_session_free`. Set `params->struct_size` first.
 tree_status tree_sketch_session_get_params(const struct tree_sketch_session *session,
-                                       struct tree_sketch_params *params);
+                                           struct tree_sketch_params *params);
 
 // How often a stage has been done so far.
 tree_status tree_sketch_session_runs(const struct tree_sketch_session *session,

@@ -467,8 +467,8 @@ class Scene;
 class SceneLevels;
 class SceneState;
 class Separation;
-class Silhouette;
 class SilhouetteChange;
+class SilhouetteSession;
 class Skeleton;
 class SketchBranches;
 class SketchSession;
@@ -515,6 +515,7 @@ struct BranchShapeReport;
 using BranchSpan = tree_branch_span;
 struct BranchSystemParams;
 struct BranchingAngles;
+struct BranchingReport;
 using Bump = tree_bump;
 struct BumpParams;
 using Capsule = tree_capsule;
@@ -527,7 +528,6 @@ using CardPlane = tree_card_plane;
 struct CardsReport;
 struct CarvedColumns;
 struct ChainParams;
-using Choice = tree_template_choice;
 struct CleanParams;
 using CleanRepair = tree_clean_repair;
 struct CloudColumns;
@@ -600,6 +600,7 @@ struct InferredColumns;
 using InstanceLod = tree_instance_lod;
 struct InstancingParams;
 struct InstancingReport;
+using LateralAngle = tree_lateral_angle;
 struct LeafBox;
 struct LeafBoxParams;
 struct LeafBoxesReport;
@@ -627,7 +628,7 @@ struct LodSubject;
 struct LodTableParams;
 using LodWindow = tree_lod_window;
 struct LsystemPresetInfo;
-struct MainBranches;
+struct MainBranchParams;
 using Mark = tree_mark;
 struct MaskColumns;
 struct Material;
@@ -653,7 +654,6 @@ struct OrderParams;
 struct OutlineBranch;
 struct OutlineCloseParams;
 struct OutlineColumns;
-struct OutlineParams;
 struct OutlinePlanColumns;
 using OutlineRepair = tree_outline_repair;
 struct OutlineSystem;
@@ -715,7 +715,6 @@ using SceneShown = tree_scene_shown;
 using Score = tree_score;
 struct ScreenParams;
 struct SeedParams;
-struct SelectParams;
 struct SeparationColumns;
 struct SilhouetteChangeColumns;
 struct SilhouetteGrowParams;
@@ -736,6 +735,7 @@ using SketchHabit = tree_sketch_habit;
 struct SketchInferParams;
 using SketchNormal = tree_sketch_normal;
 struct SketchOmega;
+struct SketchOutlineParams;
 struct SketchParams;
 using SketchPin = tree_sketch_pin;
 using SketchPosterior = tree_sketch_posterior;
@@ -750,6 +750,7 @@ struct Species;
 struct StandParams;
 struct StandTree;
 struct StandWhole;
+using StrahlerOrder = tree_strahler_order;
 using Stream = tree_stream;
 struct StreamParams;
 struct StreamReport;
@@ -764,7 +765,9 @@ struct SubdivideParams;
 struct Surface;
 struct SwcContents;
 struct SwcOptions;
+using TemplateChoice = tree_template_choice;
 struct TemplateParams;
+struct TemplateSelectParams;
 struct TemplateSide;
 struct TemplateView;
 struct TexturePixels;
@@ -781,6 +784,7 @@ struct TurtleReport;
 struct TwigInstances;
 struct TwigParams;
 struct TwigReport;
+using UnbranchedRun = tree_unbranched_run;
 struct UnpackedColumns;
 using VertexWind = tree_vertex_wind;
 struct View;
@@ -818,7 +822,7 @@ struct Around : tree_around {
     static Around for_order(size_t n_triangles);
     static Around for_table(size_t n_triangles);
     bool check() const;
-    size_t n_views() const;
+    size_t count() const;
     View view(size_t number) const;
 };
 
@@ -885,6 +889,10 @@ struct BranchingAngles : tree_branching_angles {
     bool at(Span<const float> places, Ref<tree_control> control, Span<float> values) const;
     std::tuple<std::vector<float>, size_t> set(float place, float angle) const;
     size_t set(float place, float angle, Span<float> samples) const;
+};
+
+struct BranchingReport : tree_branching_report {
+    BranchingReport() : tree_branching_report{} { struct_size = sizeof *this; }
 };
 
 struct BumpParams : tree_bump_params {
@@ -1046,8 +1054,6 @@ struct FieldParams : tree_field_params {
 
 struct FinishParams : tree_finish_params {
     FinishParams() : tree_finish_params{} { tree_finish_params_init(this, sizeof(tree_finish_params)); }
-    static FinishParams find(std::string_view name);
-    static FinishParams of(std::string_view name);
     bool check() const;
 };
 
@@ -1275,8 +1281,8 @@ struct LsystemPresetInfo : tree_lsystem_preset_info {
     LsystemPresetInfo() : tree_lsystem_preset_info{} { struct_size = sizeof *this; }
 };
 
-struct MainBranches : tree_main_branch_params {
-    MainBranches() : tree_main_branch_params{} { tree_main_branch_params_init(this, sizeof(tree_main_branch_params)); }
+struct MainBranchParams : tree_main_branch_params {
+    MainBranchParams() : tree_main_branch_params{} { tree_main_branch_params_init(this, sizeof(tree_main_branch_params)); }
     bool check() const;
 };
 
@@ -1375,10 +1381,6 @@ struct OutlineColumns : tree_outline_columns {
     OutlineColumns() : tree_outline_columns{} { struct_size = sizeof *this; }
 };
 
-struct OutlineParams : tree_sketch_outline_params {
-    OutlineParams() : tree_sketch_outline_params{} { tree_sketch_outline_params_init(this, sizeof(tree_sketch_outline_params)); }
-};
-
 struct OutlinePlanColumns : tree_outline_plan_columns {
     OutlinePlanColumns() : tree_outline_plan_columns{} { struct_size = sizeof *this; }
 };
@@ -1427,6 +1429,7 @@ struct PathLevel : tree_path_level {
 
 struct PathParams : tree_path_params {
     PathParams() : tree_path_params{} { tree_path_params_init(this, sizeof(tree_path_params)); }
+    bool check(Ref<tree_control> control = nullptr) const;
     // `cost` must live as long as this is used.
     PathParams &set_cost(const Field &function) {
         this->cost = function.function();
@@ -1600,11 +1603,6 @@ struct SeedParams : tree_seed_params {
     SeedParams() : tree_seed_params{} { tree_seed_params_init(this, sizeof(tree_seed_params)); }
 };
 
-struct SelectParams : tree_template_select_params {
-    SelectParams() : tree_template_select_params{} { tree_template_select_params_init(this, sizeof(tree_template_select_params)); }
-    bool check() const;
-};
-
 struct SeparationColumns : tree_separation_columns {
     SeparationColumns() : tree_separation_columns{} { struct_size = sizeof *this; }
 };
@@ -1671,6 +1669,10 @@ struct SketchOmega : tree_sketch_omega {
     SketchOmega() : tree_sketch_omega{} { tree_sketch_omega_init(this, sizeof(tree_sketch_omega)); }
     bool check() const;
     SketchOmega without_orders() const;
+};
+
+struct SketchOutlineParams : tree_sketch_outline_params {
+    SketchOutlineParams() : tree_sketch_outline_params{} { tree_sketch_outline_params_init(this, sizeof(tree_sketch_outline_params)); }
 };
 
 struct SketchParams : tree_sketch_params {
@@ -1773,6 +1775,11 @@ struct SwcOptions : tree_swc_options {
 
 struct TemplateParams : tree_template_params {
     TemplateParams() : tree_template_params{} { tree_template_params_init(this, sizeof(tree_template_params)); }
+    bool check() const;
+};
+
+struct TemplateSelectParams : tree_template_select_params {
+    TemplateSelectParams() : tree_template_select_params{} { tree_template_select_params_init(this, sizeof(tree_template_select_params)); }
     bool check() const;
 };
 
@@ -2392,8 +2399,8 @@ public:
     Matte paint(Span<const tree_density_stroke> strokes, Ref<tree_control> control = nullptr) const;
     std::tuple<ParticleCamera, AlignReport> align(Ref<tree_align_params> params = nullptr, Ref<tree_control> control = nullptr) const;
     static std::tuple<Trimap, Lines, Matte> automatic(const Photo &photo, Ref<tree_automatic_params> params = nullptr, Ref<tree_control> control = nullptr, tree_automatic_report *report = nullptr);
-    std::tuple<std::vector<float>, size_t> silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
-    size_t silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const;
+    std::tuple<std::vector<float>, size_t> seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control = nullptr) const;
+    size_t seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const;
     static Matte from_alpha(uint32_t width, uint32_t height, Span<const float> alpha, Ref<tree_control> control = nullptr);
     static Matte of_photo(const Photo &photo);
     MatteColumns view() const &;
@@ -2450,7 +2457,7 @@ public:
     std::tuple<std::vector<uint32_t>, std::vector<uint32_t>, size_t> points(size_t number) const;
     size_t points(size_t number, Span<uint32_t> of_vertex, Span<uint32_t> first) const;
     Crossings crossings(size_t number, Ref<tree_control> control = nullptr) const;
-    MeshTotals count() const;
+    MeshTotals measure() const;
     size_t surface_count() const;
     Surface surface(size_t number) const &;
     Surface surface(size_t number) const && = delete;
@@ -2472,7 +2479,7 @@ public:
     static Metaballs make(Span<const float> points, float radius, Ref<tree_control> control = nullptr);
     static Metaballs of_elements(const Elements &elements, float radius, float height, Ref<tree_control> control = nullptr);
     float radius() const;
-    size_t n_points() const;
+    size_t count() const;
     std::array<float, 6> bounds() const;
     std::vector<float> values(Span<const float> points, Ref<tree_control> control = nullptr) const;
     bool values(Span<const float> points, Ref<tree_control> control, Span<float> values) const;
@@ -2515,6 +2522,8 @@ public:
     bool write_glb(std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     Bytes to_glb_levels(Span<const tree_level_share> levels, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
     bool write_glb_levels(Span<const tree_level_share> levels, std::string_view path, Ref<tree_glb_options> options = nullptr, Ref<tree_control> control = nullptr) const;
+    static std::string_view shader(tree_shader language);
+    static std::array<float, 3> position(const Floats<3> &vertex, const Floats<4> &branch, float level);
     static MultiMesh make(const Multires &multires, Maybe<tree_look> look = nullptr, Ref<tree_mesh_params> params = nullptr, Ref<tree_control> control = nullptr);
     MultiMeshTotals measure() const;
     Mesh mesh() const;
@@ -2544,7 +2553,7 @@ public:
     static Multires make(const Tree &tree, Ref<tree_metric_params> params, uint64_t seed, Ref<tree_control> control = nullptr);
     static std::tuple<Rows, Rows, Multires> of_paths(const Tree &tree, const MultiPaths &paths, Ref<tree_control> control = nullptr);
     size_t count() const;
-    std::tuple<size_t, size_t> counts(size_t n_levels) const;
+    std::tuple<size_t, size_t> level_counts(size_t n_levels) const;
     std::tuple<SkeletonColumns, Foliage> level(size_t n_levels) const &;
     std::tuple<SkeletonColumns, Foliage> level(size_t n_levels) const && = delete;
     Tree tree_at(size_t n_levels, Ref<tree_control> control = nullptr) const;
@@ -2690,8 +2699,8 @@ public:
     size_t count() const;
     size_t count_views(Ref<tree_control> control = nullptr) const;
     uint64_t seed() const;
-    PhotoParams params() const &;
-    PhotoParams params() const && = delete;
+    PhotoParams get_params() const &;
+    PhotoParams get_params() const && = delete;
     uint32_t runs(tree_photo_stage stage) const;
     Matte matte(size_t view) const;
     Photo photo(size_t view) const;
@@ -2905,7 +2914,7 @@ class SceneState : public detail::Object<tree_scene_state, tree_scene_state_free
 public:
     using Object::Object;
     static SceneState make(const Scene &scene, Ref<tree_control> control = nullptr);
-    size_t n_drawn() const;
+    size_t count_drawn() const;
     tree_scene_shown shown(const Scene &scene, size_t instance) const;
     SceneReport select(const Scene &scene, Ref<tree_scene_frame> frame, Ref<tree_scene_params> params = nullptr) const;
     std::tuple<size_t, size_t> draws(const Scene &scene, Span<tree_draw_indexed> draws, Span<tree_instance_lod> rows) const;
@@ -2925,12 +2934,19 @@ public:
     Skeleton outward(const Skeleton &skeleton) const;
 };
 
-class Silhouette : public detail::Object<tree_silhouette_session, tree_silhouette_session_free> {
+class SilhouetteChange : public detail::Object<tree_silhouette_change, tree_silhouette_change_free> {
 public:
     using Object::Object;
-    static Silhouette make(Ref<tree_silhouette_params> params, uint64_t seed);
-    static Silhouette of_drawing(const OutlineDrawing &drawing, size_t tree, Ref<tree_silhouette_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_silhouette_play_report *report = nullptr);
-    Silhouette copy() const;
+    SilhouetteChangeColumns view() const &;
+    SilhouetteChangeColumns view() const && = delete;
+};
+
+class SilhouetteSession : public detail::Object<tree_silhouette_session, tree_silhouette_session_free> {
+public:
+    using Object::Object;
+    static SilhouetteSession make(Ref<tree_silhouette_params> params, uint64_t seed);
+    static SilhouetteSession of_drawing(const OutlineDrawing &drawing, size_t tree, Ref<tree_silhouette_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_silhouette_play_report *report = nullptr);
+    SilhouetteSession copy() const;
     SilhouetteChange draw_trunk(Span<const float> stroke, Ref<tree_control> control = nullptr) const;
     SilhouetteChange draw_crown(Span<const float> stroke, Ref<tree_control> control = nullptr) const;
     SilhouetteChange draw_section(float azimuth, Span<const float> stroke, Ref<tree_control> control = nullptr) const;
@@ -2956,19 +2972,12 @@ public:
     std::tuple<SilhouetteGrown, Tree> tree(Ref<tree_control> control = nullptr) const;
 };
 
-class SilhouetteChange : public detail::Object<tree_silhouette_change, tree_silhouette_change_free> {
-public:
-    using Object::Object;
-    SilhouetteChangeColumns view() const &;
-    SilhouetteChangeColumns view() const && = delete;
-};
-
 class Skeleton : public detail::Object<tree_skeleton, tree_skeleton_free> {
 public:
     using Object::Object;
     std::vector<float> radii(Ref<tree_radius_rule> rule = nullptr) const;
     bool radii(Ref<tree_radius_rule> rule, Span<float> radii) const;
-    Skeleton by_rule(Ref<tree_radius_rule> rule = nullptr) const;
+    Skeleton with_rule(Ref<tree_radius_rule> rule = nullptr) const;
     std::vector<float> radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule = nullptr) const;
     bool radii_at_levels(Span<const uint32_t> levels, Ref<tree_radius_rule> rule, Span<float> radii) const;
     std::vector<uint64_t> strands(Ref<tree_radius_rule> rule = nullptr) const;
@@ -2991,6 +3000,19 @@ public:
     SkeletonColumns view() const && = delete;
     std::array<float, 6> bounds() const;
     Axes axes(tree_continuation rule) const;
+    BranchingReport branching() const;
+    std::vector<uint32_t> strahler_orders() const;
+    bool strahler_orders(Span<uint32_t> orders) const;
+    std::tuple<std::vector<tree_strahler_order>, size_t> strahler_counts() const;
+    size_t strahler_counts(Span<tree_strahler_order> rows) const;
+    std::tuple<std::vector<tree_unbranched_run>, size_t> runs() const;
+    size_t runs(Span<tree_unbranched_run> runs) const;
+    std::vector<uint32_t> run_of() const;
+    bool run_of(Span<uint32_t> run_of) const;
+    std::tuple<std::vector<double>, size_t> pipe_exponents() const;
+    size_t pipe_exponents(Span<double> exponents) const;
+    std::tuple<std::vector<tree_lateral_angle>, size_t> lateral_angles(tree_continuation rule, float reach) const;
+    size_t lateral_angles(tree_continuation rule, float reach, Span<tree_lateral_angle> laterals) const;
     Skeleton with_radii(Span<const float> radii) const;
     Skeleton with_positions(Span<const float> positions) const;
     std::vector<float> segment_lengths() const;
@@ -3041,8 +3063,8 @@ public:
     bool set_depth(size_t stroke, const Floats<2> &at, float depth, Ref<tree_control> control = nullptr) const;
     Drawing drawing() const;
     uint64_t seed() const;
-    SketchParams params() const &;
-    SketchParams params() const && = delete;
+    SketchParams get_params() const &;
+    SketchParams get_params() const && = delete;
     uint32_t runs(tree_sketch_stage stage) const;
     Plan plan(Ref<tree_control> control = nullptr) const;
     Crown crown(Ref<tree_control> control = nullptr) const;
@@ -3064,7 +3086,7 @@ public:
     StandTree at(size_t index) const &;
     StandTree at(size_t index) const && = delete;
     std::tuple<SilhouetteGrown, Tree> grown(size_t index) const;
-    Silhouette silhouette(size_t index, tree_silhouette_play_report *report = nullptr) const;
+    SilhouetteSession silhouette(size_t index, tree_silhouette_play_report *report = nullptr) const;
 };
 
 class StreamReader : public detail::Object<tree_stream_reader, tree_stream_reader_free> {
@@ -3193,7 +3215,7 @@ public:
     using Object::Object;
     static Twigs build(const Tree &tree, Maybe<tree_look> look, Ref<tree_mesh_params> mesh_params, Ref<tree_instancing_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_instancing_report *report = nullptr);
     size_t count() const;
-    InstancingReport report() const;
+    InstancingReport measure() const;
     Mesh base() const;
     Mesh mesh(size_t number) const;
     TwigInstances instances(size_t number) const &;
@@ -3301,8 +3323,8 @@ std::vector<uint32_t> convert_triangles(tree_convention convention, Span<const u
 bool convert_triangles(tree_convention convention, Span<const uint32_t> from, Span<uint32_t> to);
 float wind_sway(float reach);
 float wind_leaf_phase(uint32_t leaf);
-size_t foliage_species_count();
-std::string_view foliage_species_name(size_t index);
+size_t foliage_preset_count();
+std::string_view foliage_preset_name(size_t index);
 std::tuple<LeafParams, TwigParams, std::string_view> foliage_preset(std::string_view name);
 std::array<float, 6> card_weights(const Floats<3> &half, const Floats<3> &direction);
 std::array<float, 2> card_interval(const Floats<6> &weights, uint32_t plane);
@@ -3343,12 +3365,11 @@ void memory_reset_peak();
 void memory_set_budget(uint64_t bytes);
 uint64_t memory_budget();
 bool memory_set_allocator(Ref<tree_allocator> allocator = nullptr);
-std::string_view grow_shader(tree_shader language);
-std::array<float, 3> grow_position(const Floats<3> &vertex, const Floats<4> &branch, float level);
+FinishParams finish_params_find(std::string_view name);
+FinishParams finish_params_of(std::string_view name);
 Tree from_photos(Span<const tree_photo_shot> shots, Ref<tree_photo_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_photo_report *report = nullptr);
 Tree path_grow(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
 std::tuple<Bytes, Tree> path_grow_with_levels(Ref<tree_path_params> params, uint64_t seed, Ref<tree_control> control = nullptr, tree_path_report *report = nullptr);
-bool path_check(Ref<tree_path_params> params = nullptr, Ref<tree_control> control = nullptr);
 float path_level_radius(Ref<tree_path_params> params, size_t index);
 size_t path_preset_count();
 std::tuple<std::string_view, std::string_view> path_preset_name(size_t index);
@@ -3432,7 +3453,7 @@ inline std::vector<float> Skeleton::radii(Ref<tree_radius_rule> rule) const {
 inline bool Skeleton::radii(Ref<tree_radius_rule> rule, Span<float> radii) const {
     return detail::done(tree_skeleton_radii(get(), rule, radii.data(), radii.size()));
 }
-inline Skeleton Skeleton::by_rule(Ref<tree_radius_rule> rule) const {
+inline Skeleton Skeleton::with_rule(Ref<tree_radius_rule> rule) const {
     Skeleton changed;
     detail::done(tree_skeleton_with_rule(get(), rule, changed.place()));
     return changed;
@@ -3692,10 +3713,10 @@ inline Tree Tree::grow_twigs(Ref<tree_twig_params> params, const Field &density,
 inline bool LeafParams::check(size_t n_kinds) const {
     return detail::done(tree_leaf_params_check(this, n_kinds));
 }
-inline size_t foliage_species_count() {
+inline size_t foliage_preset_count() {
     return tree_foliage_preset_count();
 }
-inline std::string_view foliage_species_name(size_t index) {
+inline std::string_view foliage_preset_name(size_t index) {
     tree_str name{};
     detail::done(tree_foliage_preset_name(index, &name));
     return detail::text(name);
@@ -4161,7 +4182,7 @@ inline size_t Twigs::count() const {
     detail::done(tree_twigs_count(get(), &n_twigs));
     return n_twigs;
 }
-inline InstancingReport Twigs::report() const {
+inline InstancingReport Twigs::measure() const {
     InstancingReport report;
     if (!(detail::done(tree_twigs_measure(get(), &report)))) { report.struct_size = 0; }
     return report;
@@ -4439,7 +4460,7 @@ inline float Metaballs::radius() const {
     detail::done(tree_metaballs_radius(get(), &radius));
     return radius;
 }
-inline size_t Metaballs::n_points() const {
+inline size_t Metaballs::count() const {
     size_t n_points{};
     detail::done(tree_metaballs_count(get(), &n_points));
     return n_points;
@@ -4737,7 +4758,7 @@ inline SceneState SceneState::make(const Scene &scene, Ref<tree_control> control
     detail::done(tree_scene_state_new(scene.get(), control, state.place()), control);
     return state;
 }
-inline size_t SceneState::n_drawn() const {
+inline size_t SceneState::count_drawn() const {
     size_t n_drawn{};
     detail::done(tree_scene_state_count_drawn(get(), &n_drawn));
     return n_drawn;
@@ -4851,7 +4872,7 @@ inline Around Around::for_table(size_t n_triangles) {
 inline bool Around::check() const {
     return detail::done(tree_around_check(this));
 }
-inline size_t Around::n_views() const {
+inline size_t Around::count() const {
     size_t n_views{};
     detail::done(tree_around_count(this, &n_views));
     return n_views;
@@ -5291,7 +5312,7 @@ inline CrossingPairs Crossings::view() const & {
     if (!(detail::done(tree_crossings_view(get(), &pairs)))) { pairs.struct_size = 0; }
     return pairs;
 }
-inline MeshTotals Mesh::count() const {
+inline MeshTotals Mesh::measure() const {
     MeshTotals totals;
     if (!(detail::done(tree_mesh_measure(get(), &totals)))) { totals.struct_size = 0; }
     return totals;
@@ -5391,12 +5412,12 @@ inline Bytes MultiMesh::to_glb_levels(Span<const tree_level_share> levels, Ref<t
 inline bool MultiMesh::write_glb_levels(Span<const tree_level_share> levels, std::string_view path, Ref<tree_glb_options> options, Ref<tree_control> control) const {
     return detail::done(tree_multi_mesh_write_glb_levels(get(), levels.data(), levels.size(), path.data() ? path.data() : "", path.size(), options, control), control);
 }
-inline std::string_view grow_shader(tree_shader language) {
+inline std::string_view MultiMesh::shader(tree_shader language) {
     tree_str text{};
     detail::done(tree_multi_mesh_shader(language, &text));
     return detail::text(text);
 }
-inline std::array<float, 3> grow_position(const Floats<3> &vertex, const Floats<4> &branch, float level) {
+inline std::array<float, 3> MultiMesh::position(const Floats<3> &vertex, const Floats<4> &branch, float level) {
     std::array<float, 3> drawn{};
     detail::done(tree_multi_mesh_position(vertex, branch, level, reinterpret_cast<float(*)[3]>(drawn.data())));
     return drawn;
@@ -5465,7 +5486,7 @@ inline size_t Multires::count() const {
     detail::done(tree_multires_count(get(), &n_levels));
     return n_levels;
 }
-inline std::tuple<size_t, size_t> Multires::counts(size_t n_levels) const {
+inline std::tuple<size_t, size_t> Multires::level_counts(size_t n_levels) const {
     size_t n_nodes{};
     size_t n_leaves{};
     detail::done(tree_multires_level_counts(get(), n_levels, &n_nodes, &n_leaves));
@@ -5686,14 +5707,14 @@ inline Tree Skeleton::grow_crown(const Grid &density, Span<const tree_particle_v
     detail::done(tree_skeleton_grow_crown(get(), density.get(), views.data(), views.size(), height, params, seed, control, report, tree.place()), control);
     return tree;
 }
-inline FinishParams FinishParams::find(std::string_view name) {
+inline FinishParams finish_params_find(std::string_view name) {
     FinishParams params;
-    if (!(detail::done(tree_finish_params_find(&params, sizeof(tree_finish_params), name.data() ? name.data() : "", name.size())))) { params.struct_size = 0; }
+    if (!(detail::done(tree_finish_params_find(name.data() ? name.data() : "", name.size(), &params, sizeof(tree_finish_params))))) { params.struct_size = 0; }
     return params;
 }
-inline FinishParams FinishParams::of(std::string_view name) {
+inline FinishParams finish_params_of(std::string_view name) {
     FinishParams params;
-    if (!(detail::done(tree_finish_params_of(&params, sizeof(tree_finish_params), name.data() ? name.data() : "", name.size())))) { params.struct_size = 0; }
+    if (!(detail::done(tree_finish_params_of(name.data() ? name.data() : "", name.size(), &params, sizeof(tree_finish_params))))) { params.struct_size = 0; }
     return params;
 }
 inline bool FinishParams::check() const {
@@ -5848,7 +5869,7 @@ inline uint64_t PhotoSession::seed() const {
     detail::done(tree_photo_session_seed(get(), &seed));
     return seed;
 }
-inline PhotoParams PhotoSession::params() const & {
+inline PhotoParams PhotoSession::get_params() const & {
     PhotoParams params;
     if (!(detail::done(tree_photo_session_get_params(get(), &params)))) { params.struct_size = 0; }
     return params;
@@ -6007,8 +6028,8 @@ inline GraphNodesColumns GraphNodes::view() const & {
     if (!(detail::done(tree_graph_nodes_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline bool path_check(Ref<tree_path_params> params, Ref<tree_control> control) {
-    return detail::done(tree_path_params_check(params, control), params, control);
+inline bool PathParams::check(Ref<tree_control> control) const {
+    return detail::done(tree_path_params_check(this, control), control);
 }
 inline float path_level_radius(Ref<tree_path_params> params, size_t index) {
     float radius{};
@@ -6191,14 +6212,14 @@ inline Attractor Attractor::livewire(const Matte &matte, Maybe<tree_photo> photo
         && detail::done(tree_attractor_livewire(matte.get(), photo, base_pixel, seeds.data(), seeds.size() / 2, params, control, report, attractor.place()), control));
     return attractor;
 }
-inline std::tuple<std::vector<float>, size_t> Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control) const {
+inline std::tuple<std::vector<float>, size_t> Matte::seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control) const {
     std::vector<float> seeds(2 * static_cast<size_t>(most));
     size_t n_seeds{};
     if (!(detail::done(tree_matte_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control))) { seeds.clear(); }
     seeds.resize(2 * n_seeds);
     return {std::move(seeds), std::move(n_seeds)};
 }
-inline size_t Matte::silhouette_seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const {
+inline size_t Matte::seeds(const Floats<2> &base_pixel, uint32_t most, Ref<tree_seed_params> params, uint64_t seed, Ref<tree_control> control, Span<float> seeds) const {
     size_t n_seeds{};
     detail::done(tree_matte_seeds(get(), base_pixel, most, params, seed, control, seeds.data(), seeds.size(), &n_seeds), control);
     return n_seeds;
@@ -7091,18 +7112,18 @@ inline bool Revolved::contains(Span<const float> points, Ref<tree_control> contr
     return detail::expect(points.size() % 3 == 0, TREE_ERROR_BUFFER, "points: must have 3 numbers for each item")
         && detail::done(tree_revolved_contains(get(), points.data(), points.size() / 3, control, inside.data(), inside.size()), control);
 }
-inline Silhouette Silhouette::make(Ref<tree_silhouette_params> params, uint64_t seed) {
-    Silhouette silhouette;
+inline SilhouetteSession SilhouetteSession::make(Ref<tree_silhouette_params> params, uint64_t seed) {
+    SilhouetteSession silhouette;
     detail::done(tree_silhouette_session_new(params, seed, silhouette.place()));
     return silhouette;
 }
-inline Silhouette Silhouette::of_drawing(const OutlineDrawing &drawing, size_t tree, Ref<tree_silhouette_params> params, uint64_t seed, Ref<tree_control> control, tree_silhouette_play_report *report) {
-    Silhouette silhouette;
+inline SilhouetteSession SilhouetteSession::of_drawing(const OutlineDrawing &drawing, size_t tree, Ref<tree_silhouette_params> params, uint64_t seed, Ref<tree_control> control, tree_silhouette_play_report *report) {
+    SilhouetteSession silhouette;
     detail::done(tree_silhouette_session_of_drawing(drawing.get(), tree, params, seed, control, report, silhouette.place()), control);
     return silhouette;
 }
-inline Silhouette Silhouette::copy() const {
-    Silhouette copy;
+inline SilhouetteSession SilhouetteSession::copy() const {
+    SilhouetteSession copy;
     detail::done(tree_silhouette_session_copy(get(), copy.place()));
     return copy;
 }
@@ -7111,120 +7132,120 @@ inline SilhouetteChangeColumns SilhouetteChange::view() const & {
     if (!(detail::done(tree_silhouette_change_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
 }
-inline SilhouetteChange Silhouette::draw_trunk(Span<const float> stroke, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::draw_trunk(Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_draw_trunk(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::draw_crown(Span<const float> stroke, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::draw_crown(Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_draw_crown(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::draw_section(float azimuth, Span<const float> stroke, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::draw_section(float azimuth, Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_draw_section(get(), azimuth, stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::refine(uint32_t level, Span<const float> stroke, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::refine(uint32_t level, Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_refine(get(), level, stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::refine_branch(uint32_t id, Span<const float> stroke, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::refine_branch(uint32_t id, Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_refine_branch(get(), id, stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::redraw(uint32_t level, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::redraw(uint32_t level, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_redraw(get(), level, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::redraw_from(float yaw, float pitch, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::redraw_from(float yaw, float pitch, Span<const float> stroke, tree_transfer transfer, Span<const uint32_t> only, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_redraw_from(get(), yaw, pitch, stroke.data(), stroke.size() / 2, transfer, only.data(), only.size(), control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::remove(uint32_t id) const {
+inline SilhouetteChange SilhouetteSession::remove(uint32_t id) const {
     SilhouetteChange change;
     detail::done(tree_silhouette_session_remove(get(), id, change.place()));
     return change;
 }
-inline SilhouetteChange Silhouette::draw_leaf(Span<const float> stroke, Ref<tree_control> control) const {
+inline SilhouetteChange SilhouetteSession::draw_leaf(Span<const float> stroke, Ref<tree_control> control) const {
     SilhouetteChange change;
     static_cast<void>(detail::expect(stroke.size() % 2 == 0, TREE_ERROR_BUFFER, "stroke: must have 2 numbers for each item")
         && detail::done(tree_silhouette_session_draw_leaf(get(), stroke.data(), stroke.size() / 2, control, change.place()), control));
     return change;
 }
-inline SilhouetteChange Silhouette::copy_style(uint32_t source, Span<const uint32_t> targets) const {
+inline SilhouetteChange SilhouetteSession::copy_style(uint32_t source, Span<const uint32_t> targets) const {
     SilhouetteChange change;
     detail::done(tree_silhouette_session_copy_style(get(), source, targets.data(), targets.size(), change.place()));
     return change;
 }
-inline SilhouetteChange Silhouette::set_params(Ref<tree_silhouette_params> params) const {
+inline SilhouetteChange SilhouetteSession::set_params(Ref<tree_silhouette_params> params) const {
     SilhouetteChange change;
     detail::done(tree_silhouette_session_set_params(get(), params, change.place()));
     return change;
 }
-inline bool Silhouette::set_seed(uint64_t seed) const {
+inline bool SilhouetteSession::set_seed(uint64_t seed) const {
     return detail::done(tree_silhouette_session_set_seed(get(), seed));
 }
-inline SilhouetteChange Silhouette::undo() const {
+inline SilhouetteChange SilhouetteSession::undo() const {
     SilhouetteChange change;
     detail::done(tree_silhouette_session_undo(get(), change.place()));
     return change;
 }
-inline SilhouetteChange Silhouette::redo() const {
+inline SilhouetteChange SilhouetteSession::redo() const {
     SilhouetteChange change;
     detail::done(tree_silhouette_session_redo(get(), change.place()));
     return change;
 }
-inline uint64_t Silhouette::seed() const {
+inline uint64_t SilhouetteSession::seed() const {
     uint64_t seed{};
     detail::done(tree_silhouette_session_seed(get(), &seed));
     return seed;
 }
-inline SilhouetteParams Silhouette::get_params() const & {
+inline SilhouetteParams SilhouetteSession::get_params() const & {
     SilhouetteParams params;
     if (!(detail::done(tree_silhouette_session_get_params(get(), &params)))) { params.struct_size = 0; }
     return params;
 }
-inline std::tuple<size_t, size_t> Silhouette::depth() const {
+inline std::tuple<size_t, size_t> SilhouetteSession::depth() const {
     size_t n_undo{};
     size_t n_redo{};
     detail::done(tree_silhouette_session_depth(get(), &n_undo, &n_redo));
     return {std::move(n_undo), std::move(n_redo)};
 }
-inline std::tuple<float, float> Silhouette::coverage() const {
+inline std::tuple<float, float> SilhouetteSession::coverage() const {
     float by_bumps{};
     float by_all{};
     detail::done(tree_silhouette_session_coverage(get(), &by_bumps, &by_all));
     return {std::move(by_bumps), std::move(by_all)};
 }
-inline Lines Silhouette::repairs() const {
+inline Lines SilhouetteSession::repairs() const {
     Lines lines;
     detail::done(tree_silhouette_session_repairs(get(), lines.place()));
     return lines;
 }
-inline Lines Silhouette::refused() const {
+inline Lines SilhouetteSession::refused() const {
     Lines lines;
     detail::done(tree_silhouette_session_refused(get(), lines.place()));
     return lines;
 }
-inline OutlinePlan Silhouette::plan() const {
+inline OutlinePlan SilhouetteSession::plan() const {
     OutlinePlan plan;
     detail::done(tree_silhouette_session_plan(get(), plan.place()));
     return plan;
 }
-inline std::tuple<SilhouetteGrown, Tree> Silhouette::tree(Ref<tree_control> control) const {
+inline std::tuple<SilhouetteGrown, Tree> SilhouetteSession::tree(Ref<tree_control> control) const {
     SilhouetteGrown report;
     Tree tree;
     if (!(detail::done(tree_silhouette_session_tree(get(), control, &report, tree.place()), control))) { report.struct_size = 0; }
@@ -7259,8 +7280,8 @@ inline std::tuple<SilhouetteGrown, Tree> Stand::grown(size_t index) const {
     if (!(detail::done(tree_stand_grown(get(), index, &report, tree.place())))) { report.struct_size = 0; }
     return {std::move(report), std::move(tree)};
 }
-inline Silhouette Stand::silhouette(size_t index, tree_silhouette_play_report *report) const {
-    Silhouette silhouette;
+inline SilhouetteSession Stand::silhouette(size_t index, tree_silhouette_play_report *report) const {
+    SilhouetteSession silhouette;
     detail::done(tree_stand_silhouette(get(), index, report, silhouette.place()));
     return silhouette;
 }
@@ -7314,6 +7335,75 @@ inline AxisColumns Axes::view() const & {
     AxisColumns columns;
     if (!(detail::done(tree_axes_view(get(), &columns)))) { columns.struct_size = 0; }
     return columns;
+}
+inline BranchingReport Skeleton::branching() const {
+    BranchingReport report;
+    if (!(detail::done(tree_skeleton_branching(get(), &report)))) { report.struct_size = 0; }
+    return report;
+}
+inline std::vector<uint32_t> Skeleton::strahler_orders() const {
+    std::vector<uint32_t> orders(view().n_nodes);
+    if (!(detail::done(tree_skeleton_strahler_orders(get(), orders.data(), orders.size())))) { orders.clear(); }
+    return orders;
+}
+inline bool Skeleton::strahler_orders(Span<uint32_t> orders) const {
+    return detail::done(tree_skeleton_strahler_orders(get(), orders.data(), orders.size()));
+}
+inline std::tuple<std::vector<tree_strahler_order>, size_t> Skeleton::strahler_counts() const {
+    std::vector<tree_strahler_order> rows(view().n_nodes);
+    size_t n_rows{};
+    if (!(detail::done(tree_skeleton_strahler_counts(get(), rows.data(), rows.size(), &n_rows)))) { rows.clear(); }
+    rows.resize(n_rows);
+    return {std::move(rows), std::move(n_rows)};
+}
+inline size_t Skeleton::strahler_counts(Span<tree_strahler_order> rows) const {
+    size_t n_rows{};
+    detail::done(tree_skeleton_strahler_counts(get(), rows.data(), rows.size(), &n_rows));
+    return n_rows;
+}
+inline std::tuple<std::vector<tree_unbranched_run>, size_t> Skeleton::runs() const {
+    std::vector<tree_unbranched_run> runs(view().n_nodes);
+    size_t n_runs{};
+    if (!(detail::done(tree_skeleton_runs(get(), runs.data(), runs.size(), &n_runs)))) { runs.clear(); }
+    runs.resize(n_runs);
+    return {std::move(runs), std::move(n_runs)};
+}
+inline size_t Skeleton::runs(Span<tree_unbranched_run> runs) const {
+    size_t n_runs{};
+    detail::done(tree_skeleton_runs(get(), runs.data(), runs.size(), &n_runs));
+    return n_runs;
+}
+inline std::vector<uint32_t> Skeleton::run_of() const {
+    std::vector<uint32_t> run_of(view().n_nodes);
+    if (!(detail::done(tree_skeleton_run_of(get(), run_of.data(), run_of.size())))) { run_of.clear(); }
+    return run_of;
+}
+inline bool Skeleton::run_of(Span<uint32_t> run_of) const {
+    return detail::done(tree_skeleton_run_of(get(), run_of.data(), run_of.size()));
+}
+inline std::tuple<std::vector<double>, size_t> Skeleton::pipe_exponents() const {
+    std::vector<double> exponents(view().n_nodes);
+    size_t n_exponents{};
+    if (!(detail::done(tree_skeleton_pipe_exponents(get(), exponents.data(), exponents.size(), &n_exponents)))) { exponents.clear(); }
+    exponents.resize(n_exponents);
+    return {std::move(exponents), std::move(n_exponents)};
+}
+inline size_t Skeleton::pipe_exponents(Span<double> exponents) const {
+    size_t n_exponents{};
+    detail::done(tree_skeleton_pipe_exponents(get(), exponents.data(), exponents.size(), &n_exponents));
+    return n_exponents;
+}
+inline std::tuple<std::vector<tree_lateral_angle>, size_t> Skeleton::lateral_angles(tree_continuation rule, float reach) const {
+    std::vector<tree_lateral_angle> laterals(view().n_nodes);
+    size_t n_laterals{};
+    if (!(detail::done(tree_skeleton_lateral_angles(get(), rule, reach, laterals.data(), laterals.size(), &n_laterals)))) { laterals.clear(); }
+    laterals.resize(n_laterals);
+    return {std::move(laterals), std::move(n_laterals)};
+}
+inline size_t Skeleton::lateral_angles(tree_continuation rule, float reach, Span<tree_lateral_angle> laterals) const {
+    size_t n_laterals{};
+    detail::done(tree_skeleton_lateral_angles(get(), rule, reach, laterals.data(), laterals.size(), &n_laterals));
+    return n_laterals;
 }
 inline Skeleton Skeleton::with_radii(Span<const float> radii) const {
     Skeleton changed;
@@ -7684,7 +7774,7 @@ inline Tree exemplar_grow(std::string_view name, uint64_t seed, Ref<tree_control
     detail::done(tree_exemplar_grow(name.data() ? name.data() : "", name.size(), seed, control, tree.place()), control);
     return tree;
 }
-inline bool MainBranches::check() const {
+inline bool MainBranchParams::check() const {
     return detail::done(tree_main_branch_params_check(this));
 }
 inline Drawing Drawing::of_tree(const Tree &tree, float yaw, bool with_crown, Ref<tree_main_branch_params> main, Ref<tree_sketch_outline_params> outline, Ref<tree_control> control) {
@@ -7892,7 +7982,7 @@ inline SketchBranches SketchBranches::propagate(Ref<tree_sketch_omega> omega, Ma
         && detail::done(tree_sketch_branches_propagate(get(), omega, crown, obstacles, params, seed, control, report, grown.place()), control));
     return grown;
 }
-inline bool SelectParams::check() const {
+inline bool TemplateSelectParams::check() const {
     return detail::done(tree_template_select_params_check(this));
 }
 inline std::vector<tree_template_choice> Templates::select(const Plan &plan, Maybe<tree_crown> crown, Ref<tree_template_select_params> params, Ref<tree_control> control) const {
@@ -7958,7 +8048,7 @@ inline uint64_t SketchSession::seed() const {
     detail::done(tree_sketch_session_seed(get(), &seed));
     return seed;
 }
-inline SketchParams SketchSession::params() const & {
+inline SketchParams SketchSession::get_params() const & {
     SketchParams params;
     if (!(detail::done(tree_sketch_session_get_params(get(), &params)))) { params.struct_size = 0; }
     return params;

@@ -81,7 +81,7 @@ fn a_scene_of_pruned_models_draws_windows_within_their_buffers() {
     };
     let frame = Frame { eye, occlusion: Occlusion::None, seconds: 0.02, cut: true };
     let selected = scene.select(&frame, &select::SceneParams::default(), &mut state).unwrap();
-    assert_eq!(selected.drawn, 19);
+    assert_eq!(selected.n_drawn, 19);
     let mut draws = vec![DrawIndexed::default(); scene.most_draws()];
     let mut rows = vec![InstanceLod::default(); scene.len()];
     let written = scene.draws(&state, &mut draws, &mut rows).unwrap();

@@ -25,7 +25,7 @@ use tree_model::path::Preset;
 use tree_model::plastic::{PlasticParams, PlasticTree, Pose, Response, Scene, Sky};
 use tree_model::silhouette::read::from_mask;
 use tree_model::silhouette::session::{Session, SilhouetteParams};
-use tree_model::skeletonize::{Part, SkeletonizeParams, skeletonize};
+use tree_model::skeletonize::{SkeletonizeParams, skeletonize};
 use tree_model::sketch::read::from_json;
 use tree_model::sketch::session::{SketchModel, SketchParams};
 
@@ -83,7 +83,7 @@ fn walled(tree: Tree, x: f32) -> Tree {
     scene.add_obstacle(wall, Pose::at(Vec3::X * x)).unwrap();
     scene.update(&control).unwrap();
     let adapted = scene.adapted(id, &control).unwrap();
-    assert!(adapted.report.farthest > 0.0 && adapted.report.pruned_nodes > 0);
+    assert!(adapted.report.farthest > 0.0 && adapted.report.n_pruned > 0);
     adapted.tree
 }
 
@@ -157,7 +157,11 @@ fn sketched() -> Tree {
     let text = file::read_text("examples/bake/data/sapling.json".as_ref(), &Limits::default());
     let mut params = SketchParams { height: Some(4.0), ..SketchParams::default() };
     params.species = Some("maple".into());
-    let model = SketchModel { drawing: from_json(&text.unwrap()).unwrap(), params };
+    let model = SketchModel {
+        drawing: from_json(&text.unwrap()).unwrap(),
+        params,
+        ..SketchModel::default()
+    };
     model.model(Seed(6), &Control::default()).unwrap()
 }
 
@@ -229,25 +233,11 @@ fn the_branches_of_a_sketched_tree_are_silhouettes_of_trees_of_their_own() {
     }
 }
 
-fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
-    let rows =
-        mesh.surfaces.iter().map(|surface| (surface, &mesh.materials[surface.material as usize]));
-    rows.map(|(surface, material)| Part {
-        positions: &surface.positions,
-        uvs: &surface.uvs,
-        indices: &surface.indices,
-        name: &material.name,
-        alpha_masked: matches!(material.alpha, tree_mesh::Alpha::Mask(_)),
-        ..Part::default()
-    })
-    .collect()
-}
-
 /// Imported, read as a tree, bent by a wall, sorted, sent.
 fn through_all(glb: &[u8]) {
     let control = Control::default();
     let mesh = gltf::from_slice(glb, &control).unwrap().mesh;
-    let read = skeletonize(&parts(&mesh), &SkeletonizeParams::default(), &control).unwrap().tree;
+    let read = skeletonize(&mesh.parts(), &SkeletonizeParams::default(), &control).unwrap().tree;
     assert_sound(&read);
     let side = within(&read);
     let bent = walled(read, side);
@@ -364,11 +354,11 @@ fn ten_thousand_trees_are_selected_the_same_way_each_time() {
     let (scene, _) = forest();
     let first = walk(Occlusion::BuiltIn);
     for (selected, draws, rows) in &first {
-        assert_eq!(selected.drawn + selected.culled, 10_000);
-        assert!(selected.drawn > 1000 && selected.culled > 1000, "{selected:?}");
-        assert_eq!(rows.len(), selected.drawn);
+        assert_eq!(selected.n_drawn + selected.n_culled, 10_000);
+        assert!(selected.n_drawn > 1000 && selected.n_culled > 1000, "{selected:?}");
+        assert_eq!(rows.len(), selected.n_drawn);
         let indices: u64 = draws.iter().map(|draw| u64::from(draw.index_count)).sum();
-        assert_eq!(indices, selected.indices);
+        assert_eq!(indices, selected.n_indices);
         assert!(indices <= scene.most_indices());
     }
     let again = walk(Occlusion::BuiltIn);
@@ -378,7 +368,7 @@ fn ten_thousand_trees_are_selected_the_same_way_each_time() {
     // What trees hide is drawn with less.
     let open = walk(Occlusion::None);
     let sum = |frames: &[(select::Selected, Vec<DrawIndexed>, Vec<InstanceLod>)]| -> u64 {
-        frames.iter().map(|frame| frame.0.triangles).sum()
+        frames.iter().map(|frame| frame.0.n_triangles).sum()
     };
     assert!(sum(&first) < sum(&open), "{} against {}", sum(&first), sum(&open));
 }

@@ -7,30 +7,13 @@ use tree_core::{Continuation, Control, Seed, Skeleton, Tree};
 use tree_mesh::io::{self, ImportOptions};
 use tree_mesh::{CurveFit, Look, Mesh, MeshParams};
 use tree_model::path::Preset;
-use tree_model::skeletonize::{Part, SkeletonizeParams, Skeletonized, skeletonize};
+use tree_model::skeletonize::{SkeletonizeParams, Skeletonized, skeletonize};
 
 /// Points of the cubic for each segment.
 const SAMPLES: usize = 6;
 
-fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
-    mesh.surfaces
-        .iter()
-        .map(|surface| {
-            let material = &mesh.materials[surface.material as usize];
-            Part {
-                positions: &surface.positions,
-                uvs: &surface.uvs,
-                indices: &surface.indices,
-                name: &material.name,
-                alpha_masked: matches!(material.alpha, tree_mesh::Alpha::Mask(_)),
-                ..Default::default()
-            }
-        })
-        .collect()
-}
-
 fn read(mesh: &Mesh) -> Skeletonized {
-    skeletonize(&parts(mesh), &SkeletonizeParams::default(), &Control::default()).unwrap()
+    skeletonize(&mesh.parts(), &SkeletonizeParams::default(), &Control::default()).unwrap()
 }
 
 fn grow(preset: &str, bare: bool) -> Tree {

@@ -7,14 +7,14 @@ use std::sync::Arc;
 use tree_core::{Control, CoreError, Seed, Tree, file};
 use tree_lod::LodError;
 use tree_mesh::io::{self, ImportOptions};
-use tree_mesh::{Alpha, ErrorBound, LeafForm, LeafMesh, Look, Mesh, MeshError, MeshParams};
+use tree_mesh::{ErrorBound, LeafForm, LeafMesh, Look, MeshError, MeshParams};
 use tree_model::lsystem::LSystem;
 use tree_model::particle::finish::FinishParams;
 use tree_model::particle::session::{PhotoModel, PhotoParams, Shot};
 use tree_model::particle::{Photo, matting};
 use tree_model::silhouette::read::{from_photo, from_svg};
 use tree_model::silhouette::session::{Session, SilhouetteParams};
-use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, skeletonize};
+use tree_model::skeletonize::{SkeletonizeParams, skeletonize};
 use tree_model::sketch::read as strokes;
 use tree_model::sketch::session::{SketchModel, SketchParams};
 use tree_model::{ModelError, Modeler, growth, path};
@@ -130,7 +130,10 @@ fn sketch(line: &Line, path: &Path, control: &Control) -> Result<Grown, BakeErro
     let drawing = drawing.map_err(|error| input(path, error))?;
     let species = line.species.clone();
     let params = SketchParams { height: line.height, species, ..SketchParams::default() };
-    Grown::of(SketchModel { drawing, params }.model(Seed(line.seed), control)?)
+    Grown::of(
+        SketchModel { drawing, params, ..SketchModel::default() }
+            .model(Seed(line.seed), control)?,
+    )
 }
 
 fn photo(
@@ -159,7 +162,7 @@ fn photo(
 fn mesh(line: &Line, path: &Path, control: &Control) -> Result<Grown, BakeError> {
     let read = io::read(path, &ImportOptions { external: true }, control)
         .map_err(|error| input(path, error))?;
-    let made = skeletonize(&parts(&read.mesh), &SkeletonizeParams::default(), control)
+    let made = skeletonize(&read.mesh.parts(), &SkeletonizeParams::default(), control)
         .map_err(|error| input(path, error))?;
     let size = made.tree.skeleton().bounds().size().max_element() * line.scale;
     // Lengths in these are metres; a mesh may have any unit.
@@ -177,25 +180,6 @@ fn mesh(line: &Line, path: &Path, control: &Control) -> Result<Grown, BakeError>
         leaf.width = width.clamp(0.05, 20.0);
     }
     Ok(Grown { tree: made.tree, look, params, warnings: Vec::new() })
-}
-
-/// What the skeletonizer asks for, borrowed from a mesh.
-fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
-    mesh.surfaces
-        .iter()
-        .map(|surface| {
-            let material = mesh.materials.get(surface.material as usize);
-            Part {
-                positions: &surface.positions,
-                uvs: &surface.uvs,
-                indices: &surface.indices,
-                name: material.map_or("", |material| &material.name),
-                hint: Hint::Auto,
-                alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
-                double_sided: material.is_some_and(|m| m.double_sided),
-            }
-        })
-        .collect()
 }
 
 fn extension(path: &Path) -> String {

@@ -466,6 +466,11 @@ namespace TreeFamily.Native
     public struct tree_separation { }
 
     /// <summary>
+    /// What an edit of a `tree_silhouette_session` changed.
+    /// </summary>
+    public struct tree_silhouette_change { }
+
+    /// <summary>
     /// A tree being drawn: trunk, crown, outlines of branches, leaf. Strokes are in metres, y up, the trunk's base near
     /// the origin. The plan in the plane is ready after each edit; the tree in space is made when it is asked for.
     ///
@@ -477,11 +482,6 @@ namespace TreeFamily.Native
     /// and outlives it.
     /// </summary>
     public struct tree_silhouette_session { }
-
-    /// <summary>
-    /// What an edit of a `tree_silhouette_session` changed.
-    /// </summary>
-    public struct tree_silhouette_change { }
 
     /// <summary>
     /// Branches as a rooted tree of nodes with radii.
@@ -2840,11 +2840,11 @@ namespace TreeFamily.Native
         /// <summary>
         /// Leaves that are in no box but that of the whole tree.
         /// </summary>
-        public UIntPtr in_root_only;
+        public UIntPtr n_in_root_only;
         /// <summary>
         /// Branches that got no box because it would have been too small.
         /// </summary>
-        public UIntPtr dropped;
+        public UIntPtr n_dropped;
     }
 
     /// <summary>
@@ -2961,7 +2961,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Texels of all pictures.
         /// </summary>
-        public ulong texels;
+        public ulong n_texels;
         /// <summary>
         /// Bytes of both atlases, as they are in memory.
         /// </summary>
@@ -2969,7 +2969,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Pictures in which nothing covers half a texel.
         /// </summary>
-        public UIntPtr empty;
+        public UIntPtr n_empty;
         /// <summary>
         /// Side of a picture in texels, gutters included.
         /// </summary>
@@ -4585,28 +4585,28 @@ namespace TreeFamily.Native
         /// <summary>
         /// Instances in view.
         /// </summary>
-        public ulong drawn;
+        public ulong n_drawn;
         /// <summary>
         /// Instances out of view.
         /// </summary>
-        public ulong culled;
+        public ulong n_culled;
         /// <summary>
         /// Instances in view of which some sample points are hidden. What is so far that it is drawn as coarsely as can
         /// be is not tested, and counts as seen.
         /// </summary>
-        public ulong occluded;
+        public ulong n_occluded;
         /// <summary>
         /// Instances in view of which all are.
         /// </summary>
-        public ulong hidden;
+        public ulong n_hidden;
         /// <summary>
         /// Indices drawn: what a vertex shader sees at most.
         /// </summary>
-        public ulong indices;
+        public ulong n_indices;
         /// <summary>
         /// Triangles drawn, if all are lists.
         /// </summary>
-        public ulong triangles;
+        public ulong n_triangles;
     }
 
     /// <summary>
@@ -5742,20 +5742,20 @@ namespace TreeFamily.Native
         /// Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What they
         /// carry is drawn on the axis below.
         /// </summary>
-        public ulong skipped_axes;
+        public ulong n_skipped_axes;
         /// <summary>
         /// Laterals whose base was turned or moved because another one has its place.
         /// </summary>
-        public ulong moved_axes;
+        public ulong n_moved_axes;
         /// <summary>
         /// Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
         /// the wood.
         /// </summary>
-        public ulong skipped_nodes;
+        public ulong n_skipped_nodes;
         /// <summary>
         /// Leaves of size 0, not drawn.
         /// </summary>
-        public ulong skipped_leaves;
+        public ulong n_skipped_leaves;
         /// <summary>
         /// Number of leaf kinds whose picture could not be outlined as their look asks (it has no mask, or
         /// nothing of it is visible): drawn as cards.
@@ -8021,23 +8021,23 @@ namespace TreeFamily.Native
         /// <summary>
         /// Graphs searched.
         /// </summary>
-        public ulong graphs;
+        public ulong n_graphs;
         /// <summary>
         /// Nodes in them.
         /// </summary>
-        public ulong graph_nodes;
+        public ulong n_graph_nodes;
         /// <summary>
         /// Arcs in them: two for each edge.
         /// </summary>
-        public ulong graph_arcs;
+        public ulong n_graph_arcs;
         /// <summary>
         /// Nodes no path led to.
         /// </summary>
-        public ulong stray_nodes;
+        public ulong n_stray_nodes;
         /// <summary>
         /// Graphs that fell apart at the linking distance asked for and were linked again with a longer one.
         /// </summary>
-        public ulong widened;
+        public ulong n_widened;
         /// <summary>
         /// Bytes of the largest single graph.
         /// </summary>
@@ -8045,20 +8045,20 @@ namespace TreeFamily.Native
         /// <summary>
         /// Endpoints reached.
         /// </summary>
-        public ulong endpoints;
+        public ulong n_endpoints;
         /// <summary>
         /// Random endpoints asked for that the graphs had no nodes for.
         /// </summary>
-        public ulong missing;
+        public ulong n_missing;
         /// <summary>
         /// Endpoints of the levels before from which nothing grew, because an obstacle left no room or a
         /// narrow subgraph did not hang together.
         /// </summary>
-        public ulong stunted;
+        public ulong n_stunted;
         /// <summary>
         /// Endpoints of the level before whose lifespan had ended.
         /// </summary>
-        public ulong ended;
+        public ulong n_ended;
     }
 
     /// <summary>
@@ -8957,7 +8957,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// The sky the tree grew under: direction to its brightest point, as in `tree_plastic_sky`. Default 0, 1, 0.
         /// </summary>
-        public fixed float sky_brightest[3];
+        public fixed float sky_light[3];
         /// <summary>
         /// Factor on all its light, 0 to 10. Default 1.
         /// </summary>
@@ -9126,7 +9126,7 @@ namespace TreeFamily.Native
         /// <summary>
         /// Direction to the brightest point, of any length but 0, not below the horizon. Default 0, 1, 0.
         /// </summary>
-        public fixed float brightest[3];
+        public fixed float light[3];
         /// <summary>
         /// Factor on all light, 0 to 10. Default 1. At 0 every branch starves but the trunk.
         /// </summary>
@@ -10799,6 +10799,106 @@ namespace TreeFamily.Native
         /// One for each node: the axis it lies on.
         /// </summary>
         public uint* axis_of;
+    }
+
+    /// <summary>
+    /// How a skeleton branches.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_branching_report
+    {
+        /// <summary>
+        /// `sizeof(tree_branching_report)`.
+        /// </summary>
+        public UIntPtr struct_size;
+        /// <summary>
+        /// The Horton-Strahler order of the root, which no other exceeds; at least 1.
+        /// </summary>
+        public uint n_orders;
+        /// <summary>
+        /// Unbranched runs, at least 1.
+        /// </summary>
+        public uint n_runs;
+        /// <summary>
+        /// How many times more branches there are of an order than of the next higher one: trees have about 3 to 5.
+        /// 0 where all is of order 1.
+        /// </summary>
+        public double bifurcation_ratio;
+        /// <summary>
+        /// How many times longer the branches of an order are than those of the next lower one; 0 where fewer than two
+        /// orders have a length.
+        /// </summary>
+        public double length_ratio;
+        /// <summary>
+        /// The median of what `tree_skeleton_pipe_exponents` gives, of two in the middle the higher: infinite where most
+        /// forks have none. 0 of a skeleton without forks.
+        /// </summary>
+        public double pipe_exponent;
+    }
+
+    /// <summary>
+    /// The branches of a Horton-Strahler order.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_strahler_order
+    {
+        /// <summary>
+        /// How many there are; one of the highest order.
+        /// </summary>
+        public ulong n_branches;
+        /// <summary>
+        /// Their mean length in metres. 0 for the highest order where the root itself is the fork.
+        /// </summary>
+        public double mean_length;
+    }
+
+    /// <summary>
+    /// An unbranched run: what lies between two forks, or a fork and a tip.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_unbranched_run
+    {
+        /// <summary>
+        /// The run below; `TREE_NO_PARENT` for run 0.
+        /// </summary>
+        public uint parent;
+        /// <summary>
+        /// Its upper end: a fork or a tip.
+        /// </summary>
+        public uint end;
+        /// <summary>
+        /// 1 where it ends in a tip.
+        /// </summary>
+        public uint is_tip;
+        /// <summary>
+        /// Its segments, the one above the fork included: at least 1, but for a root that is a fork or a tip.
+        /// </summary>
+        public uint n_segments;
+        /// <summary>
+        /// Length from the fork below to the end, in metres.
+        /// </summary>
+        public double length;
+        /// <summary>
+        /// Mean radius in metres, weighted by length; radii of 0 are left out, as they are not known. 0 where none is. A run
+        /// without length has the radius of its end.
+        /// </summary>
+        public double radius;
+    }
+
+    /// <summary>
+    /// How far a lateral turns away from its parent axis.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct tree_lateral_angle
+    {
+        /// <summary>
+        /// First node of the lateral, the one above the fork.
+        /// </summary>
+        public uint node;
+        /// <summary>
+        /// Between the axis below the fork and the lateral, in radians from 0 to pi.
+        /// </summary>
+        public float angle;
     }
 
     /// <summary>
@@ -12743,6 +12843,9 @@ namespace TreeFamily.Native
         /// `tree_plastic_scene_update` works out what that means, `tree_plastic_scene_adapted` hands out a tree as it is then.
         /// `examples/c/wall.c` does this.
         ///
+        /// Measuring: `tree_skeleton_branching` gives the figures of foresters, `tree_skeleton_runs` and
+        /// `tree_skeleton_lateral_angles` the rows behind them.
+        ///
         /// Comparing: `tree_skeleton_distance` says how different two trees are, `tree_skeleton_distance_pairs` which branch is which.
         ///
         /// * Status. Functions that can fail return a `tree_status`, `TREE_OK` or a code. What was wrong,
@@ -14130,14 +14233,14 @@ namespace TreeFamily.Native
         public const int TREE_CONTINUATION_STRAIGHTEST = 2;
 
         /// <summary>
-        /// +Y, as in this library.
+        /// +Z, as laser scanners and foresters have it: (x, y, z) becomes (x, z, -y). The default.
         /// </summary>
-        public const int TREE_UP_Y = 0;
+        public const int TREE_UP_Z = 0;
 
         /// <summary>
-        /// +Z, as laser scanners and foresters have it.
+        /// +Y, as in this library.
         /// </summary>
-        public const int TREE_UP_Z = 1;
+        public const int TREE_UP_Y = 1;
 
         /// <summary>
         /// They stay 0, for example to be found by `tree_skeleton_with_rule`.
@@ -14175,16 +14278,6 @@ namespace TreeFamily.Native
         /// Leaf widths in a report: those of the first kinds.
         /// </summary>
         public const int TREE_SKELETONIZE_LEAF_WIDTHS = 256;
-
-        /// <summary>
-        /// Z, as in most scanners' files: (x, y, z) becomes (x, z, -y). The default.
-        /// </summary>
-        public const int TREE_UP_Z = 0;
-
-        /// <summary>
-        /// Y, as here.
-        /// </summary>
-        public const int TREE_UP_Y = 1;
 
         /// <summary>
         /// Bark.
@@ -18485,13 +18578,13 @@ namespace TreeFamily.Native
         /// those of `tree_foliage_preset_name`; `TREE_ERROR_UNKNOWN_NAME` lists them.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_finish_params_find(tree_finish_params* @params, UIntPtr size, byte* name, UIntPtr len);
+        public static extern int tree_finish_params_find(byte* name, UIntPtr len, tree_finish_params* @params, UIntPtr size);
 
         /// <summary>
         /// As `tree_finish_params_find`, with single leaves and needles instead of sprays: far more of them.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_finish_params_of(tree_finish_params* @params, UIntPtr size, byte* name, UIntPtr len);
+        public static extern int tree_finish_params_of(byte* name, UIntPtr len, tree_finish_params* @params, UIntPtr size);
 
         /// <summary>
         /// Whether all fields are in order: `TREE_OK`, or the error that their use would give.
@@ -21055,6 +21148,60 @@ namespace TreeFamily.Native
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int tree_axes_free(tree_axes* axes);
+
+        /// <summary>
+        /// Measures how a skeleton branches: Horton-Strahler orders, unbranched runs, the exponent of the pipe model read off
+        /// the radii. Set `report-&gt;struct_size` first.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_branching(tree_skeleton* skeleton, tree_branching_report* report);
+
+        /// <summary>
+        /// The Horton-Strahler order of each node, from 1 up: that of the segment below it. `orders` has room for `capacity`
+        /// numbers, at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_strahler_orders(tree_skeleton* skeleton, uint* orders, UIntPtr capacity);
+
+        /// <summary>
+        /// The branches of order 1, 2 and so on, a row for each order, and the number of orders into `n_rows`. `rows` has room
+        /// for `capacity` rows: 33 are enough, and as many as there are nodes.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_strahler_counts(tree_skeleton* skeleton, tree_strahler_order* rows, UIntPtr capacity, UIntPtr* n_rows);
+
+        /// <summary>
+        /// All unbranched runs, those below first, and their number into `n_runs`. Run 0 starts at the root and has no length
+        /// where the root is a fork. `runs` has room for `capacity` rows: as many as there are nodes are enough.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_runs(tree_skeleton* skeleton, tree_unbranched_run* runs, UIntPtr capacity, UIntPtr* n_runs);
+
+        /// <summary>
+        /// The run that each node lies on, a number of `tree_skeleton_runs`; a fork lies on the run below it. `run_of` has room
+        /// for `capacity` numbers, at least one for each node.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_run_of(tree_skeleton* skeleton, uint* run_of, UIntPtr capacity);
+
+        /// <summary>
+        /// The exponent of the pipe model at each fork that has one, r^e = r1^e + r2^e + ..., as the radii are, in the order of
+        /// the runs below, and their number into `n_exponents`. Infinite where a branch is as thick as the run below it or
+        /// thicker. Forks at which a radius is 0, or a branch is a tip of one segment, are left out. `exponents` has room for
+        /// `capacity` numbers: as many as there are nodes are enough.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_pipe_exponents(tree_skeleton* skeleton, double* exponents, UIntPtr capacity, UIntPtr* n_exponents);
+
+        /// <summary>
+        /// The angle of every lateral, in the order of axes, and their number into `n_laterals`; `rule` says what is axis and
+        /// what lateral. Both directions are chords of `reach` metres, 0 or more: of the axis below the fork, and along the
+        /// lateral. With a reach of 0 they are the segments next to the fork; measured skeletons are rough there and want a
+        /// reach of a few diameters. Laterals at the root, and those without length, are left out. `laterals` has room for
+        /// `capacity` rows: as many as there are nodes are enough.
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int tree_skeleton_lateral_angles(tree_skeleton* skeleton, uint rule, float reach, tree_lateral_angle* laterals, UIntPtr capacity, UIntPtr* n_laterals);
 
         /// <summary>
         /// A new skeleton with other radii: `radii` has `n` floats, one for each node, in metres, 0 or more. Free

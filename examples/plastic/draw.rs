@@ -6,9 +6,9 @@ use tree_core::glam::{Vec2, Vec3};
 use tree_core::{Control, Tree};
 use tree_lod::preview::{Camera, Lens, Pose, View};
 use tree_mesh::io::{self, ImportOptions};
-use tree_mesh::{Alpha, ErrorBound, Look, Material, Mesh, MeshParams, Surface};
+use tree_mesh::{ErrorBound, Look, Material, Mesh, MeshParams, Surface};
 use tree_model::plastic::{Adapted, Scene, TreeId};
-use tree_model::skeletonize::{Hint, Part, SkeletonizeParams, skeletonize};
+use tree_model::skeletonize::{SkeletonizeParams, skeletonize};
 
 /// Steps of red that are told apart.
 const SHADES: u32 = 8;
@@ -59,23 +59,7 @@ pub(crate) fn leafy(tree: &Tree, control: &Control) -> Result<Mesh, Box<dyn Erro
 /// A tree out of a mesh.
 pub(crate) fn imported(path: &Path, control: &Control) -> Result<Tree, Box<dyn Error>> {
     let mesh = io::read(path, &ImportOptions { external: true }, control)?.mesh;
-    let parts: Vec<Part<'_>> = mesh
-        .surfaces
-        .iter()
-        .map(|surface| {
-            let material = mesh.materials.get(surface.material as usize);
-            Part {
-                positions: &surface.positions,
-                uvs: &surface.uvs,
-                indices: &surface.indices,
-                name: material.map_or("", |material| &material.name),
-                hint: Hint::Auto,
-                alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
-                double_sided: material.is_some_and(|m| m.double_sided),
-            }
-        })
-        .collect();
-    Ok(skeletonize(&parts, &SkeletonizeParams::default(), control)?.tree)
+    Ok(skeletonize(&mesh.parts(), &SkeletonizeParams::default(), control)?.tree)
 }
 
 pub(crate) fn append(all: &mut Mesh, mesh: Mesh, place: impl Fn(Vec3) -> Vec3) {

@@ -46,11 +46,11 @@ fn run() -> Result<(), Box<dyn Error>> {
     let report = model.report();
     println!(
         "{name}: {} main nodes, {} that follow, {} seasons of internodes {:.2} m long, {} leaf clusters; read in {:.1} ms",
-        report.main_nodes,
-        report.branchlet_nodes,
-        report.seasons,
+        report.n_main_nodes,
+        report.n_branchlet_nodes,
+        report.n_seasons,
         report.internode,
-        report.clusters,
+        report.n_clusters,
         1e3 * started.elapsed().as_secs_f64()
     );
     if report.already_bent {
@@ -79,7 +79,7 @@ fn run() -> Result<(), Box<dyn Error>> {
         println!(
             "{}: updated in {took:.2} ms; {} nodes pruned, farthest moved {:.2} m",
             path.display(),
-            adapted.pruned_nodes,
+            adapted.n_pruned,
             adapted.farthest
         );
         if frame + 1 == request.frames {

@@ -16,7 +16,7 @@ libfuzzer_sys::fuzz_target!(|data: &[u8]| {
             continue;
         };
         if let Ok(grown) = session.tree(&tree_fuzz::control()) {
-            assert_eq!(grown.report.leaves as usize, grown.tree.foliage().len());
+            assert_eq!(grown.report.n_leaves as usize, grown.tree.foliage().len());
         }
     }
 });

@@ -9,6 +9,7 @@
 //! * [`branching`]: how a tree branches, measured: Horton-Strahler orders, pipe exponent, angles.
 //! * [`distance`]: how different two trees are, by the edits that turn one into the other.
 //! * [`assignment`]: who is matched with whom at least cost.
+//! * [`Part`]: borrowed triangles of one material, for modelers that read meshes.
 //! * [`swc`]: skeletons from and to the plain-text exchange format; [`file`]: files within limits, whole or absent.
 //! * [`Seed`], [`Control`], [`Limits`]: the same bits for the same seed, progress and cancellation,
 //!   and caps on memory.
@@ -39,6 +40,7 @@ pub mod error;
 pub mod file;
 mod foliage;
 mod limits;
+mod part;
 pub mod seed;
 mod skeleton;
 pub mod swc;
@@ -51,6 +53,7 @@ pub use error::CoreError;
 pub use foliage::{Foliage, Leaf};
 pub use glam;
 pub use limits::{LimitError, Limits, Resource};
+pub use part::{Hint, Part};
 pub use seed::{Rng, Seed};
 pub use skeleton::{
     Axes, Axis, Children, Continuation, NO_PARENT, Reordered, Skeleton, SkeletonBuilder,

@@ -31,7 +31,7 @@ fn a_frame_allocates_nothing() {
             _ => Occlusion::Depth(buffer),
         };
         let frame = Frame { eye, occlusion, seconds: 0.016, cut: i == 10 };
-        drawn += scene.select(&frame, &params, &mut state).unwrap().drawn;
+        drawn += scene.select(&frame, &params, &mut state).unwrap().n_drawn;
         scene.draws(&state, &mut draws, &mut rows).unwrap();
         scene.batches(&mut state, &mut draws, &mut rows).unwrap();
     }

@@ -51,14 +51,14 @@ pub struct MeshReport {
     pub n_stubs: usize,
     /// Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What
     /// they carry is drawn on the axis below.
-    pub skipped_axes: usize,
+    pub n_skipped_axes: usize,
     /// Laterals whose base was turned or moved because another one has its place.
-    pub moved_axes: usize,
+    pub n_moved_axes: usize,
     /// Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
     /// the wood.
-    pub skipped_nodes: usize,
+    pub n_skipped_nodes: usize,
     /// Leaves of size 0, not drawn.
-    pub skipped_leaves: usize,
+    pub n_skipped_leaves: usize,
     /// Leaf kinds whose picture could not be outlined as their look asks (it has no mask, or nothing
     /// of it is visible): drawn as cards.
     pub leaf_fallbacks: Vec<u32>,
@@ -157,10 +157,10 @@ pub(crate) fn build_numbered(
             .collect(),
         n_tubes: count_kind(Kind::Trunk) + count_kind(Kind::Lateral),
         n_stubs: count_kind(Kind::Stub),
-        skipped_axes: count_kind(Kind::Skipped),
-        moved_axes: plan.n_moved as usize,
-        skipped_nodes: plan.curves.n_dropped as usize,
-        skipped_leaves: tree.foliage().len() - leaves.len(),
+        n_skipped_axes: count_kind(Kind::Skipped),
+        n_moved_axes: plan.n_moved as usize,
+        n_skipped_nodes: plan.curves.n_dropped as usize,
+        n_skipped_leaves: tree.foliage().len() - leaves.len(),
         leaf_fallbacks: leaves.fallbacks(),
     };
     Ok((Built { mesh, report }, branch_of))

@@ -75,7 +75,7 @@ fn leaves_are_grouped_by_kind_and_those_without_size_are_left_out() {
     let tree = leafy(vec![at(1.0, 0.1, 2), at(2.0, 0.1, 0), at(3.0, 0.0, 0), at(4.0, 0.1, 2)], 3);
     let built = mesh_of(&tree, &plain());
     assert_eq!(built.report.surfaces, [(0, 0), (4, 2), (0, 0), (8, 4)]);
-    assert_eq!(built.report.skipped_leaves, 1);
+    assert_eq!(built.report.n_skipped_leaves, 1);
     assert_eq!(built.mesh.surfaces[3].material, 3);
     assert_eq!(built.mesh.surfaces[3].positions[4].x, 3.95);
     let mut look = Look::plain(tree.species());

@@ -4,7 +4,7 @@ use crate::error::{MeshError, Result};
 use crate::wind::Branch;
 use glam::{Vec2, Vec3, Vec4};
 use std::sync::Arc;
-use tree_core::Aabb;
+use tree_core::{Aabb, Hint, Part};
 
 /// Triangles of one material, in columns. One surface becomes one glTF primitive.
 ///
@@ -162,6 +162,26 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// The surfaces as parts, one each and borrowed, for what reads a tree out of a mesh. Names, holes and faces are those of
+    /// the materials; hints are [`Hint::Auto`].
+    #[must_use]
+    pub fn parts(&self) -> Vec<Part<'_>> {
+        let material = |surface: &Surface| self.materials.get(surface.material as usize);
+        self.surfaces
+            .iter()
+            .map(|surface| (surface, material(surface)))
+            .map(|(surface, material)| Part {
+                positions: &surface.positions,
+                uvs: &surface.uvs,
+                indices: &surface.indices,
+                name: material.map_or("", |material| &material.name),
+                hint: Hint::Auto,
+                alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
+                double_sided: material.is_some_and(|m| m.double_sided),
+            })
+            .collect()
+    }
+
     /// Number of vertices of all surfaces.
     #[must_use]
     pub fn n_vertices(&self) -> usize {

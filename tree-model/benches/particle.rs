@@ -56,7 +56,7 @@ fn views() -> Vec<View> {
 
 fn attractors(c: &mut Criterion) {
     let (matte, control) = (matte(), Control::default());
-    let seeds = silhouette_seeds(&matte, base(), SEEDS, Seed(1), &SeedParams::default(), &control)
+    let seeds = silhouette_seeds(&matte, base(), SEEDS, &SeedParams::default(), Seed(1), &control)
         .expect("seeds");
     let mut group = c.benchmark_group("particle");
     group.sample_size(10);
@@ -113,8 +113,8 @@ fn field(view: &View) -> (Camera, DirectionField) {
         &view.matte,
         camera.base,
         SEEDS,
-        Seed(1),
         &SeedParams::default(),
+        Seed(1),
         &control,
     )
     .expect("seeds");

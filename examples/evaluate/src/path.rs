@@ -130,7 +130,7 @@ fn table_1(table: &mut Table, row: &Measured) -> Outcome {
         table.row(&Row { case: row.case, metric, paper, peer: None, ours, unit, aim });
     };
     let (nodes, endpoints) = (row.nodes as f64, row.endpoints as f64);
-    figure("graph nodes", Some(nodes), graphs.nodes as f64, "nodes", Aim::AtLeast(nodes));
+    figure("graph nodes", Some(nodes), graphs.n_nodes as f64, "nodes", Aim::AtLeast(nodes));
     let ours = grown.report.endpoints() as f64;
     figure("endpoints", Some(endpoints), ours, "endpoints", Aim::AtLeast(endpoints));
     figure(
@@ -142,10 +142,10 @@ fn table_1(table: &mut Table, row: &Measured) -> Outcome {
     );
     let speedup = row.seconds / seconds;
     figure("times faster than printed", None, speedup, "×", Aim::AtLeast(SPEEDUP));
-    let per_node = 1e9 * seconds / graphs.nodes as f64;
+    let per_node = 1e9 * seconds / graphs.n_nodes as f64;
     figure("time per graph node", None, per_node, "ns", Aim::None);
     if let Some(peak) = peak {
-        let per_node = peak as f64 / graphs.nodes as f64;
+        let per_node = peak as f64 / graphs.n_nodes as f64;
         figure("peak memory per graph node", None, per_node, "bytes", Aim::None);
     }
     Ok(())
@@ -163,7 +163,7 @@ fn table_2(table: &mut Table) -> Outcome {
             table.row(&Row { case: &case, metric, paper, peer: None, ours, unit, aim });
         };
         figure("time, leaves included", Some(paper), seconds, "s", Aim::AtMost(paper / SPEEDUP));
-        figure("graph nodes", None, grown.report.graphs().nodes as f64, "nodes", Aim::None);
+        figure("graph nodes", None, grown.report.graphs().n_nodes as f64, "nodes", Aim::None);
         figure("skeleton nodes", None, grown.tree.skeleton().len() as f64, "nodes", Aim::None);
         figure("leaves", None, grown.tree.foliage().len() as f64, "leaves", Aim::None);
     }
@@ -177,7 +177,7 @@ fn scaling(table: &mut Table) -> Outcome {
     for (scale, per_node) in [1, 10].into_iter().zip(&mut per_node) {
         let params = tree(row.branching, row.graph_nodes, scale)?;
         let (seconds, grown) = fastest(if scale == 1 { 7 } else { 3 }, || grow(&params))?;
-        let nodes = grown.report.graphs().nodes as f64;
+        let nodes = grown.report.graphs().n_nodes as f64;
         *per_node = 1e9 * seconds / nodes;
         let case = format!("a tree of {nodes} graph nodes");
         let ours = *per_node;
@@ -205,7 +205,7 @@ fn scaling(table: &mut Table) -> Outcome {
     for (nodes, per_node) in [351_810, 3_518_100].into_iter().zip(&mut per_node) {
         let params = one_graph(nodes)?;
         let peak = peak_bytes(&nodes.to_string());
-        let nodes = grow(&params)?.report.graphs().nodes as f64;
+        let nodes = grow(&params)?.report.graphs().n_nodes as f64;
         let (seconds, _) = fastest(3, || grow(&params))?;
         *per_node = 1e9 * seconds / nodes;
         let case = format!("one graph of {nodes} nodes");

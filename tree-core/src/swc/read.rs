@@ -33,11 +33,11 @@ pub struct SwcReport {
     /// All comments without their `#`, a line each.
     pub comments: String,
     /// Rows without a known radius (0).
-    pub unknown_radii: usize,
+    pub n_unknown_radii: usize,
     /// How many of these [`SwcOptions::unknown_radius`] gave a radius.
-    pub filled_radii: usize,
+    pub n_filled_radii: usize,
     /// Rows with more than seven fields; the further ones were passed over.
-    pub rows_with_more_fields: usize,
+    pub n_rows_with_more_fields: usize,
     /// Whether rows came before their parents, so that nodes have another order than rows.
     pub reordered: bool,
     /// What was added to every position to bring the root to the origin, in metres and our axes;
@@ -67,16 +67,16 @@ pub fn read(text: &str, options: &SwcOptions, limits: &Limits) -> Result<SwcImpo
             other => other,
         })?;
     let n_unknown = |skeleton: &Skeleton| skeleton.radii().iter().filter(|&&r| r == 0.0).count();
-    let unknown_radii = n_unknown(&skeleton);
+    let n_unknown_radii = n_unknown(&skeleton);
     match options.unknown_radius {
         UnknownRadius::Keep => {}
         UnknownRadius::Interpolate => interpolate(&mut skeleton)?,
     }
     let report = SwcReport {
         comments: std::mem::take(&mut rows.comments),
-        unknown_radii,
-        filled_radii: unknown_radii - n_unknown(&skeleton),
-        rows_with_more_fields: rows.rows_with_more_fields,
+        n_unknown_radii,
+        n_filled_radii: n_unknown_radii - n_unknown(&skeleton),
+        n_rows_with_more_fields: rows.n_rows_with_more_fields,
         reordered: row_of.iter().enumerate().any(|(i, &row)| i != row as usize),
         moved_by,
     };

@@ -26,7 +26,7 @@ pub(super) struct Rows {
     pub(super) lines: Vec<usize>,
     pub(super) n_lines: usize,
     pub(super) comments: String,
-    pub(super) rows_with_more_fields: usize,
+    pub(super) n_rows_with_more_fields: usize,
 }
 
 impl Rows {
@@ -94,7 +94,7 @@ impl Rows {
         self.radii.push(radius);
         self.parents.push(parent);
         self.lines.push(self.n_lines);
-        self.rows_with_more_fields += usize::from(found > N_FIELDS);
+        self.n_rows_with_more_fields += usize::from(found > N_FIELDS);
         Ok(())
     }
 }

@@ -70,8 +70,8 @@ fn ids_come_in_any_order_and_size() {
 fn comments_and_further_fields_are_reported() {
     let import = plain("# one \n1 3 0 0 0 0 -1 extra 8 # two\n#\n").unwrap();
     assert_eq!(import.report.comments, "one\ntwo\n\n");
-    assert_eq!(import.report.rows_with_more_fields, 1);
-    assert_eq!(import.report.unknown_radii, 1);
+    assert_eq!(import.report.n_rows_with_more_fields, 1);
+    assert_eq!(import.report.n_unknown_radii, 1);
 }
 
 #[test]
@@ -171,7 +171,11 @@ fn unknown_radii_are_filled_from_both_sides() {
     let fill = |text: &str| {
         let options = SwcOptions { unknown_radius: UnknownRadius::Interpolate, ..PLAIN };
         let import = read(text, &options, &Limits::default()).unwrap();
-        (import.skeleton.radii().to_vec(), import.report.unknown_radii, import.report.filled_radii)
+        (
+            import.skeleton.radii().to_vec(),
+            import.report.n_unknown_radii,
+            import.report.n_filled_radii,
+        )
     };
     // Known 4 at 0 m and 1 at 3 m; unknown at 1 m, with an unknown twig and a thinner known one.
     let (radii, unknown, filled) = fill(
@@ -227,7 +231,7 @@ fn scanned_trees_have_the_counts_that_their_source_states() {
         skeleton.check().unwrap();
         assert_eq!(skeleton.len(), n_nodes);
         assert_eq!(types.iter().filter(|&&t| t == 4).count(), n_laterals);
-        assert_eq!(report.unknown_radii, n_unknown);
+        assert_eq!(report.n_unknown_radii, n_unknown);
         assert!(!report.reordered);
         assert_eq!(skeleton.positions()[0], Vec3::ZERO);
         assert!(skeleton.bounds().max.y > 3.0, "a tree stands up");
@@ -239,7 +243,7 @@ fn scanned_trees_have_the_counts_that_their_source_states() {
         let options =
             SwcOptions { unknown_radius: UnknownRadius::Interpolate, ..Default::default() };
         let filled = read_file(&folder.join(file), &options, &Limits::default()).unwrap();
-        assert_eq!(filled.report.filled_radii, n_unknown);
+        assert_eq!(filled.report.n_filled_radii, n_unknown);
         assert!(filled.skeleton.radii().iter().all(|&radius| radius > 0.0));
     }
 }

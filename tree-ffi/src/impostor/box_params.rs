@@ -85,9 +85,9 @@ pub struct tree_leaf_boxes_report {
     /// Leaves in all.
     pub n_leaves: usize,
     /// Leaves that are in no box but that of the whole tree.
-    pub in_root_only: usize,
+    pub n_in_root_only: usize,
     /// Branches that got no box because it would have been too small.
-    pub dropped: usize,
+    pub n_dropped: usize,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -106,8 +106,8 @@ impl tree_leaf_boxes_report {
             n_boxes: report.n_boxes,
             n_levels: report.n_levels,
             n_leaves: report.n_leaves,
-            in_root_only: report.in_root_only,
-            dropped: report.dropped,
+            n_in_root_only: report.n_in_root_only,
+            n_dropped: report.n_dropped,
         }
     }
 }

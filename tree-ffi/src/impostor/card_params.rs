@@ -62,11 +62,11 @@ pub struct tree_cards_report {
     /// Number of pictures: six for each box.
     pub n_images: usize,
     /// Texels of all pictures.
-    pub texels: u64,
+    pub n_texels: u64,
     /// Bytes of both atlases, as they are in memory.
     pub bytes: usize,
     /// Pictures in which nothing covers half a texel.
-    pub empty: usize,
+    pub n_empty: usize,
     /// Side of a picture in texels, gutters included.
     pub size: u32,
     /// 0.
@@ -88,9 +88,9 @@ impl tree_cards_report {
             struct_size: size_of::<Self>(),
             n_boxes: report.n_boxes,
             n_images: report.n_images,
-            texels: report.texels,
+            n_texels: report.n_texels,
             bytes: report.bytes,
-            empty: report.empty,
+            n_empty: report.n_empty,
             size,
             reserved: 0,
         }

@@ -201,18 +201,18 @@ pub struct tree_scene_report {
     /// `sizeof(tree_scene_report)`.
     pub struct_size: usize,
     /// Instances in view.
-    pub drawn: u64,
+    pub n_drawn: u64,
     /// Instances out of view.
-    pub culled: u64,
+    pub n_culled: u64,
     /// Instances in view of which some sample points are hidden. What is so far that it is drawn as coarsely as can
     /// be is not tested, and counts as seen.
-    pub occluded: u64,
+    pub n_occluded: u64,
     /// Instances in view of which all are.
-    pub hidden: u64,
+    pub n_hidden: u64,
     /// Indices drawn: what a vertex shader sees at most.
-    pub indices: u64,
+    pub n_indices: u64,
     /// Triangles drawn, if all are lists.
-    pub triangles: u64,
+    pub n_triangles: u64,
 }
 
 // SAFETY: repr(C), begins with its size, and holds numbers only.
@@ -228,12 +228,12 @@ impl tree_scene_report {
     fn of(selected: &Selected) -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            drawn: selected.drawn as u64,
-            culled: selected.culled as u64,
-            occluded: selected.occluded as u64,
-            hidden: selected.hidden as u64,
-            indices: selected.indices,
-            triangles: selected.triangles,
+            n_drawn: selected.n_drawn as u64,
+            n_culled: selected.n_culled as u64,
+            n_occluded: selected.n_occluded as u64,
+            n_hidden: selected.n_hidden as u64,
+            n_indices: selected.n_indices,
+            n_triangles: selected.n_triangles,
         }
     }
 }

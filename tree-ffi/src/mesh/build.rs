@@ -23,14 +23,14 @@ pub struct tree_mesh_report {
     pub n_stubs: u64,
     /// Axes not drawn because all their nodes lie at one place, or inside the parent's wood. What they
     /// carry is drawn on the axis below.
-    pub skipped_axes: u64,
+    pub n_skipped_axes: u64,
     /// Laterals whose base was turned or moved because another one has its place.
-    pub moved_axes: u64,
+    pub n_moved_axes: u64,
     /// Nodes passed over because they lie within a tenth of a radius of the one before, or back inside
     /// the wood.
-    pub skipped_nodes: u64,
+    pub n_skipped_nodes: u64,
     /// Leaves of size 0, not drawn.
-    pub skipped_leaves: u64,
+    pub n_skipped_leaves: u64,
     /// Number of leaf kinds whose picture could not be outlined as their look asks (it has no mask, or
     /// nothing of it is visible): drawn as cards.
     pub n_leaf_fallbacks: u64,
@@ -56,10 +56,10 @@ impl tree_mesh_report {
             n_triangles: report.n_triangles as u64,
             n_tubes: report.n_tubes as u64,
             n_stubs: report.n_stubs as u64,
-            skipped_axes: report.skipped_axes as u64,
-            moved_axes: report.moved_axes as u64,
-            skipped_nodes: report.skipped_nodes as u64,
-            skipped_leaves: report.skipped_leaves as u64,
+            n_skipped_axes: report.n_skipped_axes as u64,
+            n_moved_axes: report.n_moved_axes as u64,
+            n_skipped_nodes: report.n_skipped_nodes as u64,
+            n_skipped_leaves: report.n_skipped_leaves as u64,
             n_leaf_fallbacks: report.leaf_fallbacks.len() as u64,
             leaf_fallbacks: std::ptr::null(),
         }

@@ -12,42 +12,43 @@ const _: () = assert!(TREE_PATH_REPORT_LEVELS == MAX_LEVELS + 1);
 #[derive(Clone, Copy, Debug, Default)]
 pub struct tree_path_level_report {
     /// Graphs searched.
-    pub graphs: u64,
+    pub n_graphs: u64,
     /// Nodes in them.
-    pub graph_nodes: u64,
+    pub n_graph_nodes: u64,
     /// Arcs in them: two for each edge.
-    pub graph_arcs: u64,
+    pub n_graph_arcs: u64,
     /// Nodes no path led to.
-    pub stray_nodes: u64,
+    pub n_stray_nodes: u64,
     /// Graphs that fell apart at the linking distance asked for and were linked again with a longer one.
-    pub widened: u64,
+    pub n_widened: u64,
     /// Bytes of the largest single graph.
     pub largest_bytes: u64,
     /// Endpoints reached.
-    pub endpoints: u64,
+    pub n_endpoints: u64,
     /// Random endpoints asked for that the graphs had no nodes for.
-    pub missing: u64,
+    pub n_missing: u64,
     /// Endpoints of the levels before from which nothing grew, because an obstacle left no room or a
     /// narrow subgraph did not hang together.
-    pub stunted: u64,
+    pub n_stunted: u64,
     /// Endpoints of the level before whose lifespan had ended.
-    pub ended: u64,
+    pub n_ended: u64,
 }
 
 impl tree_path_level_report {
     fn of(report: &LevelReport) -> Self {
-        let LevelReport { graphs, endpoints, missing, stunted, ended } = *report;
-        Self { endpoints, missing, stunted, ended, ..Self::of_graphs(graphs) }
+        let LevelReport { graphs, n_endpoints, n_missing, n_stunted, n_ended } = *report;
+        Self { n_endpoints, n_missing, n_stunted, n_ended, ..Self::of_graphs(graphs) }
     }
 
     fn of_graphs(stats: GraphStats) -> Self {
-        let GraphStats { graphs, nodes, arcs, stray_nodes, widened, largest_bytes } = stats;
+        let GraphStats { n_graphs, n_nodes, n_arcs, n_stray_nodes, n_widened, largest_bytes } =
+            stats;
         Self {
-            graphs,
-            graph_nodes: nodes,
-            graph_arcs: arcs,
-            stray_nodes,
-            widened,
+            n_graphs,
+            n_graph_nodes: n_nodes,
+            n_graph_arcs: n_arcs,
+            n_stray_nodes,
+            n_widened,
             largest_bytes,
             ..Self::default()
         }
@@ -94,10 +95,10 @@ impl tree_path_report {
         let sum = |of: fn(&LevelReport) -> u64| all().map(of).sum();
         Self {
             total: tree_path_level_report {
-                endpoints: report.endpoints(),
-                missing: sum(|level| level.missing),
-                stunted: sum(|level| level.stunted),
-                ended: sum(|level| level.ended),
+                n_endpoints: report.endpoints(),
+                n_missing: sum(|level| level.n_missing),
+                n_stunted: sum(|level| level.n_stunted),
+                n_ended: sum(|level| level.n_ended),
                 ..tree_path_level_report::of_graphs(report.graphs())
             },
             n_levels: report.levels.len() as u64,

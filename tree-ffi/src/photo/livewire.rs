@@ -269,7 +269,7 @@ pub unsafe extern "C" fn tree_matte_seeds(
         let base = unsafe { vec2(base_pixel, "base_pixel") }?;
         let params = unsafe { read_or_default(params, "params") }?.rust();
         let body =
-            |control: &_| Ok(silhouette_seeds(matte, base, most, Seed(seed), &params, control)?);
+            |control: &_| Ok(silhouette_seeds(matte, base, most, &params, Seed(seed), control)?);
         let found = unsafe { run(control, body) }?;
         unsafe { fill_some(seeds, capacity, bytemuck::cast_slice(&found), "seeds") }?;
         unsafe { out_value(n_seeds, found.len(), "n_seeds") }

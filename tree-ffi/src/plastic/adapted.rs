@@ -71,11 +71,11 @@ impl tree_adapted_report {
     fn of(report: &AdaptedReport) -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            n_pruned: report.pruned_nodes.into(),
-            n_branchlets_dropped: report.branchlet_nodes_dropped.into(),
-            n_branchlets_added: report.branchlet_nodes_added.into(),
-            n_leaves_dropped: report.leaves_dropped.into(),
-            n_leaves_added: report.leaves_added.into(),
+            n_pruned: report.n_pruned.into(),
+            n_branchlets_dropped: report.n_branchlets_dropped.into(),
+            n_branchlets_added: report.n_branchlets_added.into(),
+            n_leaves_dropped: report.n_leaves_dropped.into(),
+            n_leaves_added: report.n_leaves_added.into(),
             farthest: report.farthest,
             reserved: 0,
         }

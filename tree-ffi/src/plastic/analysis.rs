@@ -89,10 +89,10 @@ impl tree_plastic_report {
     fn of(report: &PlasticReport) -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            n_main_nodes: report.main_nodes.into(),
-            n_branchlet_nodes: report.branchlet_nodes.into(),
-            n_clusters: report.clusters.into(),
-            n_seasons: report.seasons,
+            n_main_nodes: report.n_main_nodes.into(),
+            n_branchlet_nodes: report.n_branchlet_nodes.into(),
+            n_clusters: report.n_clusters.into(),
+            n_seasons: report.n_seasons,
             internode: report.internode,
             lean: report.lean,
             already_bent: report.already_bent.into(),

@@ -57,7 +57,7 @@ pub unsafe extern "C" fn tree_plastic_clusters_of_season(
     call(|| {
         let place = unsafe { out(clusters, "clusters") }?;
         let model = unsafe { get(plastic, "plastic") }?.rust();
-        let n = model.report().seasons;
+        let n = model.report().n_seasons;
         if season >= n {
             let text = format!("season is {season}, but the tree lived {n} seasons, from 0");
             return Err(Failure::new(TREE_ERROR_PARAMETER, text));

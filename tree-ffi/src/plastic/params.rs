@@ -28,7 +28,7 @@ pub struct tree_plastic_params {
     /// under 0.95.
     pub gravitropism: f32,
     /// The sky the tree grew under: direction to its brightest point, as in `tree_plastic_sky`. Default 0, 1, 0.
-    pub sky_brightest: [f32; 3],
+    pub sky_light: [f32; 3],
     /// Factor on all its light, 0 to 10. Default 1.
     pub sky_brightness: f32,
     /// 0.
@@ -55,7 +55,7 @@ impl tree_plastic_params {
             translucency: params.translucency,
             phototropism: params.phototropism,
             gravitropism: params.gravitropism,
-            sky_brightest: params.sky.brightest.to_array(),
+            sky_light: params.sky.light.to_array(),
             sky_brightness: params.sky.brightness,
             reserved: 0,
         }
@@ -70,7 +70,7 @@ impl tree_plastic_params {
             translucency: self.translucency,
             phototropism: self.phototropism,
             gravitropism: self.gravitropism,
-            sky: Sky { brightest: Vec3::from(self.sky_brightest), brightness: self.sky_brightness },
+            sky: Sky { light: Vec3::from(self.sky_light), brightness: self.sky_brightness },
         }
     }
 }

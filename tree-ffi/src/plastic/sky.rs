@@ -12,7 +12,7 @@ pub struct tree_plastic_sky {
     /// `sizeof(tree_plastic_sky)`.
     pub struct_size: usize,
     /// Direction to the brightest point, of any length but 0, not below the horizon. Default 0, 1, 0.
-    pub brightest: [f32; 3],
+    pub light: [f32; 3],
     /// Factor on all light, 0 to 10. Default 1. At 0 every branch starves but the trunk.
     pub brightness: f32,
 }
@@ -30,13 +30,13 @@ impl tree_plastic_sky {
     pub(super) fn of(sky: &Sky) -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            brightest: sky.brightest.to_array(),
+            light: sky.light.to_array(),
             brightness: sky.brightness,
         }
     }
 
     pub(super) fn rust(&self) -> Sky {
-        Sky { brightest: Vec3::from(self.brightest), brightness: self.brightness }
+        Sky { light: Vec3::from(self.light), brightness: self.brightness }
     }
 }
 

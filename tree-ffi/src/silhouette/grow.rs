@@ -334,12 +334,12 @@ impl tree_silhouette_grown {
             struct_size: size_of::<Self>(),
             n_levels: report.branches.len(),
             branches,
-            n_sketched: report.sketched,
-            n_leaves: report.leaves,
-            n_without_room: report.without_room,
-            n_fenced: report.fenced,
-            n_filled: report.filled,
-            n_patterns: report.patterns,
+            n_sketched: report.n_sketched,
+            n_leaves: report.n_leaves,
+            n_without_room: report.n_without_room,
+            n_fenced: report.n_fenced,
+            n_filled: report.n_filled,
+            n_patterns: report.n_patterns,
             n_elements: report.elements(),
         }
     }

@@ -183,9 +183,9 @@ impl tree_swc_contents {
             types: column(&swc.types),
             ids: column(&swc.ids),
             comments: tree_str::of(&report.comments),
-            n_unknown_radii: report.unknown_radii as u64,
-            n_filled_radii: report.filled_radii as u64,
-            n_rows_with_more_fields: report.rows_with_more_fields as u64,
+            n_unknown_radii: report.n_unknown_radii as u64,
+            n_filled_radii: report.n_filled_radii as u64,
+            n_rows_with_more_fields: report.n_rows_with_more_fields as u64,
             reordered: report.reordered.into(),
             moved_by: report.moved_by,
             ..Self::default_value()

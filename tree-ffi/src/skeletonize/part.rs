@@ -5,7 +5,7 @@ use crate::border::{
     tree_str, vec2s, vec3s,
 };
 use crate::mesh::tree_mesh;
-use ::tree_mesh::{Alpha, Mesh};
+use ::tree_mesh::Mesh;
 use tree_model::skeletonize::{Hint, Part};
 use tree_model::tree_core::{Limits, Resource};
 
@@ -151,19 +151,9 @@ pub(super) unsafe fn parts_of_mesh<'a>(
         let text = format!("{} hints for {n} surfaces; one for each, or NULL", hints.len());
         return Err(Failure::new(TREE_ERROR_INVALID, text));
     }
-    let surfaces = mesh.surfaces.iter().zip(hints).enumerate();
-    surfaces
-        .map(|(i, (surface, found))| {
-            let material = mesh.materials.get(surface.material as usize);
-            Ok(Part {
-                positions: &surface.positions,
-                uvs: &surface.uvs,
-                indices: &surface.indices,
-                name: material.map_or("", |material| &material.name),
-                hint: hint(found, &format!("hints[{i}]"))?,
-                alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
-                double_sided: material.is_some_and(|m| m.double_sided),
-            })
-        })
-        .collect()
+    let mut parts = mesh.parts();
+    for (i, (part, found)) in parts.iter_mut().zip(hints).enumerate() {
+        part.hint = hint(found, &format!("hints[{i}]"))?;
+    }
+    Ok(parts)
 }

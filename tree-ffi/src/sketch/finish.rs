@@ -124,11 +124,11 @@ impl tree_sketch_finish_report {
     pub(super) fn of(report: &FinishReport) -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            n_wood_nodes: report.wood_nodes,
-            n_twig_nodes: report.twig_nodes,
-            n_twig_nodes_cut: report.twig_nodes_cut,
-            n_leaves: report.leaves,
-            n_leaves_outside: report.leaves_outside,
+            n_wood_nodes: report.n_wood_nodes,
+            n_twig_nodes: report.n_twig_nodes,
+            n_twig_nodes_cut: report.n_twig_nodes_cut,
+            n_leaves: report.n_leaves,
+            n_leaves_outside: report.n_leaves_outside,
             leaves_larger: report.leaves_larger,
             reserved: 0,
         }

@@ -117,7 +117,7 @@ static tree_cards *baked(const tree_mesh *mesh, const tree_elements *elements,
     OK(tree_elements_free(other));
     OK(tree_cards_bake(mesh, elements, boxes, &params, NULL, &report, &cards));
     CHECK(report.n_boxes == n_boxes && report.n_images == 6 * n_boxes && report.size == 16);
-    CHECK(report.texels == 256 * report.n_images && report.empty < report.n_images);
+    CHECK(report.n_texels == 256 * report.n_images && report.n_empty < report.n_images);
     tree_cards_report again = {.struct_size = sizeof again};
     OK(tree_cards_measure(cards, &again));
     CHECK(memcmp(&again, &report, sizeof report) == 0);

@@ -159,15 +159,15 @@ static void occlusion(tree_scene *scene, tree_scene_state *state) {
     memcpy(frame.depth_view, frame.view, sizeof frame.view);
     memcpy(frame.depth_projection, frame.projection, sizeof frame.view);
     OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
-    CHECK(report.hidden == report.drawn && report.drawn > 0);
-    uint64_t few = report.indices;
+    CHECK(report.n_hidden == report.n_drawn && report.n_drawn > 0);
+    uint64_t few = report.n_indices;
     for (int i = 0; i < WIDTH * HEIGHT; i++) depths[i] = 1;
     OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
-    CHECK(report.hidden == 0 && report.occluded == 0 && report.indices > few);
-    CHECK(report.triangles == report.indices / 3);
+    CHECK(report.n_hidden == 0 && report.n_occluded == 0 && report.n_indices > few);
+    CHECK(report.n_triangles == report.n_indices / 3);
     frame.occlusion = TREE_SCENE_OCCLUSION_BUILT_IN;
     OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
-    CHECK(report.hidden > 0 && report.hidden < report.drawn);
+    CHECK(report.n_hidden > 0 && report.n_hidden < report.n_drawn);
 }
 
 /* What is written says the same as what was selected. */
@@ -180,18 +180,18 @@ static void frames(tree_scene *scene, tree_scene_state *state) {
     CHECK(sizeof *draws == 20 && sizeof *rows == 20);
     frame.cut = 1;
     OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
-    CHECK(report.drawn == TREES - 1 && report.culled == 1);
+    CHECK(report.n_drawn == TREES - 1 && report.n_culled == 1);
     OK(tree_scene_state_count_drawn(state, &n_drawn));
-    CHECK(n_drawn == report.drawn);
+    CHECK(n_drawn == report.n_drawn);
     OK(tree_scene_state_draws(state, scene, draws, TREES * PARTS, rows, TREES, &n_draws, &n_rows));
-    CHECK(n_rows == report.drawn && n_draws == PARTS * n_rows);
+    CHECK(n_rows == report.n_drawn && n_draws == PARTS * n_rows);
     uint64_t indices = 0;
     for (size_t i = 0; i < n_draws; i++) {
         indices += draws[i].index_count;
         CHECK(draws[i].instance_count == 1 && draws[i].first_instance == i / PARTS);
         CHECK(draws[i].base_vertex == (i % PARTS ? 7 : 0) && draws[i].first_index == (i % PARTS ? 30 : 0));
     }
-    CHECK(indices == report.indices);
+    CHECK(indices == report.n_indices);
     for (size_t i = 0; i < n_rows; i++) {
         tree_scene_shown shown;
         OK(tree_scene_state_shown(state, scene, rows[i].instance, &shown));
@@ -206,7 +206,7 @@ static void frames(tree_scene *scene, tree_scene_state *state) {
     CHECK(shown.in_view == 0);
 
     OK(tree_scene_state_batches(state, scene, batches, TREES * PARTS, rows, TREES, &n_batches, &n_rows));
-    CHECK(n_batches <= LEVELS * PARTS && n_batches < n_draws && n_rows == report.drawn);
+    CHECK(n_batches <= LEVELS * PARTS && n_batches < n_draws && n_rows == report.n_drawn);
     uint64_t in_batches = 0;
     for (size_t i = 0; i < n_batches; i++)
         in_batches += (uint64_t)batches[i].index_count * batches[i].instance_count;
@@ -276,7 +276,7 @@ void test_lod_select(void) {
     tree_scene_frame frame = a_frame();
     tree_scene_report report = {.struct_size = sizeof report};
     OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
-    CHECK(report.culled == 0);
+    CHECK(report.n_culled == 0);
     trees[0].scale = NAN;
     FAILS(TREE_ERROR_INVALID, "scale", tree_scene_set_instances(scene, 0, trees, 1));
 

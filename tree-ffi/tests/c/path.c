@@ -66,9 +66,9 @@ static void growing(void) {
     tree_tree *tree, *again;
     tree_bytes *levels;
     OK(tree_path_grow(&params, 1, NULL, &report, &tree));
-    CHECK(report.n_levels == 2 && report.n_root_levels == 0 && report.levels[0].endpoints == 4);
-    CHECK(report.total.graphs == report.levels[0].graphs + report.levels[1].graphs);
-    CHECK(report.total.endpoints > 4 && report.total.graph_nodes > 200);
+    CHECK(report.n_levels == 2 && report.n_root_levels == 0 && report.levels[0].n_endpoints == 4);
+    CHECK(report.total.n_graphs == report.levels[0].n_graphs + report.levels[1].n_graphs);
+    CHECK(report.total.n_endpoints > 4 && report.total.n_graph_nodes > 200);
 
     OK(tree_path_grow_with_levels(&params, 1, NULL, NULL, &levels, &again));
     const uint8_t *bytes;
@@ -137,7 +137,7 @@ static void growing(void) {
     params.radii = &radii;
     params.roots = &roots;
     OK(tree_path_grow_with_levels(&params, 2, NULL, &report, &levels, &tree));
-    CHECK(report.n_levels == 3 && report.n_root_levels == 1 && report.root_levels[0].endpoints > 0);
+    CHECK(report.n_levels == 3 && report.n_root_levels == 1 && report.root_levels[0].n_endpoints > 0);
     OK(tree_bytes_view(levels, &bytes, &len));
     CHECK(bytes[len - 1] == 0);
     tree_foliage foliage = {.struct_size = sizeof foliage};

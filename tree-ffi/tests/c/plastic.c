@@ -66,7 +66,7 @@ static void analysis(const tree_plastic *plastic, const tree_plastic_report *mad
 
     tree_plastic_params params = {.struct_size = sizeof params};
     OK(tree_plastic_get_params(plastic, &params));
-    CHECK(params.seasons == 40 && params.lobe == 0.2f && params.sky_brightest[1] == 1);
+    CHECK(params.seasons == 40 && params.lobe == 0.2f && params.sky_light[1] == 1);
     params.phototropism = params.gravitropism = 0.5f;
     FAILS(TREE_ERROR_PARAMETER, "phototropism", tree_plastic_params_check(&params));
     OK(tree_plastic_params_init(&params, sizeof params));
@@ -74,8 +74,8 @@ static void analysis(const tree_plastic *plastic, const tree_plastic_report *mad
     tree_tree *tree, *bent;
     tree_plastic *other;
     OK(tree_plastic_tree(plastic, &tree));
-    params.sky_brightest[1] = NAN;
-    FAILS(TREE_ERROR_PARAMETER, "sky.brightest", tree_plastic_new(tree, &params, NULL, NULL, &other));
+    params.sky_light[1] = NAN;
+    FAILS(TREE_ERROR_PARAMETER, "sky.light", tree_plastic_new(tree, &params, NULL, NULL, &other));
     OK(tree_tree_free(tree));
 
     /* What leans all one way was bent before. */
@@ -212,11 +212,11 @@ static int32_t refuses(void *user, const char *stage, float fraction) {
 static void neighbours(tree_plastic *plastic) {
     tree_plastic_sky sky;
     OK(tree_plastic_sky_init(&sky, sizeof sky));
-    CHECK(sky.brightest[1] == 1 && sky.brightness == 1);
+    CHECK(sky.light[1] == 1 && sky.brightness == 1);
     OK(tree_plastic_sky_towards(&sky, sizeof sky, 1.5707964f, 0.7f));
-    CHECK(sky.brightest[0] > 0.7f && fabsf(sky.brightest[2]) < 1e-4f);
-    FAILS(TREE_ERROR_PARAMETER, "sky.brightest", tree_plastic_sky_towards(&sky, sizeof sky, 0, -0.5f));
-    CHECK(sky.brightest[0] > 0.7f);
+    CHECK(sky.light[0] > 0.7f && fabsf(sky.light[2]) < 1e-4f);
+    FAILS(TREE_ERROR_PARAMETER, "sky.light", tree_plastic_sky_towards(&sky, sizeof sky, 0, -0.5f));
+    CHECK(sky.light[0] > 0.7f);
     tree_plastic_response response;
     OK(tree_plastic_response_init(&response, sizeof response));
     CHECK(response.bending == 1 && response.pruning == 0.8f && response.density == 1);
@@ -260,7 +260,7 @@ static void neighbours(tree_plastic *plastic) {
     CHECK(near.n_leaves_dropped > far.n_leaves_dropped);
 
     OK(tree_plastic_scene_get_sky(scene, &sky));
-    CHECK(sky.brightest[0] > 0.7f);
+    CHECK(sky.light[0] > 0.7f);
     sky.brightness = 11;
     FAILS(TREE_ERROR_PARAMETER, "sky.brightness", tree_plastic_scene_set_sky(scene, &sky));
     OK(tree_plastic_sky_init(&sky, sizeof sky));

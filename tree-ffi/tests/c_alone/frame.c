@@ -72,9 +72,9 @@ int main(void) {
         frame.view[14] = 0.5f * (float)i;
         OK(tree_scene_state_select(state, scene, &frame, NULL, &report));
         OK(tree_scene_state_draws(state, scene, draws, TREES, rows, TREES, &n_draws, &n_rows));
-        CHECK(n_rows == report.drawn && n_draws == n_rows);
+        CHECK(n_rows == report.n_drawn && n_draws == n_rows);
         OK(tree_scene_state_batches(state, scene, draws, TREES, rows, TREES, &n_draws, &n_rows));
-        CHECK(n_rows == report.drawn);
+        CHECK(n_rows == report.n_drawn);
     }
     CHECK(n_calls == before);
     OK(tree_scene_set_instances(scene, 7, trees, 1));

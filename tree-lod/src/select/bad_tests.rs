@@ -114,7 +114,7 @@ fn an_empty_scene_draws_nothing() {
 fn an_instance_that_was_moved_is_found_where_it_is() {
     let trees: Vec<Instance> = (0..200).map(|i| at(Vec3::Z * (20.0 + i as f32))).collect();
     let mut scene = scene(&trees);
-    assert_eq!(shown(&scene, &frame(eye(), Occlusion::None)).0.drawn, 0);
+    assert_eq!(shown(&scene, &frame(eye(), Occlusion::None)).0.n_drawn, 0);
     scene.set_instance(77, &at(Vec3::NEG_Z * 50.0)).unwrap();
     let found = shown(&scene, &frame(eye(), Occlusion::None)).1;
     assert!(found.iter().enumerate().all(|(i, tree)| tree.is_some() == (i == 77)));

@@ -84,18 +84,18 @@ pub struct Frame<'a> {
 #[non_exhaustive]
 pub struct Selected {
     /// Instances in view.
-    pub drawn: usize,
+    pub n_drawn: usize,
     /// Instances out of view.
-    pub culled: usize,
+    pub n_culled: usize,
     /// Instances in view of which some sample points are hidden. What is so far that it is drawn as coarsely
     /// as can be is not tested, and counts as seen.
-    pub occluded: usize,
+    pub n_occluded: usize,
     /// Instances in view of which all are.
-    pub hidden: usize,
+    pub n_hidden: usize,
     /// Indices drawn: what a vertex shader sees at most.
-    pub indices: u64,
+    pub n_indices: u64,
     /// Triangles drawn, if all are lists.
-    pub triangles: u64,
+    pub n_triangles: u64,
 }
 
 impl Scene {
@@ -181,8 +181,8 @@ impl Scene {
             _ => depth,
         };
         let mut found = Selected {
-            drawn: drawn.len(),
-            culled: self.len() - drawn.len(),
+            n_drawn: drawn.len(),
+            n_culled: self.len() - drawn.len(),
             ..Selected::default()
         };
         for &number in drawn.iter() {
@@ -207,11 +207,11 @@ impl Scene {
             let from = if new { model.sought(memory.lambda) } else { memory.level.into() };
             let level = model.level(memory.lambda, from);
             memory.level = level as u16;
-            found.occluded += usize::from(visible < 1.0);
-            found.hidden += usize::from(visible == 0.0);
-            found.indices += model.levels.get(level).map_or(0, |step| step.indices);
+            found.n_occluded += usize::from(visible < 1.0);
+            found.n_hidden += usize::from(visible == 0.0);
+            found.n_indices += model.levels.get(level).map_or(0, |step| step.indices);
         }
-        found.triangles = found.indices / 3;
+        found.n_triangles = found.n_indices / 3;
         found
     }
 

@@ -33,7 +33,7 @@
 //! let params = SceneParams::default();
 //! let selected = scene.select(&frame, &params, &mut state)?;
 //! let written = scene.draws(&state, &mut draws, &mut rows)?;
-//! assert_eq!((selected.drawn, written.draws), (3, 3));
+//! assert_eq!((selected.n_drawn, written.draws), (3, 3));
 //! # Ok::<(), tree_lod::LodError>(())
 //! ```
 

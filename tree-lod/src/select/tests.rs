@@ -129,7 +129,7 @@ fn every_kind_of_projection_finds_the_same_in_view() {
     let near = [Vec3::new(3.0, 2.0, -40.0), Vec3::new(0.0, 0.0, 40.0), Vec3::new(0.0, 0.0, -310.0)];
     for eye in eyes() {
         let (selected, found) = shown(&scene(&near.map(at)), &frame(eye, Occlusion::None));
-        assert_eq!((selected.drawn, selected.culled), (1, 2));
+        assert_eq!((selected.n_drawn, selected.n_culled), (1, 2));
         assert!(found[0].is_some());
     }
 }
@@ -143,8 +143,8 @@ fn a_tree_behind_a_wall_has_a_tenth_of_its_share_with_any_kind_of_depth() {
             let depths = uniform(wall(&eye, distance));
             let (selected, found) = shown(&tree, &frame(eye, buffer(&depths, eye)));
             let found = found[0].unwrap();
-            assert_eq!((found.visible, selected.hidden), (visible, usize::from(visible == 0.0)));
-            let expected = free.lambda * visible.max(0.1);
+            assert_eq!((found.visible, selected.n_hidden), (visible, usize::from(visible == 0.0)));
+            let expected = free.lambda * f32::max(visible, 0.1);
             assert!((found.lambda - expected).abs() < 1e-6, "{found:?} {free:?}");
         }
     }
@@ -272,7 +272,7 @@ fn batches_draw_what_single_draws_do() {
             true => scene.batches(&mut state, &mut draws, &mut rows).unwrap(),
             false => scene.draws(&state, &mut draws, &mut rows).unwrap(),
         };
-        assert_eq!(written.instances, selected.drawn);
+        assert_eq!(written.instances, selected.n_drawn);
         let mut all = Vec::new();
         for draw in &draws[..written.draws] {
             for i in draw.first_instance..draw.first_instance + draw.instance_count {
@@ -294,7 +294,7 @@ fn batches_draw_what_single_draws_do() {
     assert_eq!(single.1, batched.1);
     assert!(batched.0 < single.0, "{} {}", batched.0, single.0);
     let indices: u64 = single.1.iter().map(|draw| u64::from(draw.2)).sum();
-    assert_eq!(indices, selected.indices);
+    assert_eq!(indices, selected.n_indices);
 }
 
 #[test]

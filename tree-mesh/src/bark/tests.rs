@@ -251,7 +251,7 @@ fn nothing_but_a_point_has_no_bark() {
     let built =
         mesh_of(&bare(Skeleton::builder(Vec3::Y, 0.5).unwrap().finish()), &MeshParams::default());
     assert_eq!(built.report.n_triangles, 0);
-    assert_eq!((built.report.n_tubes, built.report.skipped_axes), (0, 1));
+    assert_eq!((built.report.n_tubes, built.report.n_skipped_axes), (0, 1));
 }
 
 #[test]

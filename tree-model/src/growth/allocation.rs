@@ -12,7 +12,7 @@ use crate::error::{Result, check};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Allocation {
     /// The extended Borchert-Honda model: at each fork the main axis and the laterals get shares
-    /// λ Qₘ : (1 - λ) Qₗ of what arrives, for the light Q behind each; see [`fork`].
+    /// λ Qₘ : (1 - λ) Qₗ of what arrives, for the light Q behind each; see `fork`.
     BorchertHonda {
         /// λ of a seedling, 0 to 1: above 0.5 the main axis is favoured, below the laterals. 0.46 to 0.54
         /// span shrubs to poplars.
@@ -23,7 +23,7 @@ pub enum Allocation {
         turning: u32,
     },
     /// The priority model: the buds and branches of each axis are ranked by the mean light of their buds, the
-    /// terminal bud first, and get shares by light times weight; see [`priorities`].
+    /// terminal bud first, and get shares by light times weight; see `priorities`.
     Priority {
         /// Weight of the first rank (`w_max`), 0 to 1000.
         first: f32,
@@ -64,7 +64,7 @@ impl Allocation {
 /// The extended Borchert-Honda model at one fork: what of `vigour` goes on in the main axis and what goes to the
 /// lateral, for the light behind each. Where there is no light nothing arrives.
 #[must_use]
-pub fn fork(vigour: f32, lambda: f32, main: f32, lateral: f32) -> [f32; 2] {
+pub(crate) fn fork(vigour: f32, lambda: f32, main: f32, lateral: f32) -> [f32; 2] {
     let (main, lateral) = (lambda * main, (1.0 - lambda) * lateral);
     let sum = main + lateral;
     // Light so faint that its share is not a number any more is none.
@@ -73,13 +73,13 @@ pub fn fork(vigour: f32, lambda: f32, main: f32, lateral: f32) -> [f32; 2] {
 
 /// A bud or a branch of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rival {
+pub(crate) struct Rival {
     /// Light of all its buds.
-    pub light: f32,
+    pub(crate) light: f32,
     /// Number of its buds.
-    pub n_buds: u32,
+    pub(crate) n_buds: u32,
     /// Whatever the caller knows it by.
-    pub index: u32,
+    pub(crate) index: u32,
 }
 
 /// The priority model along one axis: ranks the rivals and hands each its part of `vigour`.
@@ -89,7 +89,7 @@ pub struct Rival {
 ///
 /// # Complexity
 /// O(n log n) for n rivals.
-pub fn priorities(
+pub(crate) fn priorities(
     vigour: f32,
     [first, last, fall]: [f32; 3],
     n_fixed: usize,

@@ -20,11 +20,6 @@ impl<T: Copy + Default> Lattice<T> {
         Self { low: IVec3::ZERO, size: IVec3::ZERO, cells: Vec::new() }
     }
 
-    /// Lowest and highest cell; high below low when there is none.
-    pub(super) fn range(&self) -> (IVec3, IVec3) {
-        (self.low, self.low + self.size - 1)
-    }
-
     /// Where in `cells` a cell within the range stands; z runs fastest.
     #[inline]
     pub(super) fn place(&self, cell: IVec3) -> usize {

@@ -59,7 +59,7 @@ impl Shadow {
 
 /// The shadows of all leaves.
 #[derive(Clone, Debug)]
-pub struct ShadowGrid {
+pub(crate) struct ShadowGrid {
     shadow: Shadow,
     cells: Lattice<u64>,
     /// Shadow and shift of each layer.
@@ -74,7 +74,7 @@ impl ShadowGrid {
     ///
     /// # Errors
     /// As [`Shadow::validate`].
-    pub fn new(shadow: &Shadow, light: Vec3) -> Result<Self> {
+    pub(crate) fn new(shadow: &Shadow, light: Vec3) -> Result<Self> {
         shadow.validate()?;
         let reach = shadow.reach as i32;
         let side = move || -reach..=reach;
@@ -91,7 +91,7 @@ impl ShadowGrid {
 
     /// The parameters.
     #[must_use]
-    pub fn shadow(&self) -> &Shadow {
+    pub(crate) fn shadow(&self) -> &Shadow {
         &self.shadow
     }
 
@@ -108,7 +108,7 @@ impl ShadowGrid {
     ///
     /// # Complexity
     /// O(points · depth³).
-    pub fn cast(&mut self, points: &[Vec3], limits: &Limits) -> Result<()> {
+    pub(crate) fn cast(&mut self, points: &[Vec3], limits: &Limits) -> Result<()> {
         if points.is_empty() {
             return Ok(());
         }
@@ -131,7 +131,7 @@ impl ShadowGrid {
     ///
     /// # Complexity
     /// As [`cast`](Self::cast).
-    pub fn lift(&mut self, points: &[Vec3]) {
+    pub(crate) fn lift(&mut self, points: &[Vec3]) {
         self.add(points, |cell, shadow| *cell = cell.saturating_sub(shadow));
     }
 
@@ -156,7 +156,7 @@ impl ShadowGrid {
 
     /// Shadow at a point, 0 or more.
     #[must_use]
-    pub fn at(&self, point: Vec3) -> f32 {
+    pub(crate) fn at(&self, point: Vec3) -> f32 {
         self.cells.get(self.cell(point)) as f32 / UNITS
     }
 
@@ -166,7 +166,7 @@ impl ShadowGrid {
     /// # Complexity
     /// O(reach³).
     #[must_use]
-    pub fn brighter(&self, point: Vec3) -> Vec3 {
+    pub(crate) fn brighter(&self, point: Vec3) -> Vec3 {
         let cell = self.cell(point);
         let reach = IVec3::splat(self.shadow.reach as i32);
         let sum = if self.cells.holds(cell - reach) && self.cells.holds(cell + reach) {
@@ -181,12 +181,6 @@ impl ShadowGrid {
         self.around
             .iter()
             .fold(Vec3::ZERO, |sum, &(offset, weight)| sum + shadow(offset) as f32 * weight)
-    }
-
-    /// Lowest and highest voxel that was ever shaded; high below low when none was.
-    #[must_use]
-    pub fn range(&self) -> (IVec3, IVec3) {
-        self.cells.range()
     }
 }
 

@@ -55,11 +55,11 @@ impl Space {
 
 /// A bud that looks for space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Watcher {
+pub(crate) struct Watcher {
     /// Where it is.
-    pub position: Vec3,
+    pub(crate) position: Vec3,
     /// Where it looks; a unit vector.
-    pub direction: Vec3,
+    pub(crate) direction: Vec3,
 }
 
 /// The markers of one cell: a part of the columns.
@@ -81,7 +81,7 @@ const UNCLAIMED: Claim = Claim { distance: f32::INFINITY, watcher: u32::MAX };
 
 /// All markers that were ever looked at.
 #[derive(Clone, Debug)]
-pub struct Markers {
+pub(crate) struct Markers {
     space: Space,
     seed: Seed,
     obstacle: Option<Obstacle>,
@@ -99,7 +99,7 @@ impl Markers {
     ///
     /// # Errors
     /// As [`Space::validate`].
-    pub fn new(
+    pub(crate) fn new(
         space: &Space,
         obstacle: Option<&Obstacle>,
         ground: f32,
@@ -170,7 +170,7 @@ impl Markers {
     ///
     /// # Complexity
     /// O(points · markers within the occupancy radius).
-    pub fn occupy(&mut self, points: &[Vec3], limits: &Limits) -> Result<()> {
+    pub(crate) fn occupy(&mut self, points: &[Vec3], limits: &Limits) -> Result<()> {
         let radius = self.space.occupancy;
         for &point in points {
             self.look(point, radius, limits)?;
@@ -202,7 +202,7 @@ impl Markers {
     ///
     /// # Complexity
     /// O(watchers · markers within the perception radius).
-    pub fn compete(&mut self, watchers: &[Watcher], limits: &Limits) -> Result<Vec<Vec3>> {
+    pub(crate) fn compete(&mut self, watchers: &[Watcher], limits: &Limits) -> Result<Vec<Vec3>> {
         let radius = self.space.perception;
         for watcher in watchers {
             self.look(watcher.position, radius, limits)?;

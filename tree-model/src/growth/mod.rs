@@ -5,10 +5,10 @@
 //! bud ends each axis. Each iteration (a year) does five things (Fig. 3):
 //!
 //! 1. Every bud senses its surroundings (4.1): how much light is left below the shadows of all metamers
-//!    ([`light`]), or whether free markers lie in sight ([`markers`]), and in which direction. Obstacles
-//!    hide a part of the sky ([`sky`]).
+//!    ([`Shadow`]), or whether free markers lie in sight ([`Space`]), and in which direction. Obstacles
+//!    hide a part of the sky.
 //! 2. What the buds found flows down to the base and comes back as vigour, shared out at every fork
-//!    ([`allocation`], 4.2): by the extended Borchert-Honda model or by priorities.
+//!    ([`Allocation`], 4.2): by the extended Borchert-Honda model or by priorities.
 //! 3. A bud with a vigour v of at least 1 makes a shoot of ⌊v⌋ metamers. Each turns from where it would go
 //!    towards the light and up or down (4.3).
 //! 4. Branches that find too little light for their size are shed (4.4).
@@ -30,17 +30,17 @@
 //! * Leaves saturate: of a sky half hidden by an obstacle they still use five sixths.
 //! * Beyond the paper: obstacles, whorls of buds, plagiotropism, several species in one stand.
 
-pub mod allocation;
+mod allocation;
 mod finish;
 mod habit;
 mod lattice;
-pub mod light;
-pub mod markers;
+mod light;
+mod markers;
 mod params;
 mod presets;
 mod shoot;
 mod simulation;
-pub mod sky;
+mod sky;
 mod stem;
 mod surroundings;
 #[cfg(test)]

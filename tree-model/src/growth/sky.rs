@@ -25,16 +25,16 @@ const MAX_CELL: f32 = 1e9;
 
 /// The part of the sky seen from one place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Exposure {
+pub(crate) struct Exposure {
     /// Share of the sky's light that arrives, 0 to 1.
-    pub share: f32,
+    pub(crate) share: f32,
     /// Mean direction the light comes from, by the light of the open sky: shorter than 1.
-    pub mean: Vec3,
+    pub(crate) mean: Vec3,
 }
 
 /// The sky behind an obstacle.
 #[derive(Clone, Debug)]
-pub struct Sky {
+pub(crate) struct Sky {
     obstacle: Option<Obstacle>,
     spacing: f32,
     /// Unit vectors, and the share of the light that comes from each.
@@ -48,7 +48,7 @@ impl Sky {
     /// The sky whose brightest point lies in direction `light`, behind `obstacle`; `spacing` of the lattice
     /// in metres.
     #[must_use]
-    pub fn new(light: Vec3, obstacle: Option<&Obstacle>, spacing: f32) -> Self {
+    pub(crate) fn new(light: Vec3, obstacle: Option<&Obstacle>, spacing: f32) -> Self {
         let light = light.normalize_or(Vec3::Y);
         let weight = |ray: Vec3| ray.dot(light).max(0.0) * ray.dot(light).max(0.0);
         let directions: Vec<Vec3> = (0..N_RAYS).map(ray).collect();
@@ -63,7 +63,7 @@ impl Sky {
 
     /// Without any obstacle.
     #[must_use]
-    pub fn open(&self) -> Exposure {
+    pub(crate) fn open(&self) -> Exposure {
         self.open
     }
 
@@ -72,7 +72,7 @@ impl Sky {
     /// # Complexity
     /// O(1) questions for the distance to the obstacle.
     #[must_use]
-    pub fn trace(&self, point: Vec3) -> Exposure {
+    pub(crate) fn trace(&self, point: Vec3) -> Exposure {
         self.trace_outside(point).unwrap_or_default()
     }
 
@@ -115,7 +115,7 @@ impl Sky {
     }
 
     /// Traces from all lattice points around `points` that were not traced yet, in parallel.
-    pub fn cover(&mut self, points: &[Vec3]) {
+    pub(crate) fn cover(&mut self, points: &[Vec3]) {
         if self.obstacle.is_none() {
             return;
         }
@@ -134,7 +134,7 @@ impl Sky {
     /// What is seen from a point, between the lattice points around it; the open sky where these were not
     /// [covered](Self::cover).
     #[must_use]
-    pub fn at(&self, point: Vec3) -> Exposure {
+    pub(crate) fn at(&self, point: Vec3) -> Exposure {
         if self.obstacle.is_none() {
             return self.open;
         }

@@ -42,14 +42,14 @@ pub struct LevelReport {
     /// Graphs, their nodes and arcs.
     pub graphs: GraphStats,
     /// Endpoints reached.
-    pub endpoints: u64,
+    pub n_endpoints: u64,
     /// Random endpoints asked for that the graphs had no nodes for.
-    pub missing: u64,
+    pub n_missing: u64,
     /// Endpoints of the levels before from which nothing grew, because an obstacle left no room or
     /// a narrow subgraph did not hang together.
-    pub stunted: u64,
+    pub n_stunted: u64,
     /// Endpoints of the level before whose lifespan had ended.
-    pub ended: u64,
+    pub n_ended: u64,
 }
 
 impl PathReport {
@@ -65,7 +65,7 @@ impl PathReport {
     /// All endpoints of all levels, roots included.
     #[must_use]
     pub fn endpoints(&self) -> u64 {
-        self.levels.iter().chain(&self.roots).map(|level| level.endpoints).sum()
+        self.levels.iter().chain(&self.roots).map(|level| level.n_endpoints).sum()
     }
 }
 
@@ -173,7 +173,12 @@ impl PathParams {
         let (graphs, endpoints) = (shoot.stats, shoot.tips.len() as u64);
         let wanted = u64::from(self.endpoints.random) + self.endpoints.placed.len() as u64;
         draft.start(&shoot, self.levels.len() as u32);
-        Ok(LevelReport { graphs, endpoints, missing: wanted - endpoints, ..Default::default() })
+        Ok(LevelReport {
+            graphs,
+            n_endpoints: endpoints,
+            n_missing: wanted - endpoints,
+            ..Default::default()
+        })
     }
 
     fn grow_level(
@@ -188,7 +193,7 @@ impl PathParams {
         let Some(level) = self.levels.get(i) else { return Ok(LevelReport::default()) };
         let size = self.level_size(i);
         let (from, ended) = draft.living_tips(level.from_all_levels);
-        let mut report = LevelReport { ended, ..Default::default() };
+        let mut report = LevelReport { n_ended: ended, ..Default::default() };
         budget.ask(from.len() as u64, level.graph_nodes, draft, control)?;
         let stream = seed.stream("levels").child(i as u64);
         let nursery = Nursery { level, size, linking: &self.linking, terrain, control };
@@ -206,15 +211,15 @@ impl PathParams {
             let shoot = match shoot {
                 Ok(shoot) => shoot,
                 Err(error) if is_local(&error) => {
-                    report.stunted += 1;
+                    report.n_stunted += 1;
                     why.get_or_insert(error);
                     continue;
                 }
                 Err(error) => return Err(error),
             };
             report.graphs.add(shoot.stats);
-            report.endpoints += shoot.tips.len() as u64;
-            report.missing += u64::from(level.branching) - shoot.tips.len() as u64;
+            report.n_endpoints += shoot.tips.len() as u64;
+            report.n_missing += u64::from(level.branching) - shoot.tips.len() as u64;
             let life = stream.stream("life").child(number as u64);
             draft.append(&shoot, tip, i as u8 + 2, &mut tips, |n| {
                 self.lifespan.after(tip.life, life.child(u64::from(n)))
@@ -248,7 +253,7 @@ impl Budget {
     }
 
     fn spend(&mut self, report: &LevelReport) {
-        self.graph_nodes += report.graphs.nodes;
+        self.graph_nodes += report.graphs.n_nodes;
     }
 
     fn close_part(&mut self, draft: &Draft, control: &Control) -> Result<()> {

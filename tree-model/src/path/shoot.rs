@@ -47,27 +47,27 @@ pub(crate) struct Shoot {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GraphStats {
     /// Graphs searched.
-    pub graphs: u64,
+    pub n_graphs: u64,
     /// Nodes in them.
-    pub nodes: u64,
+    pub n_nodes: u64,
     /// Arcs in them: two for each edge.
-    pub arcs: u64,
+    pub n_arcs: u64,
     /// Nodes no path led to.
-    pub stray_nodes: u64,
+    pub n_stray_nodes: u64,
     /// Graphs that fell apart at the linking distance asked for and were linked again with a longer
     /// one.
-    pub widened: u64,
+    pub n_widened: u64,
     /// Bytes of the largest single graph.
     pub largest_bytes: u64,
 }
 
 impl GraphStats {
     pub(crate) fn add(&mut self, other: Self) {
-        self.graphs += other.graphs;
-        self.nodes += other.nodes;
-        self.arcs += other.arcs;
-        self.stray_nodes += other.stray_nodes;
-        self.widened += other.widened;
+        self.n_graphs += other.n_graphs;
+        self.n_nodes += other.n_nodes;
+        self.n_arcs += other.n_arcs;
+        self.n_stray_nodes += other.n_stray_nodes;
+        self.n_widened += other.n_widened;
         self.largest_bytes = self.largest_bytes.max(other.largest_bytes);
     }
 }
@@ -167,11 +167,11 @@ impl Plot<'_> {
                     return Err(self.root_outside(&graph, root, linking.reach * nodes.separation));
                 }
                 let stats = GraphStats {
-                    graphs: 1,
-                    nodes: graph.len() as u64,
-                    arcs: graph.n_arcs() as u64,
-                    stray_nodes: strays as u64,
-                    widened: u64::from(widenings > 0),
+                    n_graphs: 1,
+                    n_nodes: graph.len() as u64,
+                    n_arcs: graph.n_arcs() as u64,
+                    n_stray_nodes: strays as u64,
+                    n_widened: u64::from(widenings > 0),
                     largest_bytes: graph.bytes() as u64,
                 };
                 return Ok(Linked { graph, separation: nodes.separation, root, placed, stats });

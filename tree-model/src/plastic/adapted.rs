@@ -44,15 +44,15 @@ pub struct Adapted {
 #[non_exhaustive]
 pub struct AdaptedReport {
     /// Main nodes that died.
-    pub pruned_nodes: u32,
+    pub n_pruned: u32,
     /// Nodes of branchlets left out, with their branch, in the dark, or in a solid.
-    pub branchlet_nodes_dropped: u32,
+    pub n_branchlets_dropped: u32,
     /// Nodes of branchlets set once more in the light.
-    pub branchlet_nodes_added: u32,
+    pub n_branchlets_added: u32,
     /// Leaves left out.
-    pub leaves_dropped: u32,
+    pub n_leaves_dropped: u32,
     /// Leaves set once more.
-    pub leaves_added: u32,
+    pub n_leaves_added: u32,
     /// Farthest that a living node moved, in metres.
     pub farthest: f32,
 }
@@ -207,7 +207,7 @@ impl<'a> Filling<'a> {
                 self.push(node, at, |this, parent| this.node[parent]);
                 self.node[node] = self.source.len() as u32 - 1;
             } else {
-                self.report.pruned_nodes += 1;
+                self.report.n_pruned += 1;
             }
             return;
         }
@@ -225,7 +225,7 @@ impl<'a> Filling<'a> {
             self.push(node, at, |this, parent| this.node[parent]);
             self.node[node] = self.source.len() as u32 - 1;
         } else {
-            self.report.branchlet_nodes_dropped += 1;
+            self.report.n_branchlets_dropped += 1;
         }
         self.set_again(node, row, parent, chance);
     }
@@ -247,7 +247,7 @@ impl<'a> Filling<'a> {
         }
         self.push(node, at, move |_, _| from);
         self.second[node] = self.source.len() as u32 - 1;
-        self.report.branchlet_nodes_added += 1;
+        self.report.n_branchlets_added += 1;
     }
 
     /// The turn of a second setting: about the main branch, by the golden angle, the same for the whole branchlet.
@@ -299,7 +299,7 @@ impl<'a> Filling<'a> {
                     ..leaf
                 })?;
             } else {
-                self.report.leaves_dropped += 1;
+                self.report.n_leaves_dropped += 1;
             }
             let again = if on_main {
                 self.node[leaf.node as usize]
@@ -313,7 +313,7 @@ impl<'a> Filling<'a> {
                 if !self.inside(at) {
                     let rotation = turn * turned * leaf.rotation;
                     out.push(Leaf { node: again, position: at, rotation, ..leaf })?;
-                    self.report.leaves_added += 1;
+                    self.report.n_leaves_added += 1;
                 }
             }
         }

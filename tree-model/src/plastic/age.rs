@@ -27,7 +27,7 @@ pub struct Ages {
 /// The commonest of `lengths`: the highest peak of their density, found by mean shift (flat kernel of a quarter of the median).
 /// O(n log n). `None` when no length is above 0.
 #[must_use]
-pub fn commonest(lengths: &[f32]) -> Option<f32> {
+pub(super) fn commonest(lengths: &[f32]) -> Option<f32> {
     let mut sorted: Vec<f32> =
         lengths.iter().copied().filter(|&l| l > 0.0 && l.is_finite()).collect();
     sorted.sort_by(f32::total_cmp);

@@ -40,13 +40,13 @@ pub struct PlasticTree {
 #[non_exhaustive]
 pub struct PlasticReport {
     /// Nodes of the main branches.
-    pub main_nodes: u32,
+    pub n_main_nodes: u32,
     /// Nodes that follow them.
-    pub branchlet_nodes: u32,
+    pub n_branchlet_nodes: u32,
     /// Leaf clusters of the last season.
-    pub clusters: u32,
+    pub n_clusters: u32,
     /// Seasons the tree lived.
-    pub seasons: u32,
+    pub n_seasons: u32,
     /// Length of an internode in metres.
     pub internode: f32,
     /// How far the middle of the crown leans from above the base, in radians.
@@ -144,7 +144,7 @@ impl PlasticTree {
             .collect()
     }
 
-    /// The leaf clusters of a season, 0 to `report().seasons - 1`; none for others.
+    /// The leaf clusters of a season, 0 to `report().n_seasons - 1`; none for others.
     #[must_use]
     pub fn clusters(&self, season: u32) -> Vec<LeafCluster> {
         let Some(season) = self.plan.seasons.get(season as usize) else { return Vec::new() };
@@ -224,10 +224,10 @@ fn report(tree: &Tree, plan: &Plan, ages: &Ages) -> PlasticReport {
     let flat = (towards.x * towards.x + towards.z * towards.z).sqrt();
     let lean = libm::atan2f(flat, towards.y);
     PlasticReport {
-        main_nodes: plan.len() as u32,
-        branchlet_nodes: (tree.skeleton().len() - plan.len()) as u32,
-        clusters: last.len() as u32,
-        seasons: ages.n_seasons,
+        n_main_nodes: plan.len() as u32,
+        n_branchlet_nodes: (tree.skeleton().len() - plan.len()) as u32,
+        n_clusters: last.len() as u32,
+        n_seasons: ages.n_seasons,
         internode: ages.internode,
         lean,
         already_bent: lean > LEANING,

@@ -63,7 +63,7 @@ mod shade;
 mod tropism;
 
 pub use adapted::{Adapted, AdaptedReport, NodeMotion};
-pub use age::{Ages, ages, commonest};
+pub use age::{Ages, ages};
 pub use analysis::{LeafCluster, PlasticReport, PlasticTree};
 pub use light::{Ball, Light, Sky};
 pub use params::{PlasticParams, Response};

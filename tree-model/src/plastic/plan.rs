@@ -79,7 +79,7 @@ impl Plan {
     ) -> Self {
         let mut plan = Self::sorted(branches, ages, lobes);
         plan.form_clusters(branches, ages, lobes, params);
-        let bins = Bins::new(params.sky.brightest.normalize(), Vec3::Y, params.sky.brightness);
+        let bins = Bins::new(params.sky.light.normalize(), Vec3::Y, params.sky.brightness);
         plan.light_up(&bins);
         plan.unbend_all(ages, params);
         let trunk = branches.axes(Continuation::Longest);

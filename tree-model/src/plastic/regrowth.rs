@@ -173,7 +173,7 @@ impl Scene {
         };
         Ok(World {
             environment: Environment::Shadow(params.shadow),
-            light: self.sky().brightest,
+            light: self.sky().light,
             brightness: self.sky().brightness,
             obstacle,
             standing,

@@ -6,7 +6,6 @@
 //! there.
 
 use super::near::{Near, Segment};
-use super::part::Part;
 use super::separate::Separated;
 use super::stages::Leaves;
 use super::weld::Soup;
@@ -14,7 +13,7 @@ use crate::error::Result;
 use glam::{Mat3, Quat, Vec2, Vec3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use tree_core::{Control, Foliage, Leaf, Resource, Skeleton};
+use tree_core::{Control, Foliage, Leaf, Part, Resource, Skeleton};
 
 /// Most vertices of a leaf that are tried for its base.
 const TRIED: usize = 32;

@@ -40,9 +40,9 @@ mod trace;
 mod weld;
 
 pub use params::SkeletonizeParams;
-pub use part::{Hint, Part};
 pub use scan::{Bridge, ScanParams, ScanReport, Scanned, ScannedTree, skeletonize_scan};
 pub use separate::Class;
+pub use tree_core::{Hint, Part};
 
 use crate::error::Result;
 use stages::{Leaves, Separation};

@@ -4,12 +4,12 @@
 //! while those of a tube do, even without caps. A blob of leaves is closed like a tree, but fills its
 //! box, which a branched surface does not.
 
-use super::part::{Hint, Part};
 use super::rows::Rows;
 use super::shape::Shape;
 use super::weld::{Soup, sorted};
 use crate::error::{ModelError, Result};
 use rayon::prelude::*;
+use tree_core::{Hint, Part};
 
 /// What a component is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -34,14 +34,13 @@
 //! ```
 
 use super::params::SkeletonizeParams;
-use super::part::Part;
 use super::separate::{Class, Separated};
 use super::weld::Soup;
 use super::{assemble, ends, leaves, link, separate, shape, slices, surface, trace, weld};
 use crate::error::{ModelError, Result, check};
 use rayon::prelude::*;
 use std::sync::Arc;
-use tree_core::{Control, Foliage, Resource, Skeleton};
+use tree_core::{Control, Foliage, Part, Resource, Skeleton};
 
 /// Levels that cross an edge on average.
 const DENSITY: f32 = 8.0;

@@ -4,12 +4,12 @@
 //! along its diagonal each time. Two vertices nearer than a quarter cell are kept apart along each
 //! axis by at most one of the four grids, so at least one grid joins them.
 
-use super::part::Part;
+use super::part::check;
 use super::rows::Sets;
 use crate::error::{ModelError, Result};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use tree_core::{Control, Resource};
+use tree_core::{Control, Part, Resource};
 
 /// A soup of triangles. Positions are relative to the mesh's centre, in units of its size.
 #[derive(Debug)]
@@ -55,7 +55,7 @@ pub(super) fn weld(parts: &[Part<'_>], share: f32, control: &Control) -> Result<
         return Err(ModelError::BadPart { part: parts.len().saturating_sub(1), problem });
     }
     for (number, part) in parts.iter().enumerate() {
-        part.check(number)?;
+        check(part, number)?;
     }
     let (center, size) = frame(parts)?;
     let inward = |p: &Vec3| ((p.as_dvec3() - center) / size).as_vec3();

@@ -59,9 +59,9 @@ fn flow(table: &mut Table, mesh: &Mesh) -> Result<(), Box<dyn Error>> {
             row("simulation", paper, 1e3 * seconds, "ms", aim);
             let all = first && params.join == APART;
             let aim = if all { Aim::AtLeast(f64::from(FLOW_STEPS)) } else { Aim::None };
-            row("steps taken", None, f64::from(report.steps), "", aim);
-            row("Runge-Kutta parts", None, report.parts as f64, "", Aim::None);
-            let joined = f64::from(report.joins + report.followed) / f64::from(particles);
+            row("steps taken", None, f64::from(report.n_steps), "", aim);
+            row("Runge-Kutta parts", None, report.n_parts as f64, "", Aim::None);
+            let joined = f64::from(report.n_joins + report.n_followed) / f64::from(particles);
             row("joined before the base", None, 100.0 * joined, "%", Aim::None);
             times.push(seconds);
         }

@@ -92,7 +92,7 @@ fn laws(table: &mut Table, name: &str, tree: Tree) -> Outcome {
         table,
         name,
         "beside a wall: main nodes pruned",
-        beside.report.pruned_nodes.into(),
+        beside.report.n_pruned.into(),
         "nodes",
         Aim::AtLeast(1.0),
     );

@@ -93,7 +93,7 @@ fn errors(scene: &Scene, wall: Option<Wall>, sky: &Sky) -> Outcome<(f64, f64)> {
 /// definition takes for covered.
 fn by_rays(own: usize, balls: &[Ball], wall: Option<Wall>, sky: &Sky) -> f64 {
     let at = balls[own].center.as_dvec3();
-    let brightest = sky.brightest.as_dvec3().normalize();
+    let brightest = sky.light.as_dvec3().normalize();
     struct Caster {
         offset: DVec3,
         radius: f64,

@@ -310,7 +310,7 @@ fn drawn(
                 if cook { counts.full * f64::from(shown.lambda) } else { counts.at(shown.level) };
             sum.leaves += leaves;
             sum.wood += counts.wood;
-            sum.lambda += f64::from(shown.lambda) / found.drawn as f64;
+            sum.lambda += f64::from(shown.lambda) / found.n_drawn as f64;
         }
         sum.indices += leaf_indices(&found, forest, &state, &scene, pruned);
     }
@@ -331,7 +331,7 @@ fn leaf_indices(
     let large_wood: Vec<u64> = pruned.iter().map(wood_indices).collect();
     let wood = |i: usize| large_wood[forest.instances[i].model as usize];
     let wood: u64 = (0..forest.instances.len()).filter(in_view).map(wood).sum();
-    (found.indices - wood) as f64
+    (found.n_indices - wood) as f64
 }
 
 /// Indices of what is not pruned.

@@ -7,11 +7,8 @@ use std::sync::Arc;
 use tree_core::glam::Vec3;
 use tree_core::{Control, Seed, Skeleton, Tree, Volume};
 use tree_mesh::io::{self, ImportOptions, points};
-use tree_mesh::{Alpha, Mesh};
 use tree_model::plastic::{PlasticParams, PlasticTree, Pose, Response, Scene, Sky};
-use tree_model::skeletonize::{
-    Hint, Part, ScanParams, SkeletonizeParams, skeletonize, skeletonize_scan,
-};
+use tree_model::skeletonize::{ScanParams, SkeletonizeParams, skeletonize, skeletonize_scan};
 use tree_model::sketch::session::{Session, SketchParams};
 use tree_model::sketch::template::{EXEMPLARS, Exemplar, MainBranchParams, main_branches, project};
 use tree_model::{growth, lsystem, path};
@@ -136,28 +133,10 @@ fn meshes(sink: &mut Sink<'_>) -> Outcome {
             continue;
         }
         let mesh = io::read(&path, &ImportOptions { external: true }, &control)?.mesh;
-        let made = skeletonize(&parts(&mesh), &params, &control)?;
+        let made = skeletonize(&mesh.parts(), &params, &control)?;
         sink(&format!("mesh {name}"), made.tree.skeleton());
     }
     Ok(())
-}
-
-/// What the modeler asks for, borrowed from a mesh.
-fn parts(mesh: &Mesh) -> Vec<Part<'_>> {
-    let mut parts = Vec::new();
-    for surface in &mesh.surfaces {
-        let material = mesh.materials.get(surface.material as usize);
-        parts.push(Part {
-            positions: &surface.positions,
-            uvs: &surface.uvs,
-            indices: &surface.indices,
-            name: material.map_or("", |material| &material.name),
-            hint: Hint::Auto,
-            alpha_masked: material.is_some_and(|m| matches!(m.alpha, Alpha::Mask(_))),
-            double_sided: material.is_some_and(|m| m.double_sided),
-        });
-    }
-    parts
 }
 
 fn scans(sink: &mut Sink<'_>) -> Outcome {

@@ -139,7 +139,7 @@ fn sketch(dice: &mut Dice, control: &Control) -> Made {
         params.finish.leaves = false;
     }
     let (drawing, params) = (drawn::sketch(dice), dice.changed(&params));
-    one(SketchModel { drawing, params }.model(dice.seed(), control)?)
+    one(SketchModel { drawing, params, ..SketchModel::default() }.model(dice.seed(), control)?)
 }
 
 fn particle(dice: &mut Dice, control: &Control) -> Made {

@@ -44,10 +44,10 @@ impl tree_crown_report {
     pub(in crate::particle) fn of(report: &CrownReport) -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            n_twig_nodes: report.twig_nodes,
-            n_twig_nodes_cut: report.twig_nodes_cut,
-            n_leaves: report.leaves,
-            n_leaves_discarded: report.leaves_discarded,
+            n_twig_nodes: report.n_twig_nodes,
+            n_twig_nodes_cut: report.n_twig_nodes_cut,
+            n_leaves: report.n_leaves,
+            n_leaves_discarded: report.n_leaves_discarded,
             leaves_asked: report.leaves_asked,
         }
     }

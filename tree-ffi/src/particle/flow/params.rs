@@ -153,14 +153,14 @@ impl tree_flow_report {
     pub(crate) fn of(report: &FlowReport) -> Self {
         Self {
             struct_size: size_of::<Self>(),
-            n_parts: report.parts,
-            n_particles: report.particles,
-            n_joins: report.joins,
-            n_followed: report.followed,
-            n_arrived: report.arrived,
-            n_steered: report.steered,
-            n_led: report.led,
-            n_steps: report.steps,
+            n_parts: report.n_parts,
+            n_particles: report.n_particles,
+            n_joins: report.n_joins,
+            n_followed: report.n_followed,
+            n_arrived: report.n_arrived,
+            n_steered: report.n_steered,
+            n_led: report.n_led,
+            n_steps: report.n_steps,
             reserved: 0,
         }
     }

@@ -372,8 +372,8 @@ fn ordered(grown: &[Grown], walk: &Walk, dropped: usize) -> Boxes {
         n_boxes: boxes.len(),
         n_levels: boxes.iter().map(|b| b.level as usize + 1).max().unwrap_or(0),
         n_leaves,
-        in_root_only: own.first().map_or(0, |&n| n as usize),
-        dropped,
+        n_in_root_only: own.first().map_or(0, |&n| n as usize),
+        n_dropped: dropped,
     };
     Boxes { boxes, order, report }
 }

@@ -90,9 +90,9 @@ pub struct BoxReport {
     /// Leaves in all.
     pub n_leaves: usize,
     /// Leaves that are in no box but that of the whole tree.
-    pub in_root_only: usize,
+    pub n_in_root_only: usize,
     /// Branches that got no box because it would have been too small.
-    pub dropped: usize,
+    pub n_dropped: usize,
 }
 
 impl Boxes {

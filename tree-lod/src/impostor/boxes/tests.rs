@@ -61,7 +61,7 @@ fn limbs_and_their_branches_become_boxes() {
     let boxes = forked(900).boxes;
     let report = boxes.report();
     assert_eq!((report.n_boxes, report.n_levels), (1 + 3 + 9, 3), "{report:?}");
-    assert_eq!((report.in_root_only, report.dropped), (0, 0));
+    assert_eq!((report.n_in_root_only, report.n_dropped), (0, 0));
 }
 
 #[test]
@@ -70,8 +70,8 @@ fn small_boxes_stay_with_their_parent() {
     let boxes =
         along(&tree, &BoxParams { least_volume: 0.9, most_volume: 1.0, ..BoxParams::default() });
     let boxes = boxes.unwrap();
-    assert_eq!((boxes.boxes().len(), boxes.report().in_root_only), (1, 900));
-    assert!(boxes.report().dropped > 0);
+    assert_eq!((boxes.boxes().len(), boxes.report().n_in_root_only), (1, 900));
+    assert!(boxes.report().n_dropped > 0);
 }
 
 #[test]
@@ -186,5 +186,5 @@ fn leaves_on_branches_too_small_for_boxes_are_put_together_by_place() {
     let params = BoxParams::default();
     let boxes = Boxes::along(&skeleton, &mesh, &elements, &bearers, &params, &control).unwrap();
     check(&boxes, at.len());
-    assert!(boxes.boxes().len() > 8 && boxes.report().in_root_only < 40, "{:?}", boxes.report());
+    assert!(boxes.boxes().len() > 8 && boxes.report().n_in_root_only < 40, "{:?}", boxes.report());
 }

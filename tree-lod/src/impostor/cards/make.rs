@@ -52,11 +52,11 @@ pub struct CardReport {
     /// Number of pictures.
     pub n_images: usize,
     /// Texels of all pictures.
-    pub texels: u64,
+    pub n_texels: u64,
     /// Bytes of both atlases, as they are in memory.
     pub bytes: usize,
     /// Pictures in which nothing covers half a texel.
-    pub empty: usize,
+    pub n_empty: usize,
 }
 
 impl Cards {
@@ -123,9 +123,9 @@ impl Cards {
         let report = CardReport {
             n_boxes: n,
             n_images: n * PLANES,
-            texels: (n * PLANES) as u64 * u64::from(params.size) * u64::from(params.size),
+            n_texels: (n * PLANES) as u64 * u64::from(params.size) * u64::from(params.size),
             bytes: atlas.color.pixels.len() + atlas.detail.pixels.len(),
-            empty,
+            n_empty: empty,
         };
         control.report("cards", 1.0)?;
         Ok(Self {

@@ -84,8 +84,8 @@ pub fn silhouette_seeds(
     matte: &Matte,
     base: Vec2,
     n: u32,
-    seed: Seed,
     params: &SeedParams,
+    seed: Seed,
     control: &Control,
 ) -> Result<Vec<Vec2>> {
     params.validate()?;

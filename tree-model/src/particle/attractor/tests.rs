@@ -26,7 +26,7 @@ fn wire(matte: &Matte, photo: Option<&Photo>, seeds: &[Vec2]) -> (AttractorGraph
 }
 
 fn seeds_of(matte: &Matte, n: u32, seed: u64) -> Vec<Vec2> {
-    silhouette_seeds(matte, BASE, n, Seed(seed), &SeedParams::default(), &Control::default())
+    silhouette_seeds(matte, BASE, n, &SeedParams::default(), Seed(seed), &Control::default())
         .unwrap()
 }
 
@@ -128,7 +128,7 @@ fn odd_mattes_have_a_graph_or_a_typed_error() {
     let error = livewire(&empty, None, BASE, &[], &quick(), &control).unwrap_err();
     assert!(matches!(error, ModelError::Attractor { .. }), "{error}");
     let params = SeedParams::default();
-    let error = silhouette_seeds(&empty, BASE, 3, Seed(1), &params, &control).unwrap_err();
+    let error = silhouette_seeds(&empty, BASE, 3, &params, Seed(1), &control).unwrap_err();
     assert!(matches!(error, ModelError::Attractor { .. }), "{error}");
 }
 
@@ -157,7 +157,7 @@ fn parameters_limits_and_cancelling_are_heeded() {
     let error = livewire(&matte, None, BASE, &[], &bad, &control).unwrap_err();
     assert!(error.to_string().contains("livewire.follow"), "{error}");
     let bad = SeedParams { from_trunk: f32::NAN, ..Default::default() };
-    assert!(silhouette_seeds(&matte, BASE, 3, Seed(1), &bad, &control).is_err());
+    assert!(silhouette_seeds(&matte, BASE, 3, &bad, Seed(1), &control).is_err());
     let tight = Control::default().with_limits(Limits { pixels: 99, ..Limits::default() });
     let error = livewire(&matte, None, BASE, &[], &quick(), &tight).unwrap_err();
     assert!(matches!(error, ModelError::Limit(_)), "{error}");

@@ -28,13 +28,13 @@ const NODE_SHARE: f32 = 0.15;
 #[non_exhaustive]
 pub struct CrownReport {
     /// Nodes of twigs.
-    pub twig_nodes: u64,
+    pub n_twig_nodes: u64,
     /// Nodes of twigs cut off because they reached where an image is empty.
-    pub twig_nodes_cut: u64,
+    pub n_twig_nodes_cut: u64,
     /// Leaves (blades) that stayed.
-    pub leaves: u64,
+    pub n_leaves: u64,
     /// Leaves discarded because an image is empty there.
-    pub leaves_discarded: u64,
+    pub n_leaves_discarded: u64,
     /// Leaves the images ask for, as far as the last correction knows.
     pub leaves_asked: f64,
 }
@@ -114,8 +114,8 @@ impl Crown<'_> {
             }
         }
         let cut = self.cut(&grown, wood.len())?;
-        report.twig_nodes = (cut.len() - wood.len()) as u64;
-        report.twig_nodes_cut = (grown.len() - cut.len()) as u64;
+        report.n_twig_nodes = (cut.len() - wood.len()) as u64;
+        report.n_twig_nodes_cut = (grown.len() - cut.len()) as u64;
         Ok(cut)
     }
 
@@ -179,8 +179,8 @@ impl Crown<'_> {
             let grown =
                 grow_leaves_in(skeleton, leaves, &|point| demand.at(point), seed, control)?.foliage;
             kept = self.discard(&grown)?;
-            report.leaves = kept.len() as u64;
-            report.leaves_discarded = (grown.len() - kept.len()) as u64;
+            report.n_leaves = kept.len() as u64;
+            report.n_leaves_discarded = (grown.len() - kept.len()) as u64;
             report.leaves_asked = demand.total();
             if round < params.corrections {
                 demand.correct(&self.sights, &kept, params.blade, params.fullness);

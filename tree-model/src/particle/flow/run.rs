@@ -37,22 +37,22 @@ pub struct Flow {
 #[non_exhaustive]
 pub struct FlowReport {
     /// Particles that started.
-    pub particles: u32,
+    pub n_particles: u32,
     /// Joins of two particles.
-    pub joins: u32,
+    pub n_joins: u32,
     /// Particles that joined a trace whose particle had gone on.
-    pub followed: u32,
+    pub n_followed: u32,
     /// Particles, after joins, that reached the base on traces of their own.
-    pub arrived: u32,
+    pub n_arrived: u32,
     /// Particles that were still on their way after [`FlowParams::steps`] and were steered to the base without
     /// heed to the images.
-    pub steered: u32,
+    pub n_steered: u32,
     /// Particles that could not even be steered and were led straight to the nearest trace.
-    pub led: u32,
+    pub n_led: u32,
     /// Steps taken.
-    pub steps: u32,
+    pub n_steps: u32,
     /// Parts that the Runge-Kutta method cut all steps of all particles into.
-    pub parts: u64,
+    pub n_parts: u64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -100,7 +100,7 @@ pub fn run(
             break;
         }
         if step == params.steps {
-            simulation.report.steered = simulation.particles.len() as u32;
+            simulation.report.n_steered = simulation.particles.len() as u32;
         }
         control.report("particles", (step as f32 / params.steps as f32).min(1.0))?;
         simulation.step(step, step >= params.steps);
@@ -139,7 +139,7 @@ impl<'a> Simulation<'a> {
         Self {
             particles: particles.collect(),
             traces,
-            report: FlowReport { particles: starts.len() as u32, ..Default::default() },
+            report: FlowReport { n_particles: starts.len() as u32, ..Default::default() },
             cells: Cells::default(),
             forces,
             params,
@@ -155,7 +155,7 @@ impl<'a> Simulation<'a> {
         self.join();
         self.follow();
         self.leave_nodes();
-        self.report.steps = number + 1;
+        self.report.n_steps = number + 1;
     }
 
     fn positions(&self) -> impl ExactSizeIterator<Item = Vec3> + Clone + '_ {
@@ -211,7 +211,7 @@ impl<'a> Simulation<'a> {
             }
             u64::from(parts)
         };
-        self.report.parts += self
+        self.report.n_parts += self
             .particles
             .par_chunks_mut(CHUNK)
             .map(|chunk| chunk.iter_mut().map(move_one).sum::<u64>())
@@ -268,7 +268,7 @@ impl<'a> Simulation<'a> {
         heavy.last = node;
         heavy.heading = heavy.state.velocity.normalize_or(heavy.heading);
         heavy.way = 0.0;
-        self.report.joins += 1;
+        self.report.n_joins += 1;
     }
 
     /// Joins particles to traces of others that have gone on: what flows in one bed at different times is
@@ -292,7 +292,7 @@ impl<'a> Simulation<'a> {
             let Some(leader) = traces.follow(particle.number, particle.last, node) else {
                 return true;
             };
-            report.followed += 1;
+            report.n_followed += 1;
             carried.push((leader, particle.mass));
             false
         });
@@ -311,7 +311,7 @@ impl<'a> Simulation<'a> {
         particles.retain_mut(|particle| {
             if particle.state.position.length() < ARRIVAL * join {
                 traces.lead(particle.number, particle.last, 0);
-                report.arrived += 1;
+                report.n_arrived += 1;
                 return false;
             }
             let heading = particle.state.velocity.normalize_or(particle.heading);
@@ -341,7 +341,7 @@ impl<'a> Simulation<'a> {
                     square(a).total_cmp(&square(b))
                 });
             self.traces.lead(particle.number, particle.last, nearest.unwrap_or(0) as u32);
-            self.report.led += 1;
+            self.report.n_led += 1;
         }
     }
 }

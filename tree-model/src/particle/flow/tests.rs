@@ -35,9 +35,15 @@ fn flow(starts: &[Vec3], params: &FlowParams) -> Flow {
 #[test]
 fn all_particles_reach_the_base_and_join_on_their_way() {
     let flow = flow(&starts(500, 1), &FlowParams::default());
-    let FlowReport { particles, joins, followed, arrived, steered, led, .. } = flow.report;
-    assert_eq!((particles, arrived + joins + followed, led), (500, 500, 0), "{:?}", flow.report);
-    assert!(steered == 0 && arrived < 4, "{:?}", flow.report);
+    let FlowReport { n_particles, n_joins, n_followed, n_arrived, n_steered, n_led, .. } =
+        flow.report;
+    assert_eq!(
+        (n_particles, n_arrived + n_joins + n_followed, n_led),
+        (500, 500, 0),
+        "{:?}",
+        flow.report
+    );
+    assert!(n_steered == 0 && n_arrived < 4, "{:?}", flow.report);
     assert_eq!(flow.traces.masses()[0], 500);
     // Node 0 is the base, and everything leads there.
     let next = flow.traces.next();
@@ -94,9 +100,9 @@ fn particles_far_outside_and_out_of_time_are_brought_home() {
     starts.push(Vec3::new(300.0, -50.0, 20.0));
     let params = FlowParams { steps: 20, ..FlowParams::default() };
     let flow = flow(&starts, &params);
-    assert!(flow.report.steered > 0 && flow.report.led > 0, "{:?}", flow.report);
+    assert!(flow.report.n_steered > 0 && flow.report.n_led > 0, "{:?}", flow.report);
     assert_eq!(
-        flow.report.arrived + flow.report.led + flow.report.joins + flow.report.followed,
+        flow.report.n_arrived + flow.report.n_led + flow.report.n_joins + flow.report.n_followed,
         21
     );
     let skeleton = flow.traces.skeleton(&Control::default()).unwrap();
@@ -132,8 +138,8 @@ proptest! {
         let starts: Vec<Vec3> = particles.into_iter().map(Vec3::from).collect();
         let params = FlowParams { step, join, sight, turn, neighbour, steps, ..Default::default() };
         let flow = flow(&starts, &params);
-        let FlowReport { joins, followed, arrived, led, .. } = flow.report;
-        prop_assert_eq!(joins + followed + arrived + led, starts.len() as u32);
+        let FlowReport { n_joins, n_followed, n_arrived, n_led, .. } = flow.report;
+        prop_assert_eq!(n_joins + n_followed + n_arrived + n_led, starts.len() as u32);
         let skeleton = flow.traces.skeleton(&Control::default()).unwrap();
         prop_assert_eq!(skeleton.len(), flow.traces.positions().len());
     }

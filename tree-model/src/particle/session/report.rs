@@ -80,17 +80,17 @@ impl PhotoReport {
                  `finish.leaves.size` or raise `height`"
             ));
         }
-        if self.flow.steered > 0 {
+        if self.flow.n_steered > 0 {
             lines.push(format!(
                 "{} of {} particles were still on their way after all steps and were steered to the base: \
                  raise `flow.steps` or `flow.step`",
-                self.flow.steered, self.flow.particles
+                self.flow.n_steered, self.flow.n_particles
             ));
         }
-        if self.flow.led > 0 {
+        if self.flow.n_led > 0 {
             lines.push(format!(
                 "{} particles were lost and led to the nearest branch",
-                self.flow.led
+                self.flow.n_led
             ));
         }
         lines

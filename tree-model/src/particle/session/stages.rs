@@ -268,8 +268,8 @@ impl Session {
                             &view.matte,
                             base,
                             params.branches,
-                            seed,
                             &params.seeds,
+                            seed,
                             &quiet,
                         )?;
                         wire(&seeds, &mut report)

@@ -115,7 +115,7 @@ fn more_nodes_than_a_grid_can_number_are_refused_whatever_the_limits() {
 fn the_limit_on_graph_nodes_counts_all_levels_and_the_roots() {
     let params = Preset::find("taproot").unwrap().params().unwrap();
     let grown = params.grow(SEED, &control()).unwrap();
-    let total = grown.report.graphs().nodes;
+    let total = grown.report.graphs().n_nodes;
     let limits = Limits { graph_nodes: total * 9 / 10, ..Limits::default() };
     let found = params.grow(SEED, &control().with_limits(limits)).unwrap_err();
     assert!(matches!(found, ModelError::Limit(_)), "{found}");

@@ -49,8 +49,8 @@ fn every_preset_grows_a_valid_tree() {
         assert!(grown.tree.foliage().len() > 300, "{}", preset.name());
         let report = grown.report;
         let base = report.levels[0].graphs;
-        assert!(base.stray_nodes * 20 < base.nodes, "{}: {report:?}", preset.name());
-        assert_eq!(report.levels.iter().map(|level| level.stunted).sum::<u64>(), 0);
+        assert!(base.n_stray_nodes * 20 < base.n_nodes, "{}: {report:?}", preset.name());
+        assert_eq!(report.levels.iter().map(|level| level.n_stunted).sum::<u64>(), 0);
     }
 }
 
@@ -61,7 +61,7 @@ fn presets_hang_together_for_any_seed() {
         for seed in 0..40 {
             let grown = params.grow(Seed(seed), &control()).unwrap();
             let base = grown.report.levels[0].graphs;
-            assert!(base.stray_nodes * 50 < base.nodes, "{} {seed}: {base:?}", preset.name());
+            assert!(base.n_stray_nodes * 50 < base.n_nodes, "{} {seed}: {base:?}", preset.name());
         }
     }
 }
@@ -76,7 +76,7 @@ fn a_preset_is_found_by_name_and_a_wrong_name_lists_those_there_are() {
 #[test]
 fn branching_multiplies_from_level_to_level() {
     let grown = shrub().grow(SEED, &control()).unwrap();
-    let endpoints: Vec<u64> = grown.report.levels.iter().map(|level| level.endpoints).collect();
+    let endpoints: Vec<u64> = grown.report.levels.iter().map(|level| level.n_endpoints).collect();
     assert_eq!(endpoints, [6, 18, 54]);
 }
 
@@ -85,7 +85,7 @@ fn the_last_level_grows_round_the_endpoints_of_all_levels_where_asked() {
     let mut params = shrub();
     params.levels[1].from_all_levels = true;
     let grown = params.grow(SEED, &control()).unwrap();
-    assert_eq!(grown.report.levels[2].endpoints, 3 * (6 + 18));
+    assert_eq!(grown.report.levels[2].n_endpoints, 3 * (6 + 18));
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn a_random_lifespan_ends_some_branches_early() {
     let params = PathParams { lifespan: Lifespan::Random { stop: 0.3 }, ..shrub() };
     let grown = params.grow(SEED, &control()).unwrap();
     let last = grown.report.levels[2];
-    assert!(last.ended > 0 && last.endpoints > 0, "{last:?}");
+    assert!(last.n_ended > 0 && last.n_endpoints > 0, "{last:?}");
 }
 
 #[test]
@@ -350,7 +350,7 @@ fn branches_go_on_through_narrow_sectors() {
             level.shape = SubShape::Sector { angle };
         }
         let grown = params.grow(SEED, &control()).unwrap();
-        let stunted: u64 = grown.report.levels.iter().map(|level| level.stunted).sum();
+        let stunted: u64 = grown.report.levels.iter().map(|level| level.n_stunted).sum();
         assert!(stunted <= 1, "{angle}: {stunted} of 24 branches end early");
     }
 }

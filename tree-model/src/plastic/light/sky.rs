@@ -16,14 +16,14 @@ pub(in crate::plastic) type Weights = [f32; DIRECTIONS];
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Sky {
     /// Direction to the brightest point, of any length but 0, not below the horizon. Default up.
-    pub brightest: Vec3,
+    pub light: Vec3,
     /// Factor on all light, 0 to 10. Default 1. At 0 every branch starves but the trunk.
     pub brightness: f32,
 }
 
 impl Default for Sky {
     fn default() -> Self {
-        Self { brightest: Vec3::Y, brightness: 1.0 }
+        Self { light: Vec3::Y, brightness: 1.0 }
     }
 }
 
@@ -33,12 +33,12 @@ impl Sky {
     #[must_use]
     pub fn towards(azimuth: f32, elevation: f32) -> Self {
         let flat = libm::cosf(elevation);
-        let brightest = Vec3::new(
+        let light = Vec3::new(
             flat * libm::sinf(azimuth),
             libm::sinf(elevation),
             flat * libm::cosf(azimuth),
         );
-        Self { brightest, ..Self::default() }
+        Self { light, ..Self::default() }
     }
 
     /// Checks all ranges.
@@ -46,14 +46,14 @@ impl Sky {
     /// # Errors
     /// [`ModelError::NotFinite`] or [`ModelError::Parameter`] naming the field.
     pub fn validate(&self) -> Result<()> {
-        crate::error::check_finite("sky.brightest", self.brightest)?;
-        let length = self.brightest.length();
+        crate::error::check_finite("sky.light", self.light)?;
+        let length = self.light.length();
         if length < 1e-6 || !length.is_finite() {
             let found = f64::from(length);
-            let field = "length of sky.brightest".into();
+            let field = "length of sky.light".into();
             return Err(ModelError::Parameter { field, found, min: 1e-6, max: 1e18 });
         }
-        check("height of sky.brightest", self.brightest.y / length, -1e-3, 1.0)?;
+        check("height of sky.light", self.light.y / length, -1e-3, 1.0)?;
         check("sky.brightness", self.brightness, 0.0, 10.0)
     }
 }

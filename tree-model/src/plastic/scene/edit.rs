@@ -310,5 +310,5 @@ fn holds_base(what: &str, base: Vec3, id: u64) -> crate::ModelError {
 /// The sky as it is seen by who stands so.
 fn bins(sky: &Sky, pose: Pose) -> Bins {
     let turn = pose.rotation.conjugate();
-    Bins::new(turn * sky.brightest.normalize(), turn * Vec3::Y, sky.brightness)
+    Bins::new(turn * sky.light.normalize(), turn * Vec3::Y, sky.brightness)
 }

@@ -69,11 +69,7 @@ fn a_wall_bends_the_tree_away_and_prunes_its_side() {
     let changed = update(&mut scene);
     assert_eq!(changed.changed, [id]);
     let adapted = scene.adapted(id, &Control::default()).unwrap();
-    assert!(
-        adapted.report.pruned_nodes > 0 && adapted.report.farthest > 0.0,
-        "{:?}",
-        adapted.report
-    );
+    assert!(adapted.report.n_pruned > 0 && adapted.report.farthest > 0.0, "{:?}", adapted.report);
     let middle = |tree: &Tree| {
         let sum: Vec3 = tree.foliage().positions().iter().sum();
         sum / tree.foliage().len() as f32
@@ -258,7 +254,7 @@ fn what_cannot_be_is_refused_and_the_scene_stays() {
             .to_string()
             .contains("end")
     );
-    assert!(scene.set_sky(Sky { brightest: Vec3::ZERO, ..Sky::default() }).is_err());
+    assert!(scene.set_sky(Sky { light: Vec3::ZERO, ..Sky::default() }).is_err());
     assert_eq!(update(&mut scene), Update::default());
     assert_same(&trees(&scene), &before);
 }
@@ -329,9 +325,9 @@ fn a_closed_mesh_stands_in_the_way_as_the_box_it_is() {
         trees(&scene).remove(0)
     };
     let (by_box, by_mesh) = (grow(wall(6.0)), grow(mesh));
-    assert!(by_mesh.report.pruned_nodes > 0);
-    let far = by_box.report.pruned_nodes.abs_diff(by_mesh.report.pruned_nodes);
-    assert!(far <= by_box.report.pruned_nodes / 10 + 2, "{:?} {:?}", by_box.report, by_mesh.report);
+    assert!(by_mesh.report.n_pruned > 0);
+    let far = by_box.report.n_pruned.abs_diff(by_mesh.report.n_pruned);
+    assert!(far <= by_box.report.n_pruned / 10 + 2, "{:?} {:?}", by_box.report, by_mesh.report);
 }
 
 #[test]
@@ -344,5 +340,5 @@ fn cancelled_work_is_taken_up_again() {
     flag.cancel();
     assert!(scene.update(&Control::default().with_cancel(flag)).is_err());
     update(&mut scene);
-    assert!(trees(&scene)[0].report.pruned_nodes > 0);
+    assert!(trees(&scene)[0].report.n_pruned > 0);
 }

@@ -43,7 +43,7 @@ impl Scene {
         let mut walls: Vec<&Placed> =
             self.obstacles.iter().map(|standing| &standing.placed).collect();
         walls.sort_by_key(|placed| placed.key());
-        let towards = self.sky.brightest.normalize_or(Vec3::Y);
+        let towards = self.sky.light.normalize_or(Vec3::Y);
         let near = self.near.get_or_insert_with(|| neighbours(&self.trees, towards));
         let mut works: Vec<Work<'_>> = self
             .trees

@@ -86,7 +86,10 @@ pub fn grow(plan: &Plan, params: &GrowParams, seed: Seed, control: &Control) -> 
         positions: Vec::new(),
         parents: Vec::new(),
         leaves: Foliage::default(),
-        report: GrowReport { sketched: plan.system.laterals.len() as u64, ..GrowReport::default() },
+        report: GrowReport {
+            n_sketched: plan.system.laterals.len() as u64,
+            ..GrowReport::default()
+        },
     };
     growth.run(trunk, frame, depth, control)?;
     growth.finish(plan, control)
@@ -267,7 +270,7 @@ impl Growth<'_> {
             first += of(i).line.len() as u64 - 1;
             n_leaves += of(i).leaves.len() as u64;
             n_next += of(i).children.len() as u64;
-            self.report.without_room += u64::from(of(i).without_room);
+            self.report.n_without_room += u64::from(of(i).n_without_room);
         }
         // What stands on these branches will have nodes, too.
         control.limits.check(Resource::Nodes, first + n_next)?;
@@ -291,7 +294,7 @@ impl Growth<'_> {
                 self.leaves.push(leaf)?;
             }
             next.extend(rows.next);
-            self.report.fenced += rows.fenced;
+            self.report.n_fenced += rows.fenced;
         }
         next.par_iter_mut().enumerate().for_each(|(i, branch): (usize, &mut Instance)| {
             branch.number = self.seed.child(i as u64).0;
@@ -304,11 +307,11 @@ impl Growth<'_> {
         let leaf = self.styles.leaf_length();
         let gaps = fill::Gaps { plan, params: self.params, fence: &self.fence, leaf };
         let wood = (&mut self.positions, &mut self.parents);
-        self.report.filled =
+        self.report.n_filled =
             gaps.fill(wood, &mut self.leaves, self.seed.stream("gaps"), control)?;
         control.report("wood", 0.85)?;
-        self.report.leaves = self.leaves.len() as u64;
-        self.report.patterns = self.patterns.len() as u64;
+        self.report.n_leaves = self.leaves.len() as u64;
+        self.report.n_patterns = self.patterns.len() as u64;
         let radii = vec![0.0; self.positions.len()];
         let (positions, parents) = (self.positions, self.parents);
         let mut skeleton = Skeleton::try_from(SkeletonColumns { positions, radii, parents })?;

@@ -53,7 +53,7 @@ impl Explicit<'_> {
             let form = self.styles.add_form(form);
             pattern.children.push(Child { form, ..child });
         }
-        pattern.without_room = (sites.len() - pattern.children.len()) as u32;
+        pattern.n_without_room = (sites.len() - pattern.children.len()) as u32;
         for child in &mut pattern.children {
             let (t, _) = system.axis.nearest(child.frame.origin.truncate());
             child.node = nodes.nearest(t);

@@ -64,7 +64,7 @@ pub(super) struct Pattern {
     pub(super) line: Vec<Vec3>,
     pub(super) children: Vec<Child>,
     pub(super) leaves: Vec<Spot>,
-    pub(super) without_room: u32,
+    pub(super) n_without_room: u32,
 }
 
 /// Number of branches of a style on an axis of so many metres.
@@ -120,7 +120,7 @@ pub(super) fn of_style(
                 let reach = if is_last { 1.0 } else { copied.reach.min(REACH) };
                 let length = (scale * room / reach).min(most);
                 if length < SHORTEST {
-                    pattern.without_room += 1;
+                    pattern.n_without_room += 1;
                     continue;
                 }
                 let frame = Frame { origin: base.extend(0.0), turn, scale: length };

@@ -9,24 +9,24 @@ pub struct GrowReport {
     /// Branches of every level, the trunk first.
     pub branches: Vec<u64>,
     /// Of those on the trunk, how many were sketched. The others were added in space.
-    pub sketched: u64,
+    pub n_sketched: u64,
     /// Leaves.
-    pub leaves: u64,
+    pub n_leaves: u64,
     /// Branches without room in the outline of their parent, which were left out.
-    pub without_room: u64,
+    pub n_without_room: u64,
     /// Branches and leaves left out because they would be seen outside the outlines.
-    pub fenced: u64,
+    pub n_fenced: u64,
     /// Leaves added where the outlines were empty.
-    pub filled: u64,
+    pub n_filled: u64,
     /// Different patterns that were made.
-    pub patterns: u64,
+    pub n_patterns: u64,
 }
 
 impl GrowReport {
     /// Leaves and branches together: the paper's count of elements.
     #[must_use]
     pub fn elements(&self) -> u64 {
-        self.leaves + self.branches.iter().sum::<u64>()
+        self.n_leaves + self.branches.iter().sum::<u64>()
     }
 }
 

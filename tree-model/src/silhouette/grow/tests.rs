@@ -66,10 +66,10 @@ fn the_same_seed_gives_the_same_bits_for_any_number_of_threads() {
 #[test]
 fn counts_agree_with_the_tree() {
     let (tree, report) = tree(GrowParams::default());
-    assert_eq!(report.leaves as usize, tree.foliage().len());
+    assert_eq!(report.n_leaves as usize, tree.foliage().len());
     assert_eq!(report.branches[0], 1);
-    assert!(report.branches[1] >= report.sketched);
-    assert_eq!(report.elements(), report.leaves + report.branches.iter().sum::<u64>());
+    assert!(report.branches[1] >= report.n_sketched);
+    assert_eq!(report.elements(), report.n_leaves + report.branches.iter().sum::<u64>());
 }
 
 #[test]

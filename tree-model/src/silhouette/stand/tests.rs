@@ -82,7 +82,7 @@ fn foliage_height(tree: &StandTree) -> f32 {
 fn every_outline_becomes_a_tree_with_leaves() {
     let stand = grow(&three(), &params()).unwrap();
     assert_eq!(stand.trees.len(), 3, "{:?}", stand.notes);
-    assert!(stand.trees.iter().all(|tree| tree.grown.report.leaves > 0));
+    assert!(stand.trees.iter().all(|tree| tree.grown.report.n_leaves > 0));
     assert!(stand.notes.is_empty(), "{:?}", stand.notes);
 }
 

@@ -47,15 +47,15 @@ const TWIG_SHOOT: f32 = 1.3;
 #[non_exhaustive]
 pub struct FinishReport {
     /// Nodes of branches.
-    pub wood_nodes: u64,
+    pub n_wood_nodes: u64,
     /// Nodes of twigs.
-    pub twig_nodes: u64,
+    pub n_twig_nodes: u64,
     /// Nodes of twigs cut off because they left the crown or entered the ground.
-    pub twig_nodes_cut: u64,
+    pub n_twig_nodes_cut: u64,
     /// Blades that stayed: rows of the foliage.
-    pub leaves: u64,
+    pub n_leaves: u64,
     /// Blades left out because they left the crown or entered the ground.
-    pub leaves_outside: u64,
+    pub n_leaves_outside: u64,
     /// How much larger leaves are than the species', because there would be too many.
     pub leaves_larger: f32,
 }
@@ -79,7 +79,7 @@ pub fn grow_crown(
     let fronds = if params.has_fronds() { frond_length(wood) } else { None };
     let sprays = params.sprays(fronds)?;
     let mut report =
-        FinishReport { wood_nodes: wood.len() as u64, leaves_larger: 1.0, ..Default::default() };
+        FinishReport { n_wood_nodes: wood.len() as u64, leaves_larger: 1.0, ..Default::default() };
     let shoots = Shoots::of(wood);
     let leaves = sprays.leaves.filter(|_| params.fullness > 0.0);
     let leaves = leaves.map(|leaves| {
@@ -234,8 +234,8 @@ impl Finisher<'_> {
         let seed = self.seed.stream("twigs");
         let grown = grow_twigs_in(&wood, &twigs, &|_| density, seed, self.control)?.skeleton;
         let cut = self.cut(&grown, wood.len())?;
-        report.twig_nodes = (cut.len() - wood.len()) as u64;
-        report.twig_nodes_cut = (grown.len() - cut.len()) as u64;
+        report.n_twig_nodes = (cut.len() - wood.len()) as u64;
+        report.n_twig_nodes_cut = (grown.len() - cut.len()) as u64;
         Ok(cut)
     }
 
@@ -276,8 +276,8 @@ impl Finisher<'_> {
         let grown =
             grow_leaves_in(skeleton, leaves, &|point| cells.at(point), seed, control)?.foliage;
         let kept = self.inside(&grown)?;
-        report.leaves = kept.len() as u64;
-        report.leaves_outside = (grown.len() - kept.len()) as u64;
+        report.n_leaves = kept.len() as u64;
+        report.n_leaves_outside = (grown.len() - kept.len()) as u64;
         Ok(kept)
     }
 

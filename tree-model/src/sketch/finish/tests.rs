@@ -92,8 +92,9 @@ fn twigs_and_leaves_stay_in_the_crown() {
     let shape = crown();
     let in_crown = |point: Vec3| shape.contains_3d(point);
     assert!(tree.foliage().positions().iter().all(|&leaf| in_crown(leaf)));
-    assert!(report.leaves_outside > 0 && report.twig_nodes_cut > 0, "{report:?}");
-    let twigs = &tree.skeleton().positions()[tree.skeleton().len() - report.twig_nodes as usize..];
+    assert!(report.n_leaves_outside > 0 && report.n_twig_nodes_cut > 0, "{report:?}");
+    let twigs =
+        &tree.skeleton().positions()[tree.skeleton().len() - report.n_twig_nodes as usize..];
     assert!(twigs.iter().all(|&node| in_crown(node)));
 }
 
@@ -107,7 +108,7 @@ fn fuller_trees_have_more_leaves() {
 #[test]
 fn a_bare_tree_has_twigs_and_no_leaves() {
     let (tree, report) = finished(false, &FinishParams { leaves: false, ..of("oak") });
-    assert!(tree.foliage().is_empty() && report.twig_nodes > 1000, "{report:?}");
+    assert!(tree.foliage().is_empty() && report.n_twig_nodes > 1000, "{report:?}");
 }
 
 #[test]
@@ -117,7 +118,7 @@ fn fronds_bear_leaflets_and_no_twigs() {
     for (what, n) in [(fronds, 300..5_000), (Propagated::bare(one_stroke()), 1_000..20_000)] {
         let (tree, report) =
             grow_crown(&wood(&what), None, &of("palm"), Seed(1), &control).unwrap();
-        assert!(n.contains(&tree.foliage().len()) && report.twig_nodes == 0, "{report:?}");
+        assert!(n.contains(&tree.foliage().len()) && report.n_twig_nodes == 0, "{report:?}");
     }
 }
 

@@ -74,29 +74,29 @@ pub struct PropagateReport {
     /// The last generation in which any grew.
     pub generations: u32,
     /// Replication blocks taken from the sketch.
-    pub blocks: u32,
+    pub n_blocks: u32,
     /// Replication blocks drawn from Ω because the sketch has few of their order.
-    pub blocks_from_omega: u32,
+    pub n_blocks_from_omega: u32,
     /// Sketched ones so long that they got new laterals.
-    pub long: u64,
+    pub n_long: u64,
     /// New forks along those.
-    pub forks: u64,
+    pub n_forks: u64,
     /// Open ends and forks of the sketch that lie outside the crown, where nothing grew.
-    pub ends_outside: u64,
+    pub n_ends_outside: u64,
     /// Those that end at the crown's surface.
-    pub touched: u64,
+    pub n_touched: u64,
     /// Left out because the surface left too little of them.
-    pub outside: u64,
+    pub n_outside: u64,
     /// Left out because they would have been shorter than [`PropagateParams::shortest`].
-    pub too_short: u64,
+    pub n_too_short: u64,
     /// Turned aside from an obstacle or the ground.
-    pub turned_aside: u64,
+    pub n_turned_aside: u64,
     /// Shortened because of an obstacle or the ground.
-    pub shortened: u64,
+    pub n_shortened: u64,
     /// Left out because of an obstacle or the ground.
-    pub blocked: u64,
+    pub n_blocked: u64,
     /// Left out because there would have been more than [`PropagateParams::max_segments`].
-    pub over_cap: u64,
+    pub n_over_cap: u64,
 }
 
 impl Propagated {
@@ -156,11 +156,11 @@ pub fn propagate(
     let found = open::find(&drawn, &pools, &grower);
     let mut grown = Propagated::bare(branches.clone());
     grown.report = PropagateReport {
-        blocks: pools.n_drawn,
-        blocks_from_omega: pools.n_filled,
-        long: found.long,
-        forks: found.forks,
-        ends_outside: found.outside,
+        n_blocks: pools.n_drawn,
+        n_blocks_from_omega: pools.n_filled,
+        n_long: found.long,
+        n_forks: found.forks,
+        n_ends_outside: found.outside,
         ..PropagateReport::default()
     };
     let mut opens = found.opens;
@@ -204,7 +204,7 @@ fn generate(
     for part in &parts {
         grown.join(part, generation, &mut thinned, &mut opens);
     }
-    grown.report.over_cap += n_new - thinned.room;
+    grown.report.n_over_cap += n_new - thinned.room;
     if grown.branches.len() > before {
         grown.report.generations = generation;
     }
@@ -248,11 +248,11 @@ impl Propagated {
         }
         let (report, tally) = (&mut self.report, part.tally);
         let Tally { touched, outside, too_short, aside, shortened, dropped } = tally;
-        report.touched += touched;
-        report.outside += outside;
-        report.too_short += too_short;
-        report.turned_aside += aside;
-        report.shortened += shortened;
-        report.blocked += dropped;
+        report.n_touched += touched;
+        report.n_outside += outside;
+        report.n_too_short += too_short;
+        report.n_turned_aside += aside;
+        report.n_shortened += shortened;
+        report.n_blocked += dropped;
     }
 }

@@ -44,7 +44,7 @@ fn sketched_segments_stay_as_they_are() {
 fn a_sketch_of_eight_strokes_becomes_a_full_tree() {
     let grown = grown(&sketch(), None, &PropagateParams::default());
     assert!((500..20_000).contains(&grown.branches.len()), "{:?}", grown.report);
-    assert!(grown.report.forks > 10 && grown.report.generations == 5, "{:?}", grown.report);
+    assert!(grown.report.n_forks > 10 && grown.report.generations == 5, "{:?}", grown.report);
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn what_grows_stays_in_the_crown() {
     let grown = grown(&sketch(), Some(&crown()), &PropagateParams::default());
     let (all, inside) = lengths(&grown, &crown());
     assert!(all > 100.0 && inside >= 0.995 * all, "{inside} of {all}");
-    assert!(grown.report.touched > 20, "{:?}", grown.report);
+    assert!(grown.report.n_touched > 20, "{:?}", grown.report);
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn a_crown_without_any_branch_lets_nothing_grow() {
     let far = ellipse([50.0, 5.0], [1.0, 1.0]);
     let grown = grown(&sketch(), Some(&far), &PropagateParams::default());
     assert_eq!(grown.report.n_new, 0);
-    assert!(grown.report.ends_outside > 0);
+    assert!(grown.report.n_ends_outside > 0);
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn there_are_never_more_segments_than_allowed() {
     let params = PropagateParams { max_segments: 300, generations: 12, ..Default::default() };
     let grown = grown(&sketch(), None, &params);
     assert_eq!(grown.branches.len(), 300);
-    assert!(grown.report.over_cap > 0);
+    assert!(grown.report.n_over_cap > 0);
 }
 
 #[test]
@@ -134,8 +134,8 @@ fn no_new_segment_enters_an_obstacle() {
         }
     }
     let report = grown.report;
-    assert!(report.turned_aside > 0 && report.n_new > 300, "{report:?}");
-    assert_eq!(run(None).report.turned_aside, 0);
+    assert!(report.n_turned_aside > 0 && report.n_new > 300, "{report:?}");
+    assert_eq!(run(None).report.n_turned_aside, 0);
 }
 
 #[test]

@@ -10,6 +10,12 @@ use glam::Vec2;
 use tree_core::{Control, NO_PARENT, Seed, Volume};
 
 impl Session {
+    /// The seed.
+    #[must_use]
+    pub fn seed(&self) -> Seed {
+        self.seed
+    }
+
     /// Another seed: other depths within Ω, another growth.
     pub fn set_seed(&mut self, seed: Seed) {
         if seed != self.seed {

@@ -30,8 +30,9 @@ pub use report::{SketchReport, SketchTree};
 pub use stages::{Session, Stage};
 
 use super::Drawing;
+use super::template::Template;
 use crate::{ModelError, Modeler};
-use tree_core::{Control, Seed, Tree};
+use tree_core::{Control, Seed, Tree, Volume};
 
 /// A drawing and parameters, for [`Modeler`].
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,11 +41,19 @@ pub struct SketchModel {
     pub drawing: Drawing,
     /// All parameters.
     pub params: SketchParams,
+    /// What is chosen from. Default `None`: the built-in templates.
+    pub templates: Option<Vec<Template>>,
+    /// What branches keep out of. Default `None`.
+    pub obstacles: Option<Volume>,
 }
 
 impl Modeler for SketchModel {
     fn model(&self, seed: Seed, control: &Control) -> Result<Tree, ModelError> {
         let mut session = Session::new(self.drawing.clone(), self.params.clone(), seed)?;
+        if let Some(templates) = &self.templates {
+            session.set_templates(templates.clone());
+        }
+        session.set_obstacles(self.obstacles.clone());
         Ok(session.tree(control)?.tree.clone())
     }
 }
