@@ -25,7 +25,7 @@ const ERROR_RATIO: f64 = 1.1;
 /// Levin, Lischinski & Weiss 2008.
 pub(crate) const CLOSED_FORM: &str = "cf";
 /// Its methods: closed form, which ours is too, and nearest neighbours. Random walks take half a minute.
-const METHODS: [(&str, &str); 2] = [(CLOSED_FORM, "closed form"), ("knn", "KNN")];
+const METHODS: [&str; 2] = [CLOSED_FORM, "knn"];
 
 /// Pictures that are few enough to be quick.
 const PICTURES: [&str; 2] = ["rendered oak before hedge", "cutout_holm_oak.png before hedge"];
@@ -94,7 +94,7 @@ fn picture(table: &mut Table, known: &Known) -> Outcome<bool> {
     let Known { name, photo, trimap, .. } = known;
     let cut_out = || Ok(natural(photo, trimap, &NaturalParams::default(), &Control::default())?.0);
     let mut ours = None;
-    for (method, title) in METHODS {
+    for method in METHODS {
         let told = ask(photo, trimap, method, SECONDS);
         let lost = matches!(told, Err(Absence::NotInstalled(..) | Absence::Hangs(_)));
         let Some(theirs) = or_note(told) else {
@@ -107,8 +107,7 @@ fn picture(table: &mut Table, known: &Known) -> Outcome<bool> {
             Some(measured) => measured,
             None => fastest(cut_out)?,
         };
-        let size = format!("{} x {}", photo.width(), photo.height());
-        let case = format!("pymatting {title}, {name}, {size}");
+        let case = format!("pymatting {method}, {name}");
         let mut row = |metric, figures, unit, aim| beside(table, &case, metric, figures, unit, aim);
         let peer = 1e3 * theirs.told.seconds;
         row("time", [peer, 1e3 * seconds], "ms", Aim::AtMost(peer));

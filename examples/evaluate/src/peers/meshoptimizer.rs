@@ -20,7 +20,7 @@ use tree_core::{Control, Tree};
 use tree_lod::cover::{Around, score};
 use tree_lod::multires::{Metric, MultiMesh, Multires};
 use tree_lod::prune::{MakeParams, PrunedModel};
-use tree_lod::quality::mean_quality;
+use tree_lod::quality::{Score, mean_quality};
 use tree_mesh::{ErrorBound, Look, Mesh, MeshParams, Surface, topology::weld};
 
 /// Errors of the coarser woods in metres; the full one has 3 mm.
@@ -90,6 +90,8 @@ fn built(table: &mut Table, case: &str, tree: &Tree, error: f32, full: &Mesh) ->
     row("time for the level", [1e3 * seconds, 1e3 * own_seconds], "ms", Aim::AtMost(1e3 * seconds));
     let figures = [quality(&theirs, full)?, quality(&own, full)?];
     row("Q against the full wood", figures, "", Aim::AtLeast(figures[0]));
+    let figures = [recall(&theirs, full)?, recall(&own, full)?];
+    row("share of its pixels covered", figures, "", Aim::None);
     let surface = |mesh: &Mesh| mesh.surfaces.first().ok_or("no bark").map(Wood::of);
     Wood::rows(table, case, &surface(&theirs)??, &surface(&own)??);
     Ok(())
@@ -150,11 +152,19 @@ fn level_rows(
     row("Q against the full mesh", quality, "", Aim::AtLeast(quality[0]));
 }
 
-/// Mean over views that neither was made with.
-fn quality(level: &Mesh, full: &Mesh) -> Outcome<f64> {
+/// From views that neither was made with.
+fn scores(level: &Mesh, full: &Mesh) -> Outcome<Vec<Score>> {
     let around = Around { turn: 0.3, ..Around::default() };
-    let scores = score(level, full, &around.cameras(), around.size, &Control::default())?;
-    Ok(mean_quality(&scores))
+    Ok(score(level, full, &around.cameras(), around.size, &Control::default())?)
+}
+
+fn quality(level: &Mesh, full: &Mesh) -> Outcome<f64> {
+    Ok(mean_quality(&scores(level, full)?))
+}
+
+fn recall(level: &Mesh, full: &Mesh) -> Outcome<f64> {
+    let recalls: Vec<f64> = scores(level, full)?.iter().map(Score::recall).collect();
+    Ok(recalls.iter().sum::<f64>() / recalls.len().max(1) as f64)
 }
 
 /// Does what a case of [`peak_bytes`] names, if it is one of these.

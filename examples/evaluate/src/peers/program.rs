@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 /// The status a script leaves with when what it needs is not installed.
 const NOT_INSTALLED: i32 = 3;
 /// Longest that one case may take.
-const LIMIT: Duration = Duration::from_secs(40);
+const LIMIT: Duration = Duration::from_secs(30);
 /// Between two looks at whether it has ended.
 const STEP: Duration = Duration::from_millis(5);
 /// How long what it said may take to arrive after it has ended.
