@@ -96,12 +96,8 @@ fn picture(table: &mut Table, known: &Known) -> Outcome<bool> {
     let mut ours = None;
     for method in METHODS {
         let told = ask(photo, trimap, method, SECONDS);
-        let lost = matches!(told, Err(Absence::NotInstalled(..) | Absence::Hangs(_)));
         let Some(theirs) = or_note(told) else {
-            if lost {
-                return Ok(false);
-            }
-            continue;
+            return Ok(false);
         };
         let (seconds, matte) = match ours.take() {
             Some(measured) => measured,

@@ -88,10 +88,9 @@ fn built(table: &mut Table, case: &str, tree: &Tree, error: f32, full: &Mesh) ->
     let mut row = |metric, figures, unit, aim| beside(table, case, metric, figures, unit, aim);
     row("triangles of wood", [&theirs, &own].map(|mesh| triangles(mesh, &[0])), "", Aim::None);
     row("time for the level", [1e3 * seconds, 1e3 * own_seconds], "ms", Aim::AtMost(1e3 * seconds));
-    let figures = [quality(&theirs, full)?, quality(&own, full)?];
-    row("Q against the full wood", figures, "", Aim::AtLeast(figures[0]));
-    let figures = [recall(&theirs, full)?, recall(&own, full)?];
-    row("share of its pixels covered", figures, "", Aim::None);
+    let ([peer, peer_covers], [ours, covers]) = (looks(&theirs, full)?, looks(&own, full)?);
+    row("Q against the full wood", [peer, ours], "", Aim::AtLeast(peer));
+    row("share of its pixels covered", [peer_covers, covers], "", Aim::None);
     let surface = |mesh: &Mesh| mesh.surfaces.first().ok_or("no bark").map(Wood::of);
     Wood::rows(table, case, &surface(&theirs)??, &surface(&own)??);
     Ok(())
@@ -110,7 +109,7 @@ fn prefix(table: &mut Table, tree: &Tree) -> Outcome {
     let (take, _) = fastest(|| Ok(black_box(prefixes.wood_indices(black_box(level)))))?;
     let (seconds, theirs) = fastest(|| Ok(simplified(full, triangles(&own, &[0]))))?;
     let case = format!("meshoptimizer, oak wood, prefix of {PREFIX}");
-    let figures = [quality(&theirs, full)?, quality(&own, full)?];
+    let figures = [looks(&theirs, full)?[0], looks(&own, full)?[0]];
     let counts = [&theirs, &own].map(|mesh| triangles(mesh, &[0]));
     level_rows(table, &case, "triangles of wood", counts, [seconds, make, take], figures);
     Ok(())
@@ -129,7 +128,7 @@ pub(super) fn leaves(table: &mut Table) -> Outcome {
         let (take, _) = fastest(|| Ok(model.level(black_box(share))?))?;
         let own = model.mesh_at(share)?;
         let case = format!("meshoptimizer, oak leaf cards, {share} kept");
-        let figures = [quality(&theirs, &full)?, quality(&own, &full)?];
+        let figures = [looks(&theirs, &full)?[0], looks(&own, &full)?[0]];
         let counts = [&theirs, &own].map(|mesh| triangles(mesh, &foliage));
         level_rows(table, &case, "triangles of leaves", counts, [seconds, make, take], figures);
     }
@@ -152,19 +151,12 @@ fn level_rows(
     row("Q against the full mesh", quality, "", Aim::AtLeast(quality[0]));
 }
 
-/// From views that neither was made with.
-fn scores(level: &Mesh, full: &Mesh) -> Outcome<Vec<Score>> {
+/// How a level looks from views that neither was made with: Q, and the share of the full mesh's pixels it covers.
+fn looks(level: &Mesh, full: &Mesh) -> Outcome<[f64; 2]> {
     let around = Around { turn: 0.3, ..Around::default() };
-    Ok(score(level, full, &around.cameras(), around.size, &Control::default())?)
-}
-
-fn quality(level: &Mesh, full: &Mesh) -> Outcome<f64> {
-    Ok(mean_quality(&scores(level, full)?))
-}
-
-fn recall(level: &Mesh, full: &Mesh) -> Outcome<f64> {
-    let recalls: Vec<f64> = scores(level, full)?.iter().map(Score::recall).collect();
-    Ok(recalls.iter().sum::<f64>() / recalls.len().max(1) as f64)
+    let scores = score(level, full, &around.cameras(), around.size, &Control::default())?;
+    let covered = scores.iter().map(Score::recall).sum::<f64>() / scores.len().max(1) as f64;
+    Ok([mean_quality(&scores), covered])
 }
 
 /// Does what a case of [`peak_bytes`] names, if it is one of these.
