@@ -5,7 +5,6 @@ use super::tree_skeleton;
 use crate::border::{
     Failure, TREE_ERROR_PARAMETER, Versioned, call, fill, get, out_value, tree_status, write,
 };
-use crate::lod::take::fill_some;
 use tree_model::tree_core::branching::{
     LateralAngle, Run, Runs, Strahler, lateral_angles, pipe_exponent, pipe_exponents,
 };
@@ -183,7 +182,7 @@ pub unsafe extern "C" fn tree_skeleton_pipe_exponents(
 ) -> tree_status {
     call(|| {
         let found = pipe_exponents(unsafe { get(skeleton, "skeleton") }?.rust());
-        unsafe { fill_some(exponents, capacity, &found, "exponents") }?;
+        unsafe { fill(exponents, capacity, &found, "exponents") }?;
         unsafe { out_value(n_exponents, found.len(), "n_exponents") }
     })
 }
@@ -228,7 +227,7 @@ pub unsafe extern "C" fn tree_skeleton_lateral_angles(
         }
         let found = lateral_angles(skeleton, rule, reach);
         let found: Vec<_> = found.iter().map(tree_lateral_angle::of).collect();
-        unsafe { fill_some(laterals, capacity, &found, "laterals") }?;
+        unsafe { fill(laterals, capacity, &found, "laterals") }?;
         unsafe { out_value(n_laterals, found.len(), "n_laterals") }
     })
 }
