@@ -91,17 +91,17 @@ fn lsystem(name: &str, folder: &Path, control: &Control) -> Result<LSystem, Bake
     }
     let path = folder.join(name);
     let text = file::read_text(&path, &control.limits)?;
-    LSystem::parse(&text, &control.limits).map_err(|error| input(&path, error))
+    LSystem::parse(&text, &control.limits).map_err(|error| input(&path, &error))
 }
 
 fn silhouette(line: &Line, path: &Path, control: &Control) -> Result<Grown, BakeError> {
     let drawing = match extension(path).as_str() {
         "svg" => from_svg(&file::read_text(path, &control.limits)?),
         "png" | "jpg" | "jpeg" => from_photo(&Photo::open(path, &control.limits)?),
-        _ => return Err(input(path, "outlines are read from .svg, .png and .jpg")),
+        _ => return Err(input(path, &"outlines are read from .svg, .png and .jpg")),
     };
-    let drawing = drawing.map_err(|error| input(path, error))?;
-    let strokes = drawing.trees.first().ok_or_else(|| input(path, "the drawing shows no tree"))?;
+    let drawing = drawing.map_err(|error| input(path, &error))?;
+    let strokes = drawing.trees.first().ok_or_else(|| input(path, &"the drawing shows no tree"))?;
     let mut params = SilhouetteParams::default();
     params.height = line.height.unwrap_or(params.height);
     if let Some(name) = &line.species {
@@ -125,9 +125,9 @@ fn sketch(line: &Line, path: &Path, control: &Control) -> Result<Grown, BakeErro
     let drawing = match extension(path).as_str() {
         "svg" => strokes::from_svg(&text),
         "json" => strokes::from_json(&text),
-        _ => return Err(input(path, "sketches are read from .svg and .json")),
+        _ => return Err(input(path, &"sketches are read from .svg and .json")),
     };
-    let drawing = drawing.map_err(|error| input(path, error))?;
+    let drawing = drawing.map_err(|error| input(path, &error))?;
     let species = line.species.clone();
     let params = SketchParams { height: line.height, species, ..SketchParams::default() };
     Grown::of(
@@ -147,7 +147,7 @@ fn photo(
         let photo = Photo::open(folder.join(path), &control.limits)?;
         let (matte, report) =
             matting::automatic(&photo, &matting::AutomaticParams::default(), control)
-                .map_err(|error| input(path, error))?;
+                .map_err(|error| input(path, &error))?;
         warnings
             .extend(report.warnings.iter().map(|warning| format!("{}: {warning}", path.display())));
         shots.push(Shot::new(matte, Some(photo), turn as f32 * std::f32::consts::FRAC_PI_2));
@@ -161,9 +161,9 @@ fn photo(
 
 fn mesh(line: &Line, path: &Path, control: &Control) -> Result<Grown, BakeError> {
     let read = io::read(path, &ImportOptions { external: true }, control)
-        .map_err(|error| input(path, error))?;
+        .map_err(|error| input(path, &error))?;
     let made = skeletonize(&read.mesh.parts(), &SkeletonizeParams::default(), control)
-        .map_err(|error| input(path, error))?;
+        .map_err(|error| input(path, &error))?;
     let size = made.tree.skeleton().bounds().size().max_element() * line.scale;
     // Lengths in these are metres; a mesh may have any unit.
     let params = MeshParams {
@@ -186,6 +186,6 @@ fn extension(path: &Path) -> String {
     path.extension().map_or(String::new(), |end| end.to_string_lossy().to_lowercase())
 }
 
-fn input(path: &Path, problem: impl ToString) -> BakeError {
+fn input(path: &Path, problem: &impl ToString) -> BakeError {
     BakeError::Input { path: path.display().to_string(), problem: problem.to_string() }
 }

@@ -91,7 +91,6 @@ const PARTS: &[Part] = &[
         ],
         rows: &[&["f.png", "g.png", "h.png"]],
         width: 1440,
-        ..PART
     },
     Part {
         name: "levels",

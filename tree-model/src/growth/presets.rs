@@ -206,7 +206,7 @@ pub const PRESETS: [Preset; 6] = [
             bud_zone: 64,
             bud_life: 5,
             angle: 0.75,
-            jitter: 0.3,
+            jitter: 0.2,
             max_order: 7,
             max_shoot: 4,
             allocation: Allocation::Priority { first: 1.0, last: 0.5, fall: 1.0 },

@@ -152,7 +152,7 @@ fn priorities_and_space_grow_trees_too() {
     });
     let grown = grow(&params, 1);
     check_whole(&grown, 8);
-    assert!(grown.tree.skeleton().len() > 30);
+    assert!(grown.tree.skeleton().len() > 20, "{} nodes", grown.tree.skeleton().len());
     let outside = |p: &&Vec3| p.distance(Vec3::Y) > 1.9 && p.y > 0.5;
     assert_eq!(grown.tree.skeleton().positions().iter().filter(outside).count(), 0);
 }
