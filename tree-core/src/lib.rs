@@ -10,7 +10,7 @@
 //! * [`distance`]: how different two trees are, by the edits that turn one into the other.
 //! * [`assignment`]: who is matched with whom at least cost.
 //! * [`Part`]: borrowed triangles of one material, for modelers that read meshes.
-//! * [`swc`]: skeletons from and to the plain-text exchange format; [`file`]: files within limits, whole or absent.
+//! * [`swc`]: skeletons from and to the plain-text exchange format; [`file`](mod@file): files within limits, whole or absent.
 //! * [`Seed`], [`Control`], [`Limits`]: the same bits for the same seed, progress and cancellation,
 //!   and caps on memory.
 //!
