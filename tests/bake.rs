@@ -260,6 +260,12 @@ fn bad_lines_are_reported_with_their_number_and_cost_nobody_else() {
         assert!(said.starts_with(&format!("line {number}")), "{said}");
         assert!(said.contains(expected), "'{said}' does not say '{expected}'");
     }
+    let mut left: Vec<_> = fs::read_dir(folder.join("out"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    left.sort();
+    assert_eq!(left, ["last", "stick"], "folders of trees that were not made");
     assert_eq!(bake(&folder, "out", &[]).skipped, ["stick", "last"]);
     fs::remove_dir_all(folder).unwrap();
 }

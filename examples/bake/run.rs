@@ -102,8 +102,8 @@ fn tree(
         let grown = grow(line, inputs, control)?;
         outputs::write(line, &grown, &mut folder, control)
     });
-    let mut report =
-        catch_unwind(work).unwrap_or_else(|panic| Err(BakeError::Panic(said(&*panic))))?;
+    let outcome = catch_unwind(work).unwrap_or_else(|panic| Err(BakeError::Panic(said(&*panic))));
+    let mut report = outcome.inspect_err(|_| folder.abandon())?;
     let seconds = started.elapsed().as_secs_f64();
     let triangles = report.get("triangles").map(ToString::to_string).unwrap_or_default();
     let done = format!("{seconds:.1} s, triangles {triangles}");

@@ -63,6 +63,12 @@ impl Folder {
         Ok(())
     }
 
+    /// Takes the folder away where nothing was written to it.
+    pub(crate) fn abandon(&self) {
+        // One that is not empty stays, and says so by failing.
+        drop(fs::remove_dir(&self.path));
+    }
+
     /// Writes the file `NAME` + `tail`.
     pub(crate) fn put(&mut self, tail: &str, bytes: &[u8]) -> Result<(), BakeError> {
         let file = format!("{}{tail}", self.name);

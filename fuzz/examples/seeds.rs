@@ -71,7 +71,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     save("lsystem", "signal", b"#ignore +-F\naxiom: J[+I]I[-I]FI\nJ < I > [I] -> J\nI -> I")?;
     save("lsystem", "tree", b"#define r .7\nsteps: 4\nangle: 25.7\naxiom: A(1)\np1: A(l) : l > .1 && itNum < maxIt -> F(l)[+(ran(30))A(l*r)]A(if(l>.5,l/2,sin(l))) : .7\nA(l) -(.3)-> B(nran(l,.1))\ndecomposition\nmaximum depth: 3\nB(x) -> [C]B(x^2)\nhomomorphism\nC -> /* leaf */ \\\n~L\nendlsystem\n")?;
     save("lsystem", "names", b"#symbols Apex Fl\n\xcf\x89 : Apex(1)\nl : * < Apex(t) > * : * \xe2\x86\x92 Fl[Apex(-t%2)] // end")?;
-    streams(&tree)
+    streams(&tree)?;
+    programs()
 }
 
 /// Streams as they are, which begin with an even number, and without their checks, which begin with an odd one.
@@ -107,4 +108,25 @@ fn save(target: &str, name: &str, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&folder)?;
     fs::write(folder.join(name), bytes)?;
     Ok(())
+}
+
+/// Programs of calls, as `targets/c_abi.rs` reads them.
+fn programs() -> Result<(), Box<dyn Error>> {
+    let stick = [0, 0, 3, 0, 0, 0, 0, 4, 0, 4, 8, 0, 1, 1, 1, 255, 0, 1];
+    let tree = [0, 5, 0, 1, 2, 4, 8, 0, 0, 0, 0, 4, 1];
+    let meshed = [3, 0, 3, 1, 0, 0, 0, 3, 3, 0, 7, 2, 0, 7, 0, 0];
+    save("c_abi", "mesh", &[&stick[..], &tree, &meshed].concat())?;
+    let levels = [4, 0, 0, 4, 1, 0, 4, 2, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 4, 3, 0, 1];
+    save("c_abi", "levels", &[&stick[..], &tree, &levels].concat())?;
+    let wall = [6, 0, 1, 0, 252, 2, 8, 4, 6, 3, 0, 0, 6, 4, 6, 5, 0, 0, 0, 6, 5, 0, 1, 0, 6, 6, 0];
+    save("c_abi", "wall", &[&stick[..], &tree, &wall, &[6, 7, 0, 0, 0]].concat())?;
+    let text = |group: u8, call: u8, text: &str| {
+        let len = (text.len() as u16).to_le_bytes();
+        [&[group, call], &len[..], text.as_bytes()].concat()
+    };
+    let grammar = text(1, 0, "axiom: A\nA -> F[+A]A");
+    save("c_abi", "grammar", &[&grammar[..], &[1, 2, 0, 4, 1, 3, 0, 1, 4, 0]].concat())?;
+    let drawing = text(2, 0, "[[[5,10],[5,2]],[[5,6],[8,3]]]");
+    save("c_abi", "drawing", &[&drawing[..], &[2, 2, 0, 0]].concat())?;
+    save("c_abi", "swc", &[&text(0, 2, "1 1 0 0 0 1 -1\n2 1 0 1 0 1 1")[..], &[0, 3, 0]].concat())
 }

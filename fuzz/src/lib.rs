@@ -1,5 +1,7 @@
 //! What the fuzz targets share.
 
+pub mod script;
+
 use tree_core::{Control, Limits};
 use tree_mesh::io::Imported;
 use tree_mesh::{Mesh, MeshError};

@@ -112,7 +112,7 @@ fn known_cameras_anywhere_give_a_tree_or_name_the_view() {
 
 #[test]
 fn no_photographs_and_photographs_of_another_size_are_refused() {
-    assert!(matches!(session(vec![]), Err(ModelError::Parameter { .. })));
+    assert!(matches!(session(vec![]), Err(ModelError::Parameter(_))));
     let photo = Photo::new(3, 2, vec![[9; 4]; 6]).unwrap();
     let odd = Shot { photo: Some(photo), ..shot(lollipop()) };
     let error = session(vec![shot(lollipop()), odd]).unwrap_err().to_string();

@@ -2,6 +2,7 @@
 
 use crate::control::Cancelled;
 use crate::limits::LimitError;
+use crate::parameter::ParameterError;
 use std::path::PathBuf;
 
 /// Shorthand for results of this crate.
@@ -25,12 +26,15 @@ pub enum CoreError {
         /// Row in that column; 0 for a single value.
         index: usize,
     },
-    /// A number lies outside its allowed range.
+    /// A parameter lies outside its range.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// A number in a column lies outside its range.
     #[error("{field}[{index}] is {found}, allowed is {min} to {max}")]
     OutOfRange {
-        /// The column or parameter.
+        /// The column.
         field: &'static str,
-        /// Row in that column; 0 for a single value.
+        /// Row in that column.
         index: usize,
         /// The value that came in.
         found: f64,

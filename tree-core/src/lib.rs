@@ -40,6 +40,7 @@ pub mod error;
 pub mod file;
 mod foliage;
 mod limits;
+mod parameter;
 mod part;
 pub mod seed;
 mod skeleton;
@@ -53,6 +54,7 @@ pub use error::CoreError;
 pub use foliage::{Foliage, Leaf};
 pub use glam;
 pub use limits::{LimitError, Limits, Resource};
+pub use parameter::{ParameterError, check_parameter};
 pub use part::{Hint, Part};
 pub use seed::{Rng, Seed};
 pub use skeleton::{

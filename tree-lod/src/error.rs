@@ -1,6 +1,6 @@
 //! What can go wrong in this crate.
 
-use tree_core::{Cancelled, CoreError, LimitError};
+use tree_core::{Cancelled, CoreError, LimitError, ParameterError};
 use tree_mesh::MeshError;
 
 /// Shorthand for results of this crate.
@@ -11,17 +11,8 @@ pub(crate) type Result<T, E = LodError> = std::result::Result<T, E>;
 #[non_exhaustive]
 pub enum LodError {
     /// A parameter lies outside its range, or is not finite.
-    #[error("{field} is {found}, allowed is {min} to {max}")]
-    Parameter {
-        /// The field of the parameter struct.
-        field: &'static str,
-        /// The value that came in.
-        found: f64,
-        /// Smallest allowed value.
-        min: f64,
-        /// Largest allowed value.
-        max: f64,
-    },
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
     /// A camera that does not look anywhere.
     #[error("{field}: {problem}")]
     Camera {
@@ -123,8 +114,5 @@ pub enum LodError {
 /// # Errors
 /// [`LodError::Parameter`], naming `field`.
 pub(crate) fn check_range(field: &'static str, found: f64, min: f64, max: f64) -> Result<()> {
-    if (min..=max).contains(&found) {
-        return Ok(());
-    }
-    Err(LodError::Parameter { field, found, min, max })
+    Ok(tree_core::check_parameter(field, found, min, max)?)
 }

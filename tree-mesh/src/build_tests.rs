@@ -95,7 +95,7 @@ fn cards_take_the_width_of_their_look() {
     assert_eq!(built.mesh.bounds().size(), Vec3::new(0.5, 1.0, 0.0));
     look.leaves[0].width = f32::NAN;
     let error = build(&tree, &look, &plain(), &Control::default()).unwrap_err();
-    assert!(matches!(error, MeshError::Parameter { field: "look.leaves.width", .. }));
+    assert!(matches!(error, MeshError::Parameter(error) if error.field == "look.leaves.width"));
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn what_cannot_be_meshed_is_named() {
     let flat = MeshParams { max_sides: 2, ..plain() };
     assert!(matches!(
         build(&tree, &look, &flat, &control),
-        Err(MeshError::Parameter { field: "max_sides", .. })
+        Err(MeshError::Parameter(error)) if error.field == "max_sides"
     ));
     let stop = CancelFlag::default();
     stop.cancel();

@@ -1,6 +1,6 @@
 //! What can go wrong in this crate.
 
-use tree_core::{Cancelled, CoreError, LimitError};
+use tree_core::{Cancelled, CoreError, LimitError, ParameterError};
 
 /// Shorthand for results of this crate.
 pub(crate) type Result<T, E = MeshError> = std::result::Result<T, E>;
@@ -120,17 +120,8 @@ pub enum MeshError {
         expected: usize,
     },
     /// A parameter lies outside its range.
-    #[error("{field} is {found}, allowed is {min} to {max}")]
-    Parameter {
-        /// The field of the parameter struct.
-        field: &'static str,
-        /// The value that came in.
-        found: f64,
-        /// Smallest allowed value.
-        min: f64,
-        /// Largest allowed value.
-        max: f64,
-    },
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
     /// There is no built-in bark or leaf of this name, and none was supplied.
     #[error("no {what} named '{name}'; built in are {known}, or supply your own texture")]
     Unknown {

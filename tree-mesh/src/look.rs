@@ -5,7 +5,7 @@ use crate::leaf::{self, LeafForm, LeafModel};
 use crate::mesh::{Alpha, Material};
 use crate::texture;
 use std::sync::Arc;
-use tree_core::Species;
+use tree_core::{ParameterError, Species};
 
 /// Linear colour of plain bark: a grey brown.
 const BARK_COLOR: [f32; 4] = [0.13, 0.09, 0.06, 1.0];
@@ -124,7 +124,7 @@ impl LeafLook {
             // A field given the decimal of a bound as f32 may lie half a step outside.
             let slack = f64::from(f32::EPSILON);
             if !(min * (1.0 - slack)..=max * (1.0 + slack)).contains(&found) {
-                return Err(MeshError::Parameter { field, found, min, max });
+                return Err(ParameterError { field: field.into(), found, min, max }.into());
             }
         }
         Ok(())

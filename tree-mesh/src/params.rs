@@ -1,7 +1,7 @@
 //! How fine the mesh is, and how bark and leaves are laid on.
 
-use crate::error::{MeshError, Result};
-use tree_core::Continuation;
+use crate::error::Result;
+use tree_core::{Continuation, ParameterError};
 
 /// How a tree becomes triangles. Lengths in metres, angles in radians.
 ///
@@ -153,7 +153,7 @@ impl MeshParams {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`MeshError::Parameter`], naming the first field at fault and its range.
+    /// [`MeshError::Parameter`](crate::MeshError::Parameter), naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         self.error.validate()?;
         let max_sides = f64::from(self.max_sides);
@@ -184,7 +184,7 @@ fn within(field: &'static str, found: f64, min: f64, max: f64) -> Result<()> {
     if (min * (1.0 - slack)..=max * (1.0 + slack)).contains(&found) {
         return Ok(());
     }
-    Err(MeshError::Parameter { field, found, min, max })
+    Err(ParameterError { field: field.into(), found, min, max }.into())
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! What can go wrong in this crate.
 
 use glam::Vec3;
-use tree_core::{Cancelled, CoreError, LimitError};
+use std::borrow::Cow;
+use tree_core::{Cancelled, CoreError, LimitError, ParameterError, check_parameter};
 
 /// Shorthand for results of this crate.
 pub(crate) type Result<T, E = ModelError> = std::result::Result<T, E>;
@@ -11,17 +12,8 @@ pub(crate) type Result<T, E = ModelError> = std::result::Result<T, E>;
 #[non_exhaustive]
 pub enum ModelError {
     /// A parameter lies outside its range or is not finite.
-    #[error("{field} is {found}, allowed is {min} to {max}")]
-    Parameter {
-        /// Path of the field, for example `levels[2].turn`.
-        field: String,
-        /// The value that came in.
-        found: f64,
-        /// Smallest allowed value.
-        min: f64,
-        /// Largest allowed value.
-        max: f64,
-    },
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
     /// A coordinate is NaN or infinite.
     #[error("{field} is not finite")]
     NotFinite {
@@ -233,17 +225,12 @@ impl ModelError {
 
 /// Checks that a parameter is a number within `min..=max`.
 pub(crate) fn check(
-    field: impl Into<String>,
+    field: impl Into<Cow<'static, str>>,
     found: impl Into<f64>,
     min: impl Into<f64>,
     max: impl Into<f64>,
 ) -> Result<()> {
-    let (found, min, max) = (found.into(), min.into(), max.into());
-    // A NaN is in no range.
-    if (min..=max).contains(&found) {
-        return Ok(());
-    }
-    Err(ModelError::Parameter { field: field.into(), found, min, max })
+    Ok(check_parameter(field, found, min, max)?)
 }
 
 /// Checks that a vector is finite.

@@ -1,5 +1,7 @@
 //! Time and memory of a piece of work.
 
+use rayon::prelude::*;
+use std::error::Error;
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -42,6 +44,16 @@ pub(crate) fn fastest_within<T, E>(
         result = value;
     }
     Ok((best, result))
+}
+
+/// Makes something of each item, on all cores, and hands it out in their order.
+pub(crate) fn of_each<A: Sync, T: Send>(
+    items: &[A],
+    make: impl Fn(&A) -> Result<T, Box<dyn Error>> + Sync,
+) -> Result<Vec<T>, Box<dyn Error>> {
+    let made: Result<Vec<T>, String> =
+        items.par_iter().map(|item| make(item).map_err(|error| error.to_string())).collect();
+    Ok(made?)
 }
 
 /// More runs than this find nothing faster.

@@ -1,6 +1,7 @@
 //! Angles at which two branches leave a third, from radii or from strands.
 
-use crate::error::{CoreError, Result, check_range};
+use crate::error::Result;
+use crate::parameter::{ParameterError, check_parameter};
 
 /// Share by which r₀ may miss its range before a fork is called impossible: radii that were
 /// rounded to f32 must not fail where exact ones stand on the limit, as da Vinci's always do.
@@ -35,12 +36,12 @@ impl ForkAngles {
 ///
 /// # Errors
 /// There is no such triangle, hence no angle, unless √|r₁² − r₂²| ≤ r₀ ≤ √(r₁² + r₂²):
-/// [`CoreError::OutOfRange`] for `r0` states that range. Limits missed by no more than rounding
+/// [`CoreError::Parameter`](crate::CoreError::Parameter) for `r0` states that range. Limits missed by no more than rounding
 /// (one part in a million) count as met. Radii that are not finite and above 0 are refused by
 /// name. Angles are not clamped silently; a caller who wants that clamps `r0` to the range.
 pub fn murray_angles(r0: f32, r1: f32, r2: f32) -> Result<ForkAngles> {
     for (field, radius) in [("r0", r0), ("r1", r1), ("r2", r2)] {
-        check_range(field, 0, radius, f32::MIN_POSITIVE, f32::MAX)?;
+        check_parameter(field, radius, f32::MIN_POSITIVE, f32::MAX)?;
     }
     // Fourth powers of f32 radii neither vanish nor overflow in f64.
     let square = |radius: f32| f64::from(radius) * f64::from(radius);
@@ -48,7 +49,7 @@ pub fn murray_angles(r0: f32, r1: f32, r2: f32) -> Result<ForkAngles> {
     let (min, max) = ((s1 - s2).abs().sqrt(), (s1 + s2).sqrt());
     let found = f64::from(r0);
     if found < min * (1.0 - SLACK) || found > max * (1.0 + SLACK) {
-        return Err(CoreError::OutOfRange { field: "r0", index: 0, found, min, max });
+        return Err(ParameterError { field: "r0".into(), found, min, max }.into());
     }
     let angle = |own: f64, other: f64| {
         // a² − b² as a product: no digits are lost where the branches are nearly equal.
@@ -64,12 +65,12 @@ pub fn murray_angles(r0: f32, r1: f32, r2: f32) -> Result<ForkAngles> {
 /// thinner branch turns further; a vanishing twig turns by 90° for any exponent above 2.
 ///
 /// # Errors
-/// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`] for `exponent` unless it is from 2 to 10
+/// [`CoreError::Parameter`](crate::CoreError::Parameter) for `exponent` unless it is from 2 to 10
 /// (below 2, r₀ is too thick for any angle), and for `r1` and `r2` unless they are above 0.
 pub fn pipe_angles(exponent: f32, r1: f32, r2: f32) -> Result<ForkAngles> {
-    check_range("exponent", 0, exponent, 2.0, 10.0)?;
-    check_range("r1", 0, r1, f32::MIN_POSITIVE, f32::MAX)?;
-    check_range("r2", 0, r2, f32::MIN_POSITIVE, f32::MAX)?;
+    check_parameter("exponent", exponent, 2.0, 10.0)?;
+    check_parameter("r1", r1, f32::MIN_POSITIVE, f32::MAX)?;
+    check_parameter("r2", r2, f32::MIN_POSITIVE, f32::MAX)?;
     // In units of the thicker branch, so that t, t² and t⁴ are all that is left of the radii.
     let t = f64::from(r1.min(r2)) / f64::from(r1.max(r2));
     let (t2, exponent) = (t * t, f64::from(exponent));
@@ -89,18 +90,12 @@ pub fn pipe_angles(exponent: f32, r1: f32, r2: f32) -> Result<ForkAngles> {
 /// `sum` is A, the angle between the two branches in radians, from 0 to 2π.
 ///
 /// # Errors
-/// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`] for `sum`, or for `s1` when neither
+/// [`CoreError::Parameter`](crate::CoreError::Parameter) for `sum`, or for `s1` when neither
 /// branch has a strand.
 pub fn strand_angles(s1: u64, s2: u64, sum: f32) -> Result<ForkAngles> {
-    check_range("sum", 0, sum, 0.0, std::f32::consts::TAU)?;
+    check_parameter("sum", sum, 0.0, std::f32::consts::TAU)?;
     if s1 == 0 && s2 == 0 {
-        return Err(CoreError::OutOfRange {
-            field: "s1",
-            index: 0,
-            found: 0.0,
-            min: 1.0,
-            max: u64::MAX as f64,
-        });
+        check_parameter("s1", 0.0, 1.0, u64::MAX as f64)?;
     }
     let (s1, s2, sum) = (s1 as f64, s2 as f64, f64::from(sum));
     let alpha1 = sum * (s2 / (s1 + s2));

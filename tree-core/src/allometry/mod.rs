@@ -67,7 +67,7 @@ impl RadiusRule {
     /// Checks the parameters of the rule inside.
     ///
     /// # Errors
-    /// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`], naming the field.
+    /// [`CoreError::Parameter`], naming the field.
     pub fn validate(&self) -> Result<()> {
         match self {
             Self::Pipe(rule) => rule.validate(),

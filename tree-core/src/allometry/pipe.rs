@@ -11,7 +11,8 @@
 //! A taper of 0 gives the equation alone.
 
 use super::{MAX_RADIUS, MIN_RADIUS, narrow, segment_length};
-use crate::error::{Result, check_range};
+use crate::error::Result;
+use crate::parameter::check_parameter;
 use crate::skeleton::Skeleton;
 
 /// Radii by the pipe model, with taper along unbranched shoots.
@@ -56,14 +57,13 @@ impl PipeModel {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`CoreError::NotFinite`](crate::CoreError::NotFinite) or
-    /// [`CoreError::OutOfRange`](crate::CoreError::OutOfRange), naming the field.
+    /// [`CoreError::Parameter`](crate::CoreError::Parameter), naming the field.
     pub fn validate(&self) -> Result<()> {
-        check_range("exponent", 0, self.exponent, 1.0, 10.0)?;
-        check_range("tip_radius", 0, self.tip_radius, MIN_RADIUS, MAX_RADIUS)?;
-        check_range("taper", 0, self.taper, 0.0, 1.0)?;
+        check_parameter("exponent", self.exponent, 1.0, 10.0)?;
+        check_parameter("tip_radius", self.tip_radius, MIN_RADIUS, MAX_RADIUS)?;
+        check_parameter("taper", self.taper, 0.0, 1.0)?;
         if let Some(radius) = self.trunk_radius {
-            check_range("trunk_radius", 0, radius, MIN_RADIUS, MAX_RADIUS)?;
+            check_parameter("trunk_radius", radius, MIN_RADIUS, MAX_RADIUS)?;
         }
         Ok(())
     }

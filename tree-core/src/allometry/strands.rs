@@ -10,7 +10,8 @@
 //! so a child never gets fewer strands than it has tips above.
 
 use super::{MAX_RADIUS, MIN_RADIUS, direction, narrow};
-use crate::error::{CoreError, Result, check_range};
+use crate::error::Result;
+use crate::parameter::{ParameterError, check_parameter};
 use crate::skeleton::{Children, Skeleton};
 use glam::Vec3;
 
@@ -58,9 +59,9 @@ impl StrandModel {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`], naming the field.
+    /// [`CoreError::Parameter`](crate::CoreError::Parameter), naming the field.
     pub fn validate(&self) -> Result<()> {
-        check_range("strand_diameter", 0, self.strand_diameter, MIN_RADIUS, MAX_RADIUS)?;
+        check_parameter("strand_diameter", self.strand_diameter, MIN_RADIUS, MAX_RADIUS)?;
         match self.count {
             StrandCount::PerTip => Ok(()),
             StrandCount::ByAngle { base } => check_base(base, 1),
@@ -75,7 +76,7 @@ impl StrandModel {
     /// length gets the mean share.
     ///
     /// # Errors
-    /// As [`StrandModel::validate`]; [`CoreError::OutOfRange`] when `base` is less than the number
+    /// As [`StrandModel::validate`]; [`CoreError::Parameter`](crate::CoreError::Parameter) when `base` is less than the number
     /// of tips.
     ///
     /// # Complexity
@@ -118,13 +119,8 @@ fn check_base(base: u64, min: u64) -> Result<()> {
     if (min..=MAX_STRANDS).contains(&base) {
         return Ok(());
     }
-    Err(CoreError::OutOfRange {
-        field: "count.base",
-        index: 0,
-        found: base as f64,
-        min: min as f64,
-        max: MAX_STRANDS as f64,
-    })
+    let (found, min, max) = (base as f64, min as f64, MAX_STRANDS as f64);
+    Err(ParameterError { field: "count.base".into(), found, min, max }.into())
 }
 
 /// One child at a fork.

@@ -167,13 +167,13 @@ fn fewer_strands_than_tips_are_refused_and_as_many_are_one_each() {
     let model = |base| StrandModel { count: StrandCount::ByAngle { base }, ..Default::default() };
     assert!(matches!(
         model(9_999).strands(&whorl(10_000)),
-        Err(CoreError::OutOfRange { field: "count.base", min: 10_000.0, .. })
+        Err(CoreError::Parameter(error)) if error.field == "count.base" && error.min == 10_000.0
     ));
     let strands = model(10_000).strands(&whorl(10_000)).unwrap();
     assert!(strands[2..].iter().all(|&count| count == 1));
     assert!(matches!(
         model(u64::MAX).validate(),
-        Err(CoreError::OutOfRange { field: "count.base", .. })
+        Err(CoreError::Parameter(error)) if error.field == "count.base"
     ));
 }
 
@@ -197,7 +197,7 @@ fn fork_with_zero_length_child_shares_its_strands() {
 #[test]
 fn parameters_out_of_range_are_refused_by_name() {
     let field = |result: Result<()>| match result.unwrap_err() {
-        CoreError::OutOfRange { field, .. } | CoreError::NotFinite { field, .. } => field,
+        CoreError::Parameter(error) => error.field,
         other => panic!("{other}"),
     };
     let pipe = PipeModel::default;

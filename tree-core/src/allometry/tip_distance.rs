@@ -6,7 +6,8 @@
 //! own units), and a floor keeps tips, where d′ is 0, from having no thickness at all.
 
 use super::{MAX_RADIUS, MIN_RADIUS, narrow, segment_length};
-use crate::error::{CoreError, Result, check_range};
+use crate::error::{CoreError, Result};
+use crate::parameter::check_parameter;
 use crate::skeleton::{Continuation, Skeleton};
 
 /// Radii by distance to the tip and level.
@@ -33,11 +34,11 @@ impl TipDistance {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`], naming the field.
+    /// [`CoreError::Parameter`], naming the field.
     pub fn validate(&self) -> Result<()> {
-        check_range("scale", 0, self.scale, MIN_RADIUS, MAX_RADIUS)?;
-        check_range("zeta", 0, self.zeta, 0.0, 10.0)?;
-        check_range("min_radius", 0, self.min_radius, 0.0, MAX_RADIUS)
+        check_parameter("scale", self.scale, MIN_RADIUS, MAX_RADIUS)?;
+        check_parameter("zeta", self.zeta, 0.0, 10.0)?;
+        Ok(check_parameter("min_radius", self.min_radius, 0.0, MAX_RADIUS)?)
     }
 
     /// The radius of every node in metres, with Gravelius orders as levels: 0 for the trunk.

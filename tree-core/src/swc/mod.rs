@@ -25,7 +25,8 @@ mod write;
 pub use read::{SwcImport, SwcReport, read, read_file};
 pub use write::{write, write_file, write_to};
 
-use crate::error::{CoreError, Result};
+use crate::error::Result;
+use crate::parameter::check_parameter;
 
 /// Smallest and largest [`SwcOptions::scale`]: beyond them a tree in f32 metres is a slip.
 const SCALE: (f64, f64) = (1e-9, 1e9);
@@ -106,17 +107,10 @@ impl SwcOptions {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`CoreError::NotFinite`] or [`CoreError::OutOfRange`], naming the field.
+    /// [`CoreError::Parameter`](crate::CoreError::Parameter), naming the field.
     pub fn validate(&self) -> Result<()> {
         let (min, max) = SCALE;
-        let (field, index, found) = ("scale", 0, self.scale);
-        if !found.is_finite() {
-            Err(CoreError::NotFinite { field, index })
-        } else if found < min || found > max {
-            Err(CoreError::OutOfRange { field, index, found, min, max })
-        } else {
-            Ok(())
-        }
+        Ok(check_parameter("scale", self.scale, min, max)?)
     }
 }
 

@@ -89,14 +89,8 @@ impl Sector {
     pub(super) fn new(apex: Vec3, axis: Vec3, angle: f32, radius: f32) -> Result<Self> {
         let base = check::point("sector.apex", apex)?;
         let axis = check::direction("sector", "sector.axis", axis)?;
-        crate::error::check_range(
-            "sector.angle",
-            0,
-            angle,
-            f32::MIN_POSITIVE,
-            std::f32::consts::PI,
-        )?;
-        let radius = check::size("sector.radius", 0, radius)?;
+        crate::check_parameter("sector.angle", angle, f32::MIN_POSITIVE, std::f32::consts::PI)?;
+        let radius = check::size("sector.radius", radius)?;
         // The f32 nearest to pi is a little more than pi: take it for the whole ball.
         let (sine, cosine) = if angle >= std::f32::consts::PI {
             (0.0, -1.0)

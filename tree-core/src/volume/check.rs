@@ -1,6 +1,7 @@
 //! What the parameters of a solid must fulfil.
 
-use crate::error::{CoreError, Result, check_finite, check_range};
+use crate::error::{CoreError, Result, check_finite};
+use crate::parameter::check_parameter;
 use glam::{DVec3, Vec3};
 
 /// An error about the solid as a whole.
@@ -15,14 +16,14 @@ pub(super) fn point(field: &'static str, found: Vec3) -> Result<DVec3> {
 }
 
 /// A length above zero. Subnormal numbers are not lengths: their reciprocals overflow.
-pub(super) fn size(field: &'static str, index: usize, found: f32) -> Result<f64> {
-    check_range(field, index, found, f32::MIN_POSITIVE, f32::MAX)?;
+pub(super) fn size(field: &'static str, found: f32) -> Result<f64> {
+    check_parameter(field, found, f32::MIN_POSITIVE, f32::MAX)?;
     Ok(f64::from(found))
 }
 
 /// A radius that may be zero.
-pub(super) fn radius_or_zero(field: &'static str, index: usize, found: f32) -> Result<f64> {
-    check_range(field, index, found, 0.0, f32::MAX)?;
+pub(super) fn radius_or_zero(field: &'static str, found: f32) -> Result<f64> {
+    check_parameter(field, found, 0.0, f32::MAX)?;
     Ok(f64::from(found))
 }
 

@@ -55,6 +55,7 @@ pub use solid::Solid;
 
 use crate::bounds::Aabb;
 use crate::error::{CoreError, Result};
+use crate::parameter::ParameterError;
 use glam::Vec3;
 use math::Box64;
 use shape::Shape;
@@ -88,8 +89,8 @@ impl Volume {
     /// Checks a solid and prepares it for questions.
     ///
     /// # Errors
-    /// * [`CoreError::NotFinite`] and [`CoreError::OutOfRange`] name the parameter, as
-    ///   `sphere.radius`, and the row in it;
+    /// * [`CoreError::Parameter`], [`CoreError::NotFinite`] and [`CoreError::OutOfRange`] name the parameter, as
+    ///   `sphere.radius`, and the row in it where there are several;
     /// * [`CoreError::Empty`] for a mesh, a profile or a combination without elements;
     /// * [`CoreError::Volume`] for a direction of length 0, a solid without extent, a mesh with an
     ///   open edge or an index out of range, a transform that flattens, and combinations beyond
@@ -211,13 +212,8 @@ impl Volume {
 }
 
 fn too_deep(found: u32) -> CoreError {
-    CoreError::OutOfRange {
-        field: "volume.depth",
-        index: 0,
-        found: f64::from(found),
-        min: 0.0,
-        max: f64::from(MAX_DEPTH),
-    }
+    let (found, max) = (f64::from(found), f64::from(MAX_DEPTH));
+    ParameterError { field: "volume.depth".into(), found, min: 0.0, max }.into()
 }
 
 /// Steps of a question without those of the parts.
@@ -230,13 +226,8 @@ fn own_cost(solid: &Solid) -> u64 {
 }
 
 fn too_many(found: u64) -> CoreError {
-    CoreError::OutOfRange {
-        field: "volume.solids",
-        index: 0,
-        found: found as f64,
-        min: 1.0,
-        max: f64::from(MAX_SOLIDS),
-    }
+    let (found, max) = (found as f64, f64::from(MAX_SOLIDS));
+    ParameterError { field: "volume.solids".into(), found, min: 1.0, max }.into()
 }
 
 impl fmt::Debug for Volume {

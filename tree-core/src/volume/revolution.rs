@@ -44,7 +44,7 @@ impl Revolution {
             if !point.is_finite() {
                 return Err(CoreError::NotFinite { field: "revolution.profile", index });
             }
-            check::radius_or_zero("revolution.profile", index, point.x)?;
+            crate::error::check_range("revolution.profile", index, point.x, 0.0, f32::MAX)?;
         }
         if profile.len() > u32::MAX as usize / MAX_ENTRIES_PER_SEGMENT {
             return Err(check::problem("revolution", "the profile has too many points"));

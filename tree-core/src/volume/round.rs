@@ -20,7 +20,7 @@ impl Capsule {
         Ok(Self {
             start: check::point("capsule.start", start)?,
             end: check::point("capsule.end", end)?,
-            radius: check::size("capsule.radius", 0, radius)?,
+            radius: check::size("capsule.radius", radius)?,
         })
     }
 
@@ -54,7 +54,7 @@ impl Sphere {
     pub(super) fn new(center: Vec3, radius: f32) -> Result<Self> {
         Ok(Self {
             center: check::point("sphere.center", center)?,
-            radius: check::size("sphere.radius", 0, radius)?,
+            radius: check::size("sphere.radius", radius)?,
         })
     }
 
@@ -92,7 +92,13 @@ impl Ellipsoid {
     pub(super) fn new(center: Vec3, radii: Vec3) -> Result<Self> {
         let center = check::point("ellipsoid.center", center)?;
         for (axis, &radius) in radii.as_ref().iter().enumerate() {
-            check::size("ellipsoid.radii", axis, radius)?;
+            crate::error::check_range(
+                "ellipsoid.radii",
+                axis,
+                radius,
+                f32::MIN_POSITIVE,
+                f32::MAX,
+            )?;
         }
         let radii = radii.as_dvec3();
         Ok(Self { center, radii, per_radius: radii.recip() })

@@ -39,14 +39,14 @@ impl Shape {
             Solid::Cylinder { base, top, radius } => {
                 let base = check::point("cylinder.base", *base)?;
                 let top = check::point("cylinder.top", *top)?;
-                let radius = check::size("cylinder.radius", 0, *radius)?;
+                let radius = check::size("cylinder.radius", *radius)?;
                 Self::Frustum(Frustum::new("cylinder", base, top, radius, radius)?)
             }
             Solid::Frustum { base, top, base_radius, top_radius } => {
                 let base = check::point("frustum.base", *base)?;
                 let top = check::point("frustum.top", *top)?;
-                let base_radius = check::radius_or_zero("frustum.base_radius", 0, *base_radius)?;
-                let top_radius = check::radius_or_zero("frustum.top_radius", 0, *top_radius)?;
+                let base_radius = check::radius_or_zero("frustum.base_radius", *base_radius)?;
+                let top_radius = check::radius_or_zero("frustum.top_radius", *top_radius)?;
                 Self::Frustum(Frustum::new("frustum", base, top, base_radius, top_radius)?)
             }
             Solid::Capsule { start, end, radius } => {

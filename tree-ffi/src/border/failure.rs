@@ -44,7 +44,8 @@ impl Failure {
 impl From<CoreError> for Failure {
     fn from(error: CoreError) -> Self {
         let status = match &error {
-            CoreError::OutOfRange { .. }
+            CoreError::Parameter(_)
+            | CoreError::OutOfRange { .. }
             | CoreError::NotFinite { .. }
             | CoreError::Volume { .. } => TREE_ERROR_PARAMETER,
             CoreError::Swc { .. } => TREE_ERROR_FORMAT,
@@ -65,9 +66,9 @@ impl From<ModelError> for Failure {
                 let inner = Self::from(*source);
                 return Self::new(inner.status, format!("levels[{index}]: {}", inner.text));
             }
-            ModelError::Parameter { .. }
-            | ModelError::NotFinite { .. }
-            | ModelError::Cost { .. } => TREE_ERROR_PARAMETER,
+            ModelError::Parameter(_) | ModelError::NotFinite { .. } | ModelError::Cost { .. } => {
+                TREE_ERROR_PARAMETER
+            }
             ModelError::BadPart { .. }
             | ModelError::Cloud { .. }
             | ModelError::Grammar { .. }
@@ -91,7 +92,7 @@ impl From<MeshError> for Failure {
     fn from(error: MeshError) -> Self {
         let status = match error {
             MeshError::Core(error) => return error.into(),
-            MeshError::Parameter { .. }
+            MeshError::Parameter(_)
             | MeshError::Material { .. }
             | MeshError::NotFinite { .. }
             | MeshError::BranchNotFinite { .. }
@@ -117,7 +118,7 @@ impl From<LodError> for Failure {
         let status = match error {
             LodError::Mesh(error) => return error.into(),
             LodError::Core(error) => return error.into(),
-            LodError::Parameter { .. } | LodError::Camera { .. } => TREE_ERROR_PARAMETER,
+            LodError::Parameter(_) | LodError::Camera { .. } => TREE_ERROR_PARAMETER,
             // What a frame writes does not fit.
             LodError::Scene { what, .. } if what.starts_with("output") => TREE_ERROR_BUFFER,
             LodError::Table { .. }

@@ -14,7 +14,7 @@ use tree_lod::Elements;
 use tree_lod::order::Ranking;
 use tree_lod::outline::Tier;
 use tree_lod::prune::plan;
-use tree_lod::quality::{Subject, score_at};
+use tree_lod::quality::{Subject, scores_at};
 use tree_lod::tree_mesh::Mesh;
 use tree_model::tree_core::Resource;
 
@@ -121,18 +121,19 @@ pub unsafe extern "C" fn tree_lod_subject_init(
     call(|| unsafe { init(subject, size) })
 }
 
-/// Scores of a pruned model against the full one, one for each view: with a share of `lambda` of the
-/// foliage's triangles, 0 to 1, and elements grown to `scale` times their area, 0.01 to 10,000 (lengths grow by
-/// its square root). `around` says from where to look, NULL for the default; `scores` has room for `capacity`
-/// scores, at least `tree_around_count`. `control` may be NULL.
+/// Scores of a pruned model against the full one, which is drawn once, `n` times one for each view: with a share of
+/// `lambdas[i]` of the foliage's triangles, 0 to 1, and elements grown to `scales[i]` times their area, 0.01 to
+/// 10,000 (lengths grow by its square root). `around` says from where to look, NULL for the default; `scores` has room for
+/// `capacity` scores, at least `n` times `tree_around_count`, those of `lambdas[0]` first. `control` may be NULL.
 ///
 /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
 /// `TREE_ERROR_PARAMETER` names what is out of range.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tree_lod_subject_score(
+pub unsafe extern "C" fn tree_lod_subject_scores(
     subject: *const tree_lod_subject,
-    lambda: f32,
-    scale: f32,
+    lambdas: *const f32,
+    scales: *const f32,
+    n: usize,
     around: *const tree_around,
     control: *const tree_control,
     scores: *mut tree_score,
@@ -141,9 +142,14 @@ pub unsafe extern "C" fn tree_lod_subject_score(
     call(|| {
         let held = unsafe { tree_lod_subject::read(subject, control) }?;
         let around = unsafe { tree_around::read(around) }?;
-        room_for(around.cameras().len(), capacity, "scores")?;
-        let body = |control: &_| Ok(score_at(&held.rust(), lambda, scale, &around, control)?);
-        unsafe { fill_scores(scores, capacity, &run(control, body)?) }
+        let limits = unsafe { limits(control) }?;
+        let rows = Resource::Pixels;
+        let lambdas = unsafe { slice(lambdas, n, &limits, rows, "lambdas") }?;
+        let scales = unsafe { slice(scales, n, &limits, rows, "scales") }?;
+        let at: Vec<(f32, f32)> = lambdas.iter().copied().zip(scales.iter().copied()).collect();
+        room_for(around.cameras().len().saturating_mul(n), capacity, "scores")?;
+        let body = |control: &_| Ok(scores_at(&held.rust(), &at, &around, control)?);
+        unsafe { fill_scores(scores, capacity, &run(control, body)?.concat()) }
     })
 }
 

@@ -106,7 +106,8 @@ fn bad_parameters_are_named() {
         style,
         &Control::default(),
     ) {
-        Err(LodError::Parameter { field, .. } | LodError::Camera { field, .. }) => field,
+        Err(LodError::Parameter(error)) => error.field,
+        Err(LodError::Camera { field, .. }) => field.into(),
         other => panic!("{other:?}"),
     };
     let (view, style) = (View::default, Style::default);

@@ -169,24 +169,33 @@ impl Table {
     }
 }
 
-/// Scores of a subject at one λ and scale (on area), one for each camera.
+/// Scores of a subject at each λ and scale (on area) of `at`, one for each camera. The full model is drawn once.
 ///
 /// # Errors
 /// As [`Table::measure`].
 ///
 /// # Complexity
-/// O(views × triangles), in parallel over views.
-pub fn score_at(
+/// O(views × triangles) for the full model, O(views × λ · triangles) for each of `at`, in parallel over views.
+pub fn scores_at(
     subject: &Subject<'_>,
-    lambda: f32,
-    scale: f32,
+    at: &[(f32, f32)],
     around: &Around,
     control: &Control,
-) -> Result<Vec<Score>> {
-    check_range("scale", scale.into(), 0.01, 1e4)?;
+) -> Result<Vec<Vec<Score>>> {
     around.validate()?;
-    let cut = subject.schedule()?.at(lambda)?;
-    Ok(subject.scores(&subject.stage(around, control)?, &cut, scale.sqrt()))
+    let schedule = subject.schedule()?;
+    let mut cuts = Vec::with_capacity(at.len());
+    for &(lambda, scale) in at {
+        check_range("scale", scale.into(), 0.01, 1e4)?;
+        cuts.push((schedule.at(lambda)?, scale.sqrt()));
+    }
+    let stage = subject.stage(around, control)?;
+    cuts.iter()
+        .map(|(cut, growth)| {
+            control.check()?;
+            Ok(subject.scores(&stage, cut, *growth))
+        })
+        .collect()
 }
 
 /// Mean of the qualities of several views.

@@ -13,6 +13,6 @@ mod score;
 mod table;
 
 pub use distance::{Distance, MinimumQuality};
-pub use measure::{Scale, Subject, TableParams, mean_quality, score_at};
+pub use measure::{Scale, Subject, TableParams, mean_quality, scores_at};
 pub use score::Score;
 pub use table::{Row, Table, contrast, cook_lambda, cook_scale, drop_and_resize, size_lambda};

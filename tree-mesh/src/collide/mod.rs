@@ -18,10 +18,10 @@ mod measure;
 mod merge;
 mod wood;
 
-use crate::error::{MeshError, Result};
+use crate::error::Result;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
-use tree_core::{Continuation, Control, Skeleton};
+use tree_core::{Continuation, Control, Skeleton, check_parameter};
 
 /// A cylinder with round ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -84,16 +84,14 @@ impl CapsuleParams {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`MeshError::Parameter`], naming the first field at fault and its range.
+    /// [`MeshError::Parameter`](crate::MeshError::Parameter), naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         for (field, found, min, max) in [
             ("max_count", f64::from(self.max_count), 1.0, 4096.0),
             ("min_radius", f64::from(self.min_radius), 0.0, 10.0),
             ("share", f64::from(self.share), 0.0, 1.0),
         ] {
-            if !(min..=max).contains(&found) {
-                return Err(MeshError::Parameter { field, found, min, max });
-            }
+            check_parameter(field, found, min, max)?;
         }
         Ok(())
     }
@@ -128,7 +126,7 @@ pub struct CapsuleReport {
 /// Makes capsules of a tree's thick wood.
 ///
 /// # Errors
-/// [`MeshError::Parameter`] or [`MeshError::Cancelled`].
+/// [`MeshError::Parameter`](crate::MeshError::Parameter) or [`MeshError::Cancelled`](crate::MeshError::Cancelled).
 ///
 /// # Complexity
 /// About linear in the number of thick segments; see the [module](self).

@@ -1,4 +1,5 @@
 use super::*;
+use crate::MeshError;
 use crate::sample;
 use proptest::prelude::*;
 use tree_core::CancelFlag;
@@ -84,7 +85,7 @@ fn bad_requests_are_refused() {
         CapsuleParams { share: f32::NAN, ..Default::default() },
     ] {
         let refused = capsules(&skeleton, &params, &Control::default());
-        assert!(matches!(refused, Err(MeshError::Parameter { .. })));
+        assert!(matches!(refused, Err(MeshError::Parameter(_))));
     }
     let stop = CancelFlag::default();
     stop.cancel();

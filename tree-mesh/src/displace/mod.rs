@@ -22,7 +22,7 @@ use crate::topology::welded;
 use crate::wind::Branch;
 use glam::{DVec3, Vec3, Vec4};
 use rayon::prelude::*;
-use tree_core::{Control, Seed};
+use tree_core::{Control, ParameterError, Seed};
 
 /// Rounds in which limits are evened out between neighbours.
 const ROUNDS: u32 = 2;
@@ -91,7 +91,7 @@ impl DisplaceParams {
             // The bounds are decimals; the same decimal as f32 may lie half a step outside.
             let slack = f64::from(f32::EPSILON);
             if !(found >= min * (1.0 - slack * min.signum()) && found <= max * (1.0 + slack)) {
-                return Err(MeshError::Parameter { field, found, min, max });
+                return Err(ParameterError { field: field.into(), found, min, max }.into());
             }
         }
         Ok(())

@@ -102,7 +102,7 @@ fn odd_parameters_and_surfaces_are_refused_and_nothing_changes() {
     let control = Control::default();
     let bad = DisplaceParams { scale: 0.0, ..COARSE };
     let error = displace(&mut shape, &[], &bad, &control).unwrap_err();
-    assert!(matches!(error, MeshError::Parameter { field: "scale", .. }));
+    assert!(matches!(error, MeshError::Parameter(error) if error.field == "scale"));
     shape.branches = vec![1; shape.positions.len()];
     let before = shape.clone();
     let error = displace(&mut shape, &[Branch::default()], &COARSE, &control).unwrap_err();

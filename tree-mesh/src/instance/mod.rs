@@ -17,12 +17,12 @@ mod flatten;
 mod of_parts;
 mod parts;
 
-use crate::error::{MeshError, Result};
+use crate::error::Result;
 use crate::look::Look;
 use crate::mesh::{Mesh, Surface};
 use crate::params::MeshParams;
 use glam::{Quat, Vec3};
-use tree_core::{Control, Seed, Tree};
+use tree_core::{Control, Seed, Tree, check_parameter};
 
 /// Lengths of subtrees that are tried, as share of the longest path through the tree.
 const REACHES: [f32; 9] = [0.03, 0.045, 0.065, 0.09, 0.13, 0.18, 0.25, 0.35, 0.5];
@@ -58,16 +58,14 @@ impl InstancingParams {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`MeshError::Parameter`], naming the first field at fault and its range.
+    /// [`MeshError::Parameter`](crate::MeshError::Parameter), naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         for (field, found, min, max) in [
             ("max_twigs", f64::from(self.max_twigs), 1.0, 1000.0),
             ("ratio", f64::from(self.ratio), 1.0, 1000.0),
             ("reach", self.reach.map_or(1.0, f64::from), 0.000_999, 1000.0),
         ] {
-            if !(min..=max).contains(&found) {
-                return Err(MeshError::Parameter { field, found, min, max });
-            }
+            check_parameter(field, found, min, max)?;
         }
         Ok(())
     }
@@ -125,7 +123,7 @@ pub struct InstancingReport {
 /// Replaces terminal subtrees by instances of at most [`InstancingParams::max_twigs`] twigs.
 ///
 /// # Errors
-/// As [`build`](crate::build), and [`MeshError::Parameter`] for the twigs' parameters.
+/// As [`build`](crate::build), and [`MeshError::Parameter`](crate::MeshError::Parameter) for the twigs' parameters.
 ///
 /// # Complexity
 /// For each length tried (nine): O(nodes + leaves) and the base mesh; for each number of twigs (six

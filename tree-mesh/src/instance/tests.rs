@@ -1,4 +1,5 @@
 use super::*;
+use crate::MeshError;
 use crate::build;
 use glam::{EulerRot, Vec2};
 use proptest::prelude::*;

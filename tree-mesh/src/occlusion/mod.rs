@@ -19,13 +19,13 @@
 mod grid;
 mod sweep;
 
-use crate::error::{MeshError, Result};
+use crate::error::Result;
 use crate::mesh::{Mesh, Surface};
 use glam::Vec3;
 use grid::Grid;
 use rayon::prelude::*;
 use sweep::Cube;
-use tree_core::{Control, Resource};
+use tree_core::{Control, ParameterError, Resource};
 
 /// How occlusion is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +52,7 @@ impl OcclusionParams {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`MeshError::Parameter`], naming the first field at fault and its range.
+    /// [`MeshError::Parameter`](crate::MeshError::Parameter), naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         for (field, found, min, max) in [
             ("cells", f64::from(self.cells), 4.0, 512.0),
@@ -62,7 +62,7 @@ impl OcclusionParams {
         ] {
             let slack = f64::from(f32::EPSILON);
             if !(min * (1.0 - slack)..=max).contains(&found) {
-                return Err(MeshError::Parameter { field, found, min, max });
+                return Err(ParameterError { field: field.into(), found, min, max }.into());
             }
         }
         Ok(())
@@ -75,8 +75,8 @@ impl OcclusionParams {
 /// or so far from the origin that its coordinates do not tell cells apart, gets 1 everywhere.
 ///
 /// # Errors
-/// [`MeshError::Parameter`]; [`MeshError::Limit`] for the cells, before they are allocated; what
-/// [`Mesh::check`] finds; [`MeshError::Cancelled`]. The mesh is unchanged then.
+/// [`MeshError::Parameter`](crate::MeshError::Parameter); [`MeshError::Limit`](crate::MeshError::Limit) for the cells, before they are allocated; what
+/// [`Mesh::check`] finds; [`MeshError::Cancelled`](crate::MeshError::Cancelled). The mesh is unchanged then.
 pub fn bake(mesh: &mut Mesh, params: &OcclusionParams, control: &Control) -> Result<()> {
     params.validate()?;
     mesh.check()?;

@@ -1,4 +1,5 @@
 use super::*;
+use crate::MeshError;
 use crate::mesh::Material;
 use crate::sample;
 use tree_core::{CancelFlag, Limits};
@@ -144,7 +145,7 @@ fn bad_requests_are_refused_and_change_nothing() {
     for change in changes {
         let mut params = OcclusionParams::default();
         change(&mut params);
-        assert!(matches!(bake(&mut mesh, &params, &control), Err(MeshError::Parameter { .. })));
+        assert!(matches!(bake(&mut mesh, &params, &control), Err(MeshError::Parameter(_))));
     }
     let params = OcclusionParams::default();
     let tight = Control::default().with_limits(Limits { voxels: 1000, ..Limits::default() });

@@ -39,7 +39,7 @@ mod tags;
 use crate::error::{MeshError, Result};
 use crate::mesh::Surface;
 use crate::topology::welded;
-use tree_core::{Control, Resource};
+use tree_core::{Control, Resource, check_parameter};
 
 /// Most levels: each is four times the triangles of the last.
 const MAX_LEVELS: u32 = 8;
@@ -83,15 +83,9 @@ impl SubdivideParams {
         for (field, found, max) in
             [("levels", self.levels, MAX_LEVELS), ("fit", self.fit, ROUNDS_MAX)]
         {
-            if found > max {
-                let (found, max) = (found.into(), max.into());
-                return Err(MeshError::Parameter { field, found, min: 0.0, max });
-            }
+            check_parameter(field, found, 0.0, max)?;
         }
-        if !(0.0..=max).contains(&found) {
-            return Err(MeshError::Parameter { field: "crease", found, min: 0.0, max });
-        }
-        Ok(())
+        Ok(check_parameter("crease", found, 0.0, max)?)
     }
 }
 

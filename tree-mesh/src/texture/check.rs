@@ -2,32 +2,16 @@
 
 use super::bark::BarkStyle;
 use super::leaf::LeafShape;
-use crate::error::{MeshError, Result};
+use crate::error::Result;
 use std::f32::consts::PI;
+use tree_core::check_parameter;
 
 fn range(field: &'static str, found: f32, min: f32, max: f32) -> Result<()> {
-    // NaN is in no range.
-    if found >= min && found <= max {
-        return Ok(());
-    }
-    Err(MeshError::Parameter {
-        field,
-        found: f64::from(found),
-        min: f64::from(min),
-        max: f64::from(max),
-    })
+    Ok(check_parameter(field, found, min, max)?)
 }
 
 fn count(field: &'static str, found: u32, min: u32, max: u32) -> Result<()> {
-    if (min..=max).contains(&found) {
-        return Ok(());
-    }
-    Err(MeshError::Parameter {
-        field,
-        found: f64::from(found),
-        min: f64::from(min),
-        max: f64::from(max),
-    })
+    Ok(check_parameter(field, found, min, max)?)
 }
 
 pub(super) fn size(size_px: u32) -> Result<()> {
@@ -38,7 +22,7 @@ impl BarkStyle {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`MeshError::Parameter`], naming the field.
+    /// [`MeshError::Parameter`](crate::MeshError::Parameter), naming the field.
     pub fn validate(&self) -> Result<()> {
         range("tinting", self.tinting, 0.0, 1.0)?;
         range("crack", self.crack, 0.0, 1.0)?;
@@ -83,7 +67,7 @@ impl LeafShape {
     /// Checks every field against its range.
     ///
     /// # Errors
-    /// [`MeshError::Parameter`], naming the field.
+    /// [`MeshError::Parameter`](crate::MeshError::Parameter), naming the field.
     pub fn validate(&self) -> Result<()> {
         let n_points = u32::try_from(self.outline.len()).unwrap_or(u32::MAX);
         count("outline", n_points, 2, 256)?;

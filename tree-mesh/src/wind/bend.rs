@@ -1,10 +1,11 @@
 //! The reference: vertices moved by the wind on the CPU, with nothing but what vertices carry.
 
 use super::{Branch, sway, vertices};
-use crate::error::{MeshError, Result};
+use crate::error::Result;
 use crate::mesh::Mesh;
 use glam::{Affine3A, Mat3, Quat, Vec3};
 use std::f32::consts::TAU;
+use tree_core::check_parameter;
 
 /// A steady wind with gusts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +33,7 @@ impl Wind {
     /// for a wind that is not.
     ///
     /// # Errors
-    /// [`MeshError::Parameter`], naming the first field at fault and its range.
+    /// [`MeshError::Parameter`](crate::MeshError::Parameter), naming the first field at fault and its range.
     pub fn validate(&self) -> Result<()> {
         let [x, y, z] = self.direction.to_array();
         for (field, found, min, max) in [
@@ -44,10 +45,7 @@ impl Wind {
             ("frequency", self.frequency, 0.0, 100.0),
             ("flutter", self.flutter, -10.0, 10.0),
         ] {
-            let found = f64::from(found);
-            if !(min..=max).contains(&found) {
-                return Err(MeshError::Parameter { field, found, min, max });
-            }
+            check_parameter(field, found, min, max)?;
         }
         Ok(())
     }

@@ -1,9 +1,10 @@
 //! Parameters of leaf placement.
 
 use super::{LeafForm, Phyllotaxis};
-use crate::error::{ModelError, Result, check, check_finite};
+use crate::error::{Result, check, check_finite};
 use glam::Vec3;
 use std::f32::consts::PI;
+use tree_core::ParameterError;
 
 /// Where leaves stand and how they are held. Lengths in metres, angles in radians.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +83,7 @@ impl LeafParams {
     /// Checks all ranges; `n_kinds` is the number of leaf kinds of the species.
     ///
     /// # Errors
-    /// [`ModelError::Parameter`] or [`ModelError::NotFinite`], naming the field.
+    /// [`ModelError::Parameter`](crate::ModelError::Parameter) or [`ModelError::NotFinite`](crate::ModelError::NotFinite), naming the field.
     pub fn validate(&self, n_kinds: usize) -> Result<()> {
         self.arrangement.validate("leaves.arrangement")?;
         self.form.validate()?;
@@ -109,11 +110,6 @@ pub(super) fn check_light(field: &'static str, light: Vec3) -> Result<()> {
     if light.try_normalize().is_some() {
         return Ok(());
     }
-    let (min, max) = (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
-    Err(ModelError::Parameter {
-        field: format!("{field}'s length"),
-        found: light.length().into(),
-        min,
-        max,
-    })
+    let (found, min, max) = (light.length().into(), f32::MIN_POSITIVE.into(), f32::MAX.into());
+    Err(ParameterError { field: format!("{field}'s length").into(), found, min, max }.into())
 }

@@ -4,9 +4,9 @@ use super::finish::Grown;
 use super::habit::Habit;
 use super::simulation::{Plant, grow_stand};
 use super::surroundings::World;
-use crate::error::{ModelError, Result, check};
+use crate::error::{Result, check};
 use glam::Vec3;
-use tree_core::{Control, Seed};
+use tree_core::{Control, ParameterError, Seed};
 
 /// Most iterations of one growth.
 pub const MAX_ITERATIONS: u32 = 10_000;
@@ -49,7 +49,7 @@ impl GrowthParams {
     /// Checks all ranges.
     ///
     /// # Errors
-    /// [`ModelError::Parameter`] or [`ModelError::NotFinite`], naming the field.
+    /// [`ModelError::Parameter`](crate::ModelError::Parameter) or [`ModelError::NotFinite`](crate::ModelError::NotFinite), naming the field.
     pub fn validate(&self) -> Result<()> {
         check("iterations", self.iterations, 0, MAX_ITERATIONS)?;
         self.world.validate()?;
@@ -65,21 +65,17 @@ impl GrowthParams {
     /// Grows the tree. The same seed gives the same bits for any number of threads.
     ///
     /// # Errors
-    /// What [`validate`](Self::validate) finds; [`ModelError::RootBlocked`] where the base or the first
-    /// internode is in the obstacle; [`ModelError::Limit`] before more nodes, voxels or leaves are made than
-    /// allowed; [`ModelError::Core`] where a tree is too large for an f32; [`ModelError::Cancelled`].
+    /// What [`validate`](Self::validate) finds; [`ModelError::RootBlocked`](crate::ModelError::RootBlocked) where the base or the first
+    /// internode is in the obstacle; [`ModelError::Limit`](crate::ModelError::Limit) before more nodes, voxels or leaves are made than
+    /// allowed; [`ModelError::Core`](crate::ModelError::Core) where a tree is too large for an f32; [`ModelError::Cancelled`](crate::ModelError::Cancelled).
     ///
     /// # Complexity
     /// Linear in nodes times iterations, and the leaves.
     pub fn grow(&self, seed: Seed, control: &Control) -> Result<Grown> {
         self.validate()?;
         let grown = grow_stand(&self.world, &[self.planting()], self.iterations, seed, control)?;
-        let no_tree = || ModelError::Parameter {
-            field: "plants.len()".into(),
-            found: 0.0,
-            min: 1.0,
-            max: MAX_PLANTS as f64,
-        };
-        grown.into_iter().next().ok_or_else(no_tree)
+        let max = MAX_PLANTS as f64;
+        let no_tree = || ParameterError { field: "plants.len()".into(), found: 0.0, min: 1.0, max };
+        Ok(grown.into_iter().next().ok_or_else(no_tree)?)
     }
 }

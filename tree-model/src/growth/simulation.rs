@@ -10,7 +10,7 @@ use super::surroundings::{Found, Surroundings, World};
 use crate::error::{ModelError, Result, check, check_finite};
 use glam::Vec3;
 use rayon::prelude::*;
-use tree_core::{Control, Resource, Seed};
+use tree_core::{Control, ParameterError, Resource, Seed};
 
 /// A tree to be, and where it stands.
 #[derive(Clone, Debug, PartialEq)]
@@ -213,7 +213,7 @@ impl Simulation {
         let n_plants = self.plants.len() as f64;
         let Some(plant) = self.plants.get(index) else {
             let (found, min, max) = (index as f64, 0.0, n_plants - 1.0);
-            return Err(ModelError::Parameter { field: "index".into(), found, min, max });
+            return Err(ParameterError { field: "index".into(), found, min, max }.into());
         };
         plant.finish(control)
     }
@@ -396,9 +396,7 @@ fn budding(habit: &Habit) -> Budding {
 /// The same error, its field named as part of a plant.
 fn in_plant(index: usize, error: ModelError) -> ModelError {
     match error {
-        ModelError::Parameter { field, found, min, max } => {
-            ModelError::Parameter { field: format!("plants[{index}].{field}"), found, min, max }
-        }
+        ModelError::Parameter(error) => error.within(&format!("plants[{index}]")).into(),
         ModelError::NotFinite { field } => {
             ModelError::NotFinite { field: format!("plants[{index}].{field}") }
         }

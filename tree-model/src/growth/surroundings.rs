@@ -71,12 +71,7 @@ impl World {
         }
         check_finite("world.light", self.light)?;
         if self.light.try_normalize().is_none() {
-            return Err(ModelError::Parameter {
-                field: "world.light.length()".into(),
-                found: self.light.length().into(),
-                min: f32::MIN_POSITIVE.into(),
-                max: f32::MAX.into(),
-            });
+            check("world.light.length()", self.light.length(), f32::MIN_POSITIVE, f32::MAX)?;
         }
         check("world.brightness", self.brightness, 0, 10)?;
         if let Some(place) = self.standing.iter().position(|point| !point.is_finite()) {

@@ -265,14 +265,11 @@ impl PathParams {
 /// The same error, its field named as part of `outer`.
 fn within(outer: &str, error: ModelError) -> ModelError {
     match error {
-        ModelError::Parameter { field, found, min, max } => {
-            ModelError::Parameter { field: format!("{outer}.{field}"), found, min, max }
+        ModelError::Parameter(error) | ModelError::Core(CoreError::Parameter(error)) => {
+            error.within(outer).into()
         }
         ModelError::NotFinite { field } => {
             ModelError::NotFinite { field: format!("{outer}.{field}") }
-        }
-        ModelError::Core(CoreError::OutOfRange { field, found, min, max, .. }) => {
-            ModelError::Parameter { field: format!("{outer}.{field}"), found, min, max }
         }
         ModelError::Core(CoreError::NotFinite { field, .. }) => {
             ModelError::NotFinite { field: format!("{outer}.{field}") }

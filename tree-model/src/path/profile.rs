@@ -214,7 +214,7 @@ mod tests {
         fails(&svg(&format!("{}{}", "<g>".repeat(100), "</g>".repeat(100))));
         let options = ProfileOptions { height: f32::NAN, ..Default::default() };
         let error = Profile::from_svg(&svg("<circle r='3'/>"), &options).unwrap_err();
-        assert!(matches!(error, ModelError::Parameter { .. }));
+        assert!(matches!(error, ModelError::Parameter(_)));
     }
 
     #[test]

@@ -2,9 +2,8 @@
 
 use super::model::{self, Model, paper_species};
 use super::{Outcome, SEED, information};
-use crate::measure::fastest;
+use crate::measure::{fastest, of_each};
 use crate::table::{Aim, Row, Table};
-use rayon::prelude::*;
 use tree_core::glam::{Mat4, Vec3};
 use tree_core::{Control, Seed};
 use tree_mesh::Look;
@@ -31,14 +30,14 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     let paper_look = without_bark(Look::built_in(&paper_species())?);
     let (seconds, _) = fastest(RUNS, || -> Outcome<_> {
         let seeds: Vec<u64> = (0..PRESETS.len() as u64).collect();
-        let models = each(&seeds, |&i| Model::new(&of_paper(i)?, &paper_look))?;
+        let models = of_each(&seeds, |&i| Model::new(&of_paper(i)?, &paper_look))?;
         Ok((models, placed(n)))
     })?;
     let case = format!("scene, {n} trees of 8 with the paper's counts");
     built(table, &case, seconds);
     let (seconds, _) = fastest(RUNS, || -> Outcome<_> {
         let rows: Vec<_> = PRESETS.iter().zip(&looks).collect();
-        let models = each(&rows, |(name, look)| Model::new(&of_preset(name, 0)?, look))?;
+        let models = of_each(&rows, |(name, look)| Model::new(&of_preset(name, 0)?, look))?;
         Ok((models, placed(n)))
     })?;
     let case = format!("scene, {n} trees of 8 presets");
@@ -47,13 +46,13 @@ pub(super) fn evaluate(table: &mut Table) -> Outcome {
     // Each tree another seed; pictures of leaves are shared.
     let numbers: Vec<u64> = (0..u64::from(DIFFERENT)).collect();
     let (seconds, _) = fastest(1, || {
-        each(&numbers, |&i| Ok(Model::bare(&of_paper(i)?, &paper_look)?.multires.n_levels()))
+        of_each(&numbers, |&i| Ok(Model::bare(&of_paper(i)?, &paper_look)?.multires.n_levels()))
     })?;
     let case = format!("scene of {DIFFERENT} different trees");
     let a_tree = |seconds: f64| 1e3 * seconds / f64::from(DIFFERENT);
     information(table, &case, "each, with the paper's counts", a_tree(seconds), "ms");
     let (seconds, _) = fastest(1, || {
-        each(&numbers, |&i| {
+        of_each(&numbers, |&i| {
             let preset = i as usize % PRESETS.len();
             let model = Model::bare(&of_preset(PRESETS[preset], i)?, &looks[preset])?;
             Ok(model.multires.n_levels())
@@ -91,13 +90,6 @@ fn built(table: &mut Table, case: &str, seconds: f64) {
         unit: "s",
         aim: Aim::AtMost(PAPER_SECONDS / SPEEDUP),
     });
-}
-
-/// In parallel, in order.
-fn each<A: Sync, T: Send>(items: &[A], make: impl Fn(&A) -> Outcome<T> + Sync) -> Outcome<Vec<T>> {
-    let made: Result<Vec<T>, String> =
-        items.par_iter().map(|item| make(item).map_err(|error| error.to_string())).collect();
-    Ok(made?)
 }
 
 fn of_paper(number: u64) -> Outcome<tree_core::Tree> {

@@ -1,8 +1,9 @@
 //! Every photograph of the shared data, alone, and pairs of photographs of different trees.
 
-use super::cases::grow;
+use super::cases::{Grown, grow};
 use super::hints::{HINTS, Hint, How, Scribble};
 use super::pictures::photo_folder;
+use crate::measure::of_each;
 use crate::table::Table;
 use std::error::Error;
 use std::f32::consts::FRAC_PI_2;
@@ -37,24 +38,34 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
             eprintln!("{name}: not known what tree it shows, left out");
         }
     }
-    for hint in &HINTS {
-        if let Some(shot) = shot(&folder, hint, 0.0)? {
-            let grown = grow(vec![shot], &params(hint)?, None)?;
-            let case = format!("{} ({})", stem(hint.file), hint.how.name());
+    let alone = of_each(&HINTS, |hint| one(&folder, hint))?;
+    for (hint, grown) in HINTS.iter().zip(alone) {
+        let case = format!("{} ({})", stem(hint.file), hint.how.name());
+        if let Some(grown) = grown {
             grown.rows(table, &case, &["front".into()], F1);
         }
     }
-    for (front, side) in PAIRS {
-        let find = |file: &str| HINTS.iter().find(|hint| hint.file == file).ok_or("no such hint");
-        let (front, side) = (find(front)?, find(side)?);
-        let shots = [shot(&folder, front, 0.0)?, shot(&folder, side, FRAC_PI_2)?];
-        if let [Some(a), Some(b)] = shots {
-            let grown = grow(vec![a, b], &params(front)?, None)?;
-            let case = format!("{} + {}", short(front.file), short(side.file));
+    let pairs = of_each(&PAIRS, |pair| two(&folder, *pair))?;
+    for ((front, side), grown) in PAIRS.iter().zip(pairs) {
+        let case = format!("{} + {}", short(front), short(side));
+        if let Some(grown) = grown {
             grown.rows(table, &case, &["front".into(), "side".into()], F1);
         }
     }
     Ok(())
+}
+
+fn one(folder: &Path, hint: &Hint) -> Result<Option<Grown>, Box<dyn Error>> {
+    let Some(shot) = shot(folder, hint, 0.0)? else { return Ok(None) };
+    Ok(Some(grow(vec![shot], &params(hint)?, None)?))
+}
+
+fn two(folder: &Path, (front, side): (&str, &str)) -> Result<Option<Grown>, Box<dyn Error>> {
+    let find = |file: &str| HINTS.iter().find(|hint| hint.file == file).ok_or("no such hint");
+    let (front, side) = (find(front)?, find(side)?);
+    let shots = [shot(folder, front, 0.0)?, shot(folder, side, FRAC_PI_2)?];
+    let [Some(a), Some(b)] = shots else { return Ok(None) };
+    Ok(Some(grow(vec![a, b], &params(front)?, None)?))
 }
 
 /// A tree of one photograph; none where it is not there.

@@ -2,6 +2,7 @@
 
 use super::cases::{Grown, grow};
 use super::score::{mesh, score, seen};
+use crate::measure::of_each;
 use crate::table::{Aim, Row, Table};
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -36,25 +37,37 @@ const DIRECTIONS: usize = 300;
 const REACH: f32 = 0.05;
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
-    let control = Control::default();
-    for (name, species) in TREES {
-        let mut preset = Preset::find(name)?.params()?;
-        preset.roots = None;
-        let truth = preset.grow(Seed(11), &control)?.tree;
-        let shape = mesh(&truth, &control)?;
-        let height = shape.bounds().max.y;
-        let shots = [0.0, FRAC_PI_2]
-            .into_iter()
-            .map(|yaw| Ok(Shot::new(seen(&shape, &camera(&shape, yaw), &control)?, None, yaw)))
-            .collect::<Result<Vec<_>, Box<dyn Error>>>()?;
-        let params =
-            PhotoParams { height, finish: FinishParams::find(species)?, ..PhotoParams::default() };
-        let grown = grow(shots, &params, Some(&camera(&shape, FRAC_PI_4)))?;
+    let known = of_each(&TREES, |(name, species)| found_again(name, species))?;
+    for ((name, _), Known { truth, shape, grown }) in TREES.iter().zip(&known) {
         let case = format!("synthetic {name}");
         grown.rows(table, &case, &["front".into(), "side".into()], 0.88);
-        own_rows(table, &case, &truth, &shape, &grown)?;
+        own_rows(table, &case, truth, shape, grown)?;
     }
     Ok(())
+}
+
+/// A known tree, and what was found of it.
+struct Known {
+    truth: Tree,
+    shape: Mesh,
+    grown: Grown,
+}
+
+fn found_again(name: &str, species: &str) -> Result<Known, Box<dyn Error>> {
+    let control = Control::default();
+    let mut preset = Preset::find(name)?.params()?;
+    preset.roots = None;
+    let truth = preset.grow(Seed(11), &control)?.tree;
+    let shape = mesh(&truth, &control)?;
+    let height = shape.bounds().max.y;
+    let shots = [0.0, FRAC_PI_2]
+        .into_iter()
+        .map(|yaw| Ok(Shot::new(seen(&shape, &camera(&shape, yaw), &control)?, None, yaw)))
+        .collect::<Result<Vec<_>, Box<dyn Error>>>()?;
+    let params =
+        PhotoParams { height, finish: FinishParams::find(species)?, ..PhotoParams::default() };
+    let grown = grow(shots, &params, Some(&camera(&shape, FRAC_PI_4)))?;
+    Ok(Known { truth, shape, grown })
 }
 
 /// The view from between the two that were given, and the crown in space.

@@ -159,14 +159,15 @@ fn rows(table: &mut Table, column: &Column, saved: &[f64]) {
 
 /// Mean quality over all models of each order.
 fn heuristics(table: &mut Table, columns: &[Vec<&Pruned<'_>>]) -> Outcome {
-    for lambda in SHARES {
+    let of_order = |pruned: &&Pruned<'_>| pruned.qualities(&SHARES, &held_out(SIZE));
+    let found = columns
+        .iter()
+        .map(|of_model| of_model.iter().map(of_order).collect())
+        .collect::<Outcome<Vec<Vec<Vec<f64>>>>>()?;
+    for (at, lambda) in SHARES.into_iter().enumerate() {
         let mut peer = None;
         for (number, column) in COLUMNS.iter().enumerate() {
-            let qualities = columns
-                .iter()
-                .map(|of_model| of_model[number].quality(lambda, &held_out(SIZE)))
-                .collect::<Outcome<Vec<_>>>()?;
-            let ours = mean(&qualities);
+            let ours = mean(&found.iter().map(|of| of[number][at]).collect::<Vec<_>>());
             let case = format!("orders: {}", column.name);
             let metric = format!("mean Q at {lambda}");
             let aim = Aim::None;

@@ -118,14 +118,16 @@ fn of_model(prepared: &Prepared<'_>) -> Outcome<Found> {
     let around = held_out(SIZE);
     let mut found = Found::default();
     let cameras = around.cameras();
+    let ours = prepared.ours.qualities(&SHARES, &around)?;
+    let scales = |lambda: f32| [1.0, cook_scale(lambda), random.table.at(lambda).scale];
+    let at: Vec<(f32, f32)> =
+        SHARES.into_iter().flat_map(|lambda| scales(lambda).map(|scale| (lambda, scale))).collect();
+    let scaled = random.scores_at(&at, &around)?;
     for (at, lambda) in SHARES.into_iter().enumerate() {
-        let scaled = |scale: f32| -> Outcome<f64> {
-            Ok(mean_quality(&random.scores_at(lambda, scale, &around)?))
-        };
-        found[0][at] = prepared.ours.quality(lambda, &around)?;
-        found[1][at] = scaled(1.0)?;
-        found[2][at] = scaled(cook_scale(lambda))?;
-        found[3][at] = random.quality(lambda, &around)?;
+        found[0][at] = ours[at];
+        for (method, scores) in scaled[3 * at..][..3].iter().enumerate() {
+            found[1 + method][at] = mean_quality(scores);
+        }
         let foliage = &model.elements.surfaces;
         let quality = |mesh: &Mesh| -> Outcome<f64> {
             let scores = cover::score(mesh, &model.mesh, &cameras, SIZE, &Control::default())?;

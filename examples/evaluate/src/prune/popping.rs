@@ -3,9 +3,9 @@
 use super::pruned::Pruned;
 use super::{Outcome, Prepared, information};
 use crate::table::{Aim, Row, Table};
-use rayon::prelude::*;
 use tree_lod::cover::Around;
 use tree_lod::prune::Schedule;
+use tree_lod::quality::Score;
 
 /// Pixels along the sides of the masks.
 const SIZE: u32 = 64;
@@ -54,23 +54,22 @@ struct Change {
 fn changes(pruned: &Pruned<'_>) -> Outcome<Vec<Change>> {
     let schedule = pruned.schedule()?;
     let around = Around { azimuths: 8, turn: 0.3, size: SIZE, ..Around::default() };
-    let covered = |step: u64| -> Result<Vec<[f64; 2]>, String> {
-        let lambda = schedule.lambda_of(schedule.cut(step).n_triangles);
-        let scores = pruned.scores(lambda, &around).map_err(|e| e.to_string())?;
-        let counts =
-            |s: &tree_lod::quality::Score| [(s.both + s.wrong) as f64, (s.both + s.missed) as f64];
-        Ok(scores.iter().map(counts).collect())
+    let lambda_of = |step: u64| schedule.lambda_of(schedule.cut(step).n_triangles);
+    let steps = steps(&schedule);
+    let lambdas: Vec<f32> =
+        steps.iter().flat_map(|&step| [lambda_of(step), lambda_of(step + 1)]).collect();
+    let scores = pruned.scores_of(&lambdas, &around)?;
+    let covered = |s: &Score| (s.both + s.wrong) as f64;
+    let of_full = |s: &Score| (s.both + s.missed) as f64;
+    let change = |(&lambda, pair): (&f32, &[Vec<Score>])| {
+        let pairs = || pair[0].iter().zip(&pair[1]);
+        let step = |(a, b): (&Score, &Score)| covered(a) - covered(b);
+        let most = pairs().map(|(a, b)| step((a, b)).abs() / of_full(a)).fold(0.0, f64::max);
+        let moved: f64 = pairs().map(step).sum();
+        let full: f64 = pair[0].iter().map(of_full).sum();
+        Change { lambda, mean: 100.0 * moved.abs() / full, most: 100.0 * most }
     };
-    let change = |&step: &u64| -> Result<Change, String> {
-        let (before, after) = (covered(step)?, covered(step + 1)?);
-        let pairs = || before.iter().zip(&after);
-        let most = pairs().map(|(a, b)| (a[0] - b[0]).abs() / a[1]).fold(0.0, f64::max);
-        let moved: f64 = pairs().map(|(a, b)| a[0] - b[0]).sum();
-        let full: f64 = before.iter().map(|a| a[1]).sum();
-        let lambda = schedule.lambda_of(schedule.cut(step).n_triangles);
-        Ok(Change { lambda, mean: 100.0 * moved.abs() / full, most: 100.0 * most })
-    };
-    Ok(steps(&schedule).par_iter().map(change).collect::<Result<_, _>>()?)
+    Ok(lambdas.iter().step_by(2).zip(scores.chunks_exact(2)).map(change).collect())
 }
 
 /// Steps spread over log λ, and those around changes of tier, each of which has a next one with fewer

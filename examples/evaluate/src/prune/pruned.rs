@@ -7,15 +7,13 @@ use tree_lod::cover::Around;
 use tree_lod::order::{CoverageParams, Ranking, coverage};
 use tree_lod::outline::{OutlineParams, Tier, tiers};
 use tree_lod::prune::{Schedule, plan};
-use tree_lod::quality::{Scale, Score, Subject, Table, TableParams, mean_quality, score_at};
+use tree_lod::quality::{Scale, Score, Subject, Table, TableParams, mean_quality, scores_at};
 use tree_lod::{Elements, Grain, LeafSurfaces};
 use tree_mesh::{Mesh, Surface};
 
 /// Rows of the tables: so fine that the λ of a quality is not a matter of interpolation.
-pub(super) const LAMBDAS: [f32; 24] = [
-    0.01, 0.015, 0.02, 0.03, 0.04, 0.05, 0.065, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4,
-    0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 1.0,
-];
+pub(super) const LAMBDAS: [f32; 16] =
+    [0.01, 0.015, 0.02, 0.03, 0.05, 0.08, 0.125, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 
 /// How a table of the evaluation is measured: the views of the library's default.
 pub(super) fn table_params(scale: Scale) -> TableParams {
@@ -105,17 +103,24 @@ impl<'a> Pruned<'a> {
 
     /// Scores at a λ, with the scale of the table.
     pub(super) fn scores(&self, lambda: f32, around: &Around) -> Outcome<Vec<Score>> {
-        self.scores_at(lambda, self.table.at(lambda).scale, around)
+        Ok(self.scores_of(&[lambda], around)?.concat())
     }
 
-    /// Scores at a λ and a scale (on area).
-    pub(super) fn scores_at(
-        &self,
-        lambda: f32,
-        scale: f32,
-        around: &Around,
-    ) -> Outcome<Vec<Score>> {
-        Ok(score_at(&self.subject(), lambda, scale, around, &Control::default())?)
+    /// Scores at each of many λ, with the scales of the table.
+    pub(super) fn scores_of(&self, lambdas: &[f32], around: &Around) -> Outcome<Vec<Vec<Score>>> {
+        let at: Vec<_> =
+            lambdas.iter().map(|&lambda| (lambda, self.table.at(lambda).scale)).collect();
+        self.scores_at(&at, around)
+    }
+
+    /// Scores at each of many λ and scales (on area).
+    pub(super) fn scores_at(&self, at: &[(f32, f32)], around: &Around) -> Outcome<Vec<Vec<Score>>> {
+        Ok(scores_at(&self.subject(), at, around, &Control::default())?)
+    }
+
+    /// Mean quality at each of many λ, with the scales of the table.
+    pub(super) fn qualities(&self, lambdas: &[f32], around: &Around) -> Outcome<Vec<f64>> {
+        Ok(self.scores_of(lambdas, around)?.iter().map(|scores| mean_quality(scores)).collect())
     }
 
     /// Mean quality at a λ, with the scale of the table.

@@ -128,7 +128,7 @@ fn typed(error: &MeshError) -> Result<(), String> {
 /// Sorted by branches, sent, and read back.
 fn sent(tree: &Tree, control: &Control) -> Result<(), String> {
     let failed = |error: LodError| match error {
-        LodError::Limit(_) | LodError::Cancelled(_) | LodError::Parameter { .. } => Ok(()),
+        LodError::Limit(_) | LodError::Cancelled(_) | LodError::Parameter(_) => Ok(()),
         other => Err(format!("levels: {other}")),
     };
     let multires = match Multires::new(tree, &Metric::default(), control) {

@@ -1,6 +1,7 @@
 //! Rows of an evaluation, printed as they are measured.
 
 pub(crate) mod page;
+mod why;
 
 use serde::{Deserialize, Serialize};
 use std::io::Write;
@@ -115,7 +116,9 @@ impl Line {
             aim: row.aim.text(),
             holds,
             off: (holds == Some(false)).then(|| row.aim.off(row.ours)),
-            why: None,
+            why: (holds == Some(false))
+                .then(|| why::reason(system, row.case, row.metric).map(str::to_owned))
+                .flatten(),
         }
     }
 

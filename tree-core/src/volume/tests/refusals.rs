@@ -1,10 +1,11 @@
 use super::*;
 
-fn field(result: Result<Volume>) -> &'static str {
+fn field(result: Result<Volume>) -> String {
     match result.unwrap_err() {
-        CoreError::NotFinite { field, .. } | CoreError::OutOfRange { field, .. } => field,
-        CoreError::Empty { what } => what,
-        CoreError::Volume { solid, .. } => solid,
+        CoreError::Parameter(error) => error.field.into(),
+        CoreError::NotFinite { field, .. } | CoreError::OutOfRange { field, .. } => field.into(),
+        CoreError::Empty { what } => what.into(),
+        CoreError::Volume { solid, .. } => solid.into(),
         other => panic!("{other}"),
     }
 }

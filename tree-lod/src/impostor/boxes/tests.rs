@@ -89,7 +89,7 @@ fn bad_input_is_refused() {
     let mut tree = forked(90);
     let params = BoxParams::default();
     let odd = BoxParams { most_volume: f64::NAN, ..params };
-    assert!(matches!(along(&tree, &odd), Err(LodError::Parameter { .. })));
+    assert!(matches!(along(&tree, &odd), Err(LodError::Parameter(_))));
     tree.bearers.0[3] = 1000;
     assert!(matches!(along(&tree, &params), Err(LodError::Impostor(_))));
     tree.bearers.0.pop();

@@ -94,7 +94,7 @@ fn a_watcher_who_is_nowhere_is_refused() {
     let blind = Watcher { pixels_per_metre: 0.0, ..at(1.0) };
     for watcher in [nowhere, blind, Watcher { pixels_per_metre: f32::NAN, ..blind }] {
         let found = choice.update(cards.boxes(), &watcher, &params);
-        assert!(matches!(found, Err(LodError::Parameter { .. })));
+        assert!(matches!(found, Err(LodError::Parameter(_))));
     }
     let odd = ChooseParams { hysteresis: 2.0, ..params };
     assert!(choice.update(cards.boxes(), &at(1.0), &odd).is_err());

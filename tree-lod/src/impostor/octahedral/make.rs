@@ -50,7 +50,7 @@ impl OctahedralParams {
         check_range("octahedral.gutter", self.gutter.into(), 1.0, 8.0)?;
         if self.gutter * 4 > self.side / self.grid {
             let (found, max) = (f64::from(self.gutter), f64::from(self.side / self.grid) / 4.0);
-            return Err(LodError::Parameter { field: "octahedral.gutter", found, min: 1.0, max });
+            check_range("octahedral.gutter", found, 1.0, max)?;
         }
         Ok(())
     }

@@ -124,7 +124,7 @@ fn numbers_are_written_as_json_and_pictures_fit_them() {
     odd.color.pixels.pop();
     assert!(odd.check().is_err());
     let odd = Octahedral { meta: OctahedralMeta { tile: 65, ..baked.meta }, ..baked };
-    assert!(matches!(odd.check(), Err(LodError::Parameter { field: "meta.tile", .. })));
+    assert!(matches!(odd.check(), Err(LodError::Parameter(error)) if error.field == "meta.tile"));
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn bad_input_is_refused_and_cancelling_stops() {
         OctahedralParams { samples: 9, ..params() },
     ] {
         let found = Octahedral::bake(&mesh, &odd, &control);
-        assert!(matches!(found, Err(LodError::Parameter { .. })), "{odd:?}");
+        assert!(matches!(found, Err(LodError::Parameter(_))), "{odd:?}");
     }
     let small = Control::default().with_limits(Limits { pixels: 1000, ..Limits::default() });
     assert!(matches!(Octahedral::bake(&mesh, &params(), &small), Err(LodError::Limit(_))));

@@ -124,7 +124,7 @@ fn a_head_alone_is_no_tree_and_limits_hold() {
     assert!(matches!(decode(&whole, &limits), Err(LodError::Limit(_))));
     for precision in [-1.0, 2.0, f32::NAN, 1e-9] {
         let result = encode(&multires, 1, &StreamParams { precision });
-        assert!(matches!(result, Err(LodError::Parameter { .. })), "{precision}");
+        assert!(matches!(result, Err(LodError::Parameter(_))), "{precision}");
     }
 }
 

@@ -1,7 +1,7 @@
 use super::*;
 use crate::element::{Grain, LeafSurfaces};
 use crate::order::{check, stochastic};
-use crate::quality::{Scale, Subject, Table, TableParams, mean_quality, score_at};
+use crate::quality::{Scale, Subject, Table, TableParams, mean_quality, scores_at};
 use glam::Vec2;
 use tree_core::{Control, Seed};
 use tree_mesh::{Material, Mesh, Surface};
@@ -86,7 +86,7 @@ fn views_it_has_not_seen_are_covered_far_better_than_by_chance() {
             scale: Scale::Best,
         };
         let scale = Table::measure(&subject, &params, &control).unwrap().at(lambda).scale;
-        mean_quality(&score_at(&subject, lambda, scale, &held, &control).unwrap())
+        mean_quality(&scores_at(&subject, &[(lambda, scale)], &held, &control).unwrap()[0])
     };
     for lambda in [0.1, 0.3, 0.6] {
         let (a, b) = (quality(&ours, lambda), quality(&chance, lambda));

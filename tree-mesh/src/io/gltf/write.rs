@@ -11,6 +11,7 @@ use crate::mesh::{Mesh, Surface};
 use glam::Vec3;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
+use tree_core::check_parameter;
 
 pub(super) const BYTE: u32 = 5120;
 pub(super) const UNSIGNED_BYTE: u32 = 5121;
@@ -63,14 +64,7 @@ pub(super) fn check(levels: &[Level<'_>]) -> Result<()> {
         }
         super::scene::check_attributes(level)?;
         if levels.len() > 1 {
-            if !(0.0..=1.0).contains(&level.coverage) || level.coverage > coverage {
-                return Err(MeshError::Parameter {
-                    field: "coverage",
-                    found: f64::from(level.coverage),
-                    min: 0.0,
-                    max: f64::from(coverage.min(1.0)),
-                });
-            }
+            check_parameter("coverage", level.coverage, 0.0, coverage.min(1.0))?;
             coverage = level.coverage;
         }
     }

@@ -221,7 +221,7 @@ fn levels_share_materials_and_are_linked() {
     let wrong = [level(&fine, 0.1), level(&coarse, 0.5)];
     assert!(matches!(
         to_glb_levels(&wrong, &GlbOptions::default()),
-        Err(MeshError::Parameter { field: "coverage", .. })
+        Err(MeshError::Parameter(error)) if error.field == "coverage"
     ));
     assert!(matches!(to_glb_levels(&[], &GlbOptions::default()), Err(MeshError::NoTriangles)));
 }

@@ -126,7 +126,7 @@ fn bad_parameters_and_too_many_leaves_are_refused() {
         LeafParams { arrangement: Phyllotaxis::Whorled { count: 0 }, ..LeafParams::default() },
     ] {
         let error = grow_leaves(&shoot(1.0), &bad, Seed(1), &control).unwrap_err();
-        assert!(matches!(error, ModelError::Parameter { .. }), "{error}");
+        assert!(matches!(error, ModelError::Parameter(_)), "{error}");
     }
     let limits = Limits { leaves: 5, ..Limits::default() };
     let control = control.with_limits(limits);

@@ -129,7 +129,7 @@ fn small() -> Control {
 
 fn expected(error: &ModelError) -> bool {
     use ModelError as E;
-    matches!(error, E::Parameter { .. } | E::NotFinite { .. } | E::Limit(_))
+    matches!(error, E::Parameter(_) | E::NotFinite { .. } | E::Limit(_))
 }
 
 proptest! {

@@ -252,7 +252,7 @@ fn lengths_widths_and_kinds_out_of_range_are_named() {
     assert_eq!(at("_(1e9)").0, 0);
     // Within the turtle's reach, but no tree.
     let far = draw_with("F(1e11)", &TurtleParams::default());
-    assert!(matches!(far, Err(ModelError::Parameter { .. })), "{far:?}");
+    assert!(matches!(far, Err(ModelError::Parameter(_))), "{far:?}");
     // A number that is none does not even make a word.
     let mut symbols = Symbols::default();
     assert!(Word::parse("F(NaN)", &mut symbols).is_err());

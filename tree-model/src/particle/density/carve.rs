@@ -119,7 +119,7 @@ pub(super) fn check_views(views: &[View]) -> Result<()> {
 
 /// A grid of impossible voxels comes from a camera's scale: the error names it.
 fn bad_scale(error: ModelError, views: &[View], voxel: f32) -> ModelError {
-    let ModelError::Parameter { .. } = error else { return error };
+    let ModelError::Parameter(_) = error else { return error };
     let scale = |view: &usize| views[*view].camera.scale;
     let by_scale = |a: &usize, b: &usize| scale(a).total_cmp(&scale(b));
     let all = 0..views.len();

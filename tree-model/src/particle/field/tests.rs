@@ -74,7 +74,7 @@ fn bad_pictures_bases_and_limits_are_errors() {
     let control = Control::default();
     for bad in [Vec2::ZERO, Vec2::splat(f32::NAN), Vec2::new(1.0, 1e9)] {
         let error = make(bad, BASE, &control).unwrap_err();
-        assert!(matches!(error, ModelError::Parameter { .. }), "{error}");
+        assert!(matches!(error, ModelError::Parameter(_)), "{error}");
     }
     let error = make(PICTURE, Vec2::splat(f32::NAN), &control).unwrap_err();
     assert!(matches!(error, ModelError::NotFinite { .. }), "{error}");

@@ -183,7 +183,7 @@ mod tests {
         let refused = difference(&one, &two, &Default::default(), &control);
         assert!(matches!(refused, Err(ModelError::Picture { .. })));
         let params = ScreenParams { gain: f32::NAN, ..Default::default() };
-        assert!(matches!(screen(&one, &params, &control), Err(ModelError::Parameter { .. })));
+        assert!(matches!(screen(&one, &params, &control), Err(ModelError::Parameter(_))));
         let mut small = Control::default();
         small.limits.pixels = 1;
         assert!(matches!(screen(&two, &Default::default(), &small), Err(ModelError::Limit(_))));

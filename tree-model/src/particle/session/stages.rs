@@ -387,7 +387,7 @@ impl Session {
         let seed = self.seed.stream("particles");
         let starts = match sample_points(density, params.particles, sprouts, seed, control) {
             // Nothing is dense above the trunk: then the trunk is all there is.
-            Err(ModelError::Parameter { .. }) => {
+            Err(ModelError::Parameter(_)) => {
                 sample_points(density, params.particles, |_| 1.0, seed, control)
             }
             other => other,

@@ -10,7 +10,8 @@ fn error(params: &PathParams) -> ModelError {
 #[test]
 fn parameters_out_of_range_are_named() {
     let field = |params: PathParams| match error(&params) {
-        ModelError::Parameter { field, .. } | ModelError::NotFinite { field } => field,
+        ModelError::Parameter(error) => error.field,
+        ModelError::NotFinite { field } => field.into(),
         other => panic!("{other}"),
     };
     assert_eq!(field(PathParams { root: Vec3::NAN, ..shrub() }), "root");

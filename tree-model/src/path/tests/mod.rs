@@ -450,7 +450,7 @@ proptest! {
         };
         match params.grow(Seed(seed), &control()) {
             Ok(grown) => grown.tree.skeleton().check().unwrap(),
-            Err(ModelError::Parameter { .. }) => prop_assert!(params.validate().is_err()),
+            Err(ModelError::Parameter(_)) => prop_assert!(params.validate().is_err()),
             // Eight nodes in a needle, or links too short to hang together.
             Err(
                 ModelError::RootOutside { .. }

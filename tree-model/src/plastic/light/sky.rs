@@ -1,8 +1,9 @@
 //! The sky: where it is brightest, and the directions that stand for all of it.
 
-use crate::error::{ModelError, Result, check};
+use crate::error::{Result, check};
 use glam::Vec3;
 use std::f32::consts::PI;
+use tree_core::ParameterError;
 
 /// Directions that stand for the sky.
 pub(in crate::plastic) const DIRECTIONS: usize = 64;
@@ -44,14 +45,14 @@ impl Sky {
     /// Checks all ranges.
     ///
     /// # Errors
-    /// [`ModelError::NotFinite`] or [`ModelError::Parameter`] naming the field.
+    /// [`ModelError::NotFinite`](crate::ModelError::NotFinite) or [`ModelError::Parameter`](crate::ModelError::Parameter) naming the field.
     pub fn validate(&self) -> Result<()> {
         crate::error::check_finite("sky.light", self.light)?;
         let length = self.light.length();
         if length < 1e-6 || !length.is_finite() {
             let found = f64::from(length);
             let field = "length of sky.light".into();
-            return Err(ModelError::Parameter { field, found, min: 1e-6, max: 1e18 });
+            return Err(ParameterError { field, found, min: 1e-6, max: 1e18 }.into());
         }
         check("height of sky.light", self.light.y / length, -1e-3, 1.0)?;
         check("sky.brightness", self.brightness, 0.0, 10.0)

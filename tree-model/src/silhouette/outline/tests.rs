@@ -119,7 +119,7 @@ fn parameters_are_checked_by_name() {
     ] {
         assert!(matches!(
             Outline::close(&ring(9, |_| 1.0), "crown", &params),
-            Err(ModelError::Parameter { field, .. }) if field.starts_with("outline.")
+            Err(ModelError::Parameter(error)) if error.field.starts_with("outline.")
         ));
     }
 }

@@ -80,7 +80,7 @@ fn empty_pictures_and_bad_thresholds_are_refused() {
     let empty = Matte::new(3, 3, vec![0.0; 9]).unwrap();
     assert!(matches!(from_mask(&empty, 0.5), Err(ModelError::Silhouette { .. })));
     for threshold in [0.0, 2.0, f32::NAN] {
-        assert!(matches!(from_mask(&empty, threshold), Err(ModelError::Parameter { .. })));
+        assert!(matches!(from_mask(&empty, threshold), Err(ModelError::Parameter(_))));
     }
     let dot = Matte::new(1, 1, vec![1.0]).unwrap();
     assert!(matches!(from_mask(&dot, 0.5), Err(ModelError::Silhouette { .. })));
