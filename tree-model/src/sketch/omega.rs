@@ -8,8 +8,9 @@
 use super::branches::{Branches, Label};
 use super::frame::wrapped;
 use super::relation::Relation;
-use crate::error::{ModelError, Result, check};
+use crate::error::{ModelError, Result};
 use std::f64::consts::{PI, TAU};
+use tree_core::check_parameter;
 
 /// A normal distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,9 +131,11 @@ impl Omega {
                 ("gamma", habit.gamma, -TAU, TAU),
             ];
             for (name, normal, min, max) in rows {
-                check(format!("omega.orders[{order}].{name}.mean"), normal.mean, min, max)?;
-                let field = format!("omega.orders[{order}].{name}.deviation");
-                check(field, normal.deviation, 1e-4_f32, 10.0_f32)?;
+                check_parameter("mean", normal.mean, min, max)
+                    .and_then(|()| {
+                        check_parameter("deviation", normal.deviation, 1e-4_f32, 10.0_f32)
+                    })
+                    .map_err(|error| error.within(&format!("omega.orders[{order}].{name}")))?;
             }
         }
         Ok(())

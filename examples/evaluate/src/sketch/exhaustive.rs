@@ -1,5 +1,6 @@
 //! The posterior: that no step lowers it, and how near the result is to the best there is.
 
+use crate::measure::of_each;
 use crate::table::{Aim, Row, Table};
 use rayon::prelude::*;
 use std::error::Error;
@@ -55,8 +56,8 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
 /// How often the posterior falls over all steps, on drawings of all exemplars.
 fn falls(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let control = Control::default();
-    let (mut n_falls, mut n_steps) = (0, 0);
-    for exemplar in &EXEMPLARS {
+    let of_all = of_each(&EXEMPLARS, |exemplar| {
+        let (mut n_falls, mut n_steps) = (0, 0);
         let tree = exemplar.tree(EXEMPLAR_SEED, &control)?;
         let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
         let template = Template::find(exemplar.name())?;
@@ -72,7 +73,10 @@ fn falls(table: &mut Table) -> Result<(), Box<dyn Error>> {
                 .count();
             n_steps += totals.len();
         }
-    }
+        Ok((n_falls, n_steps))
+    })?;
+    let (n_falls, n_steps) =
+        of_all.into_iter().fold((0, 0), |sum, found| (sum.0 + found.0, sum.1 + found.1));
     let case = format!("{n_steps} steps of ICM and EM on all exemplars");
     let metric = "falls of the posterior";
     table.row(&Row {

@@ -1,5 +1,6 @@
 //! That what is drawn is kept: branches project onto the strokes, growth stays in the crown, branches do not run through each other.
 
+use crate::measure::of_each;
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_model::sketch::propagate::{PropagateParams, propagate};
@@ -20,18 +21,19 @@ struct Worst {
     off_strokes: f64,
     off_branches: f64,
     through: u32,
-    inside: Vec<(f64, f64)>,
+    /// Of each drawing with a crown, the share of new length that is in it.
+    inside: Vec<f64>,
 }
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     let control = Control::default();
-    let mut worst = Worst::default();
-    for exemplar in &EXEMPLARS {
+    let of_all = of_each(&EXEMPLARS, |exemplar| {
         let tree = exemplar.tree(EXEMPLAR_SEED, &control)?;
         let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
         let drawing = project(&branches, YAW, &super::crown_of(&tree, YAW));
-        worst.take(&drawing, &control)?;
-    }
+        Worst::of(&drawing, &control)
+    })?;
+    let worst = of_all.into_iter().fold(Worst::default(), Worst::or);
     let mut row = |case: &str, metric: &str, ours: f64, unit: &str, aim: Aim| {
         table.row(&Row { case, metric, paper: None, peer: None, ours, unit, aim });
     };
@@ -40,17 +42,25 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     // What is drawn twice is merged, and ends that stick out are trimmed.
     row(case, "strokes off branches", worst.off_branches, "% height", Aim::None);
     row(case, "branches through others", f64::from(worst.through), "pairs", Aim::AtMost(0.0));
-    let (least, most) =
-        worst.inside.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), &(share, _)| {
-            (least.min(share), most.max(share))
-        });
+    let least = worst.inside.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = worst.inside.iter().copied().fold(0.0, f64::max);
     row(case, "new length in the crown", 100.0 * least, "%, least", Aim::AtLeast(99.0));
     row(case, "new length in the crown", 100.0 * most, "%, most", Aim::None);
     crosses(table, &control)
 }
 
 impl Worst {
-    fn take(&mut self, drawing: &Drawing, control: &Control) -> Result<(), Box<dyn Error>> {
+    fn or(mut self, other: Self) -> Self {
+        self.inside.extend(other.inside);
+        Self {
+            off_strokes: self.off_strokes.max(other.off_strokes),
+            off_branches: self.off_branches.max(other.off_branches),
+            through: self.through + other.through,
+            inside: self.inside,
+        }
+    }
+
+    fn of(drawing: &Drawing, control: &Control) -> Result<Self, Box<dyn Error>> {
         let mut session = Session::new(drawing.clone(), SketchParams::default(), Seed(1))?;
         let plan = session.cleaned(control)?.plan.clone();
         let inferred = session.inferred(control)?.clone();
@@ -79,9 +89,12 @@ impl Worst {
             };
             f64::from(100.0 * points.iter().map(nearest).fold(0.0, f32::max) / height)
         };
-        self.off_strokes = self.off_strokes.max(off(&ours.concat(), &lines));
-        self.off_branches = self.off_branches.max(off(&lines.concat(), &ours));
-        self.through += through_each_other(&inferred.branches, &wood);
+        let mut found = Self {
+            off_strokes: off(&ours.concat(), &lines),
+            off_branches: off(&lines.concat(), &ours),
+            through: through_each_other(&inferred.branches, &wood),
+            inside: Vec::new(),
+        };
         if let Some(crown) = session.crown(control)? {
             let (mut inside, mut all) = (0.0, 0.0);
             for i in grown.n_sketched..grown.branches.len() {
@@ -101,10 +114,10 @@ impl Worst {
                 }
             }
             if all > 0.0 {
-                self.inside.push((inside / all, all));
+                found.inside.push(inside / all);
             }
         }
-        Ok(())
+        Ok(found)
     }
 }
 
@@ -145,11 +158,13 @@ fn crosses(table: &mut Table, control: &Control) -> Result<(), Box<dyn Error>> {
 /// Pairs of sketched segments that run through each other away from where they join, as thick as in `wood`, whose
 /// nodes begin with those of the sketch.
 fn through_each_other(branches: &Branches, wood: &Skeleton) -> u32 {
+    let n_drawn: usize = (0..branches.len()).map(|i| branches.points(i).len()).sum();
     let radius = |at: Vec3| {
         let nearest = wood
             .positions()
             .iter()
             .zip(wood.radii())
+            .take(n_drawn)
             .min_by(|a, b| a.0.distance(at).total_cmp(&b.0.distance(at)));
         nearest.map_or(0.0, |(_, &radius)| radius)
     };

@@ -3,14 +3,15 @@
 //! How often an exemplar is the best choice for its own drawing, and whether inferred depths give the divergence angles and
 //! length ratios it has in space. Beside it what depths drawn at random, and none, would give.
 
+use crate::measure::of_each;
 use crate::statistics::{kolmogorov_smirnov, median};
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_model::sketch::clean::{CleanParams, clean};
 use tree_model::sketch::infer::{InferParams, infer};
 use tree_model::sketch::template::{
-    DrawnShape, EXEMPLAR_SEED, EXEMPLARS, MainBranchParams, SelectParams, Template, main_branches,
-    project, seen_from, select,
+    DrawnShape, EXEMPLAR_SEED, EXEMPLARS, Exemplar, MainBranchParams, SelectParams, Template,
+    main_branches, project, seen_from, select,
 };
 use tree_model::sketch::{Branches, Label, Plan};
 use tree_model::tree_core::glam::{Vec2, Vec3};
@@ -44,49 +45,51 @@ struct Trip {
 }
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
-    let control = Control::default();
-    let templates = Template::builtin()?;
-    let (mut first, mut third, mut bare_first, mut bare_third, mut n) = (0, 0, 0, 0, 0);
-    for exemplar in &EXEMPLARS {
-        let tree = exemplar.tree(EXEMPLAR_SEED, &control)?;
-        let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
-        let own = templates.iter().position(|template| template.name == exemplar.name());
-        let own = own.ok_or("an exemplar is not in the database")?;
-        let mut trip = Trip::default();
-        for view in 0..VIEWS {
-            let yaw = FIRST + view as f32 * std::f32::consts::TAU / VIEWS as f32;
-            let crown = super::crown_of(&tree, yaw);
-            let drawing = project(&branches, yaw, &crown);
-            let cleaned = clean(
-                &drawing,
-                &CleanParams { merge: 0.0, snap: 0.004, ..CleanParams::default() },
-                &control,
-            )?;
-            let rank = |crown: &[_]| -> Result<usize, Box<dyn Error>> {
-                let drawn = DrawnShape::measure(&cleaned.plan, crown);
-                let choices = select(&drawn, templates, &SelectParams::default())?;
-                Ok(choices.iter().position(|choice| choice.template == own).unwrap_or(usize::MAX))
-            };
-            let (with, without) = (rank(&cleaned.crown.concat())?, rank(&[])?);
-            n += 1;
-            first += u32::from(with == 0);
-            third += u32::from(with < 3);
-            bare_first += u32::from(without == 0);
-            bare_third += u32::from(without < 3);
-            let plan = plan_of(&branches, yaw)?;
-            trip.add(&branches, &plan, &templates[own], Seed(u64::from(view)))?;
-        }
+    let mut ranks = Vec::new();
+    let trips = of_each(&EXEMPLARS, of_exemplar)?;
+    for (exemplar, (mut trip, of_views)) in EXEMPLARS.iter().zip(trips) {
         trip.print(exemplar.name(), table);
+        ranks.extend(of_views);
     }
-    let share = |count: u32| 100.0 * f64::from(count) / f64::from(n);
-    for (case, one, three) in [
-        ("selection, with crown", first, third),
-        ("selection, branches alone", bare_first, bare_third),
-    ] {
-        row(table, case, "itself first", None, share(one), "%", Aim::AtLeast(90.0));
-        row(table, case, "itself among three", None, share(three), "%", Aim::AtLeast(100.0));
+    for (at, case) in ["selection, with crown", "selection, branches alone"].into_iter().enumerate()
+    {
+        let share = |within: usize| {
+            let found = ranks.iter().filter(|rank| rank[at] < within).count();
+            100.0 * found as f64 / ranks.len() as f64
+        };
+        row(table, case, "itself first", None, share(1), "%", Aim::AtLeast(90.0));
+        row(table, case, "itself among three", None, share(3), "%", Aim::AtLeast(100.0));
     }
     Ok(())
+}
+
+/// Which choice an exemplar is for its own drawings, with a crown and without.
+type Ranks = Vec<[usize; 2]>;
+
+/// What comes back of an exemplar, and for each view which choice it is for its own drawing, with a crown and without.
+fn of_exemplar(exemplar: &Exemplar) -> Result<(Trip, Ranks), Box<dyn Error>> {
+    let control = Control::default();
+    let templates = Template::builtin()?;
+    let tree = exemplar.tree(EXEMPLAR_SEED, &control)?;
+    let branches = main_branches(tree.skeleton(), &MainBranchParams::default())?;
+    let own = templates.iter().position(|template| template.name == exemplar.name());
+    let own = own.ok_or("an exemplar is not in the database")?;
+    let (mut trip, mut ranks) = (Trip::default(), Vec::new());
+    for view in 0..VIEWS {
+        let yaw = FIRST + view as f32 * std::f32::consts::TAU / VIEWS as f32;
+        let drawing = project(&branches, yaw, &super::crown_of(&tree, yaw));
+        let params = CleanParams { merge: 0.0, snap: 0.004, ..CleanParams::default() };
+        let cleaned = clean(&drawing, &params, &control)?;
+        let rank = |crown: &[_]| -> Result<usize, Box<dyn Error>> {
+            let drawn = DrawnShape::measure(&cleaned.plan, crown);
+            let choices = select(&drawn, templates, &SelectParams::default())?;
+            Ok(choices.iter().position(|choice| choice.template == own).unwrap_or(usize::MAX))
+        };
+        ranks.push([rank(&cleaned.crown.concat())?, rank(&[])?]);
+        let plan = plan_of(&branches, yaw)?;
+        trip.add(&branches, &plan, &templates[own], Seed(u64::from(view)))?;
+    }
+    Ok((trip, ranks))
 }
 
 /// The branches as they are seen from `yaw`, without a hand that draws them.

@@ -1,5 +1,6 @@
 //! The drawings of the shared data: a tree of each, and a picture of the sketch, the front and the side.
 
+use crate::measure::of_each;
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use std::fs;
@@ -28,8 +29,10 @@ pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&out)?;
     let drawings = drawings(&folder)?;
     let (mut made, mut through) = (0, 0);
-    for (name, drawing) in &drawings {
-        match picture(drawing) {
+    let pictures =
+        of_each(&drawings, |(_, drawing)| Ok(picture(drawing).map_err(|error| error.to_string())))?;
+    for ((name, _), picture) in drawings.iter().zip(pictures) {
+        match picture {
             Ok((picture, crossings)) => {
                 picture.save_png(out.join(format!("{name}.png")))?;
                 through += crossings;
