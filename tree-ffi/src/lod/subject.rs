@@ -121,10 +121,11 @@ pub unsafe extern "C" fn tree_lod_subject_init(
     call(|| unsafe { init(subject, size) })
 }
 
-/// Scores of a pruned model against the full one, which is drawn once, `n` times one for each view: with a share of
-/// `lambdas[i]` of the foliage's triangles, 0 to 1, and elements grown to `scales[i]` times their area, 0.01 to
-/// 10,000 (lengths grow by its square root). `around` says from where to look, NULL for the default; `scores` has room for
-/// `capacity` scores, at least `n` times `tree_around_count`, those of `lambdas[0]` first. `control` may be NULL.
+/// Scores of a pruned model against the full one, which is drawn once, for each of `n_lambdas` shares one for each view:
+/// with `lambdas[i]` of the foliage's triangles, 0 to 1, and elements grown to `scales[i]` times their area, 0.01 to
+/// 10,000 (lengths grow by its square root); `n_scales` is `n_lambdas`. `around` says from where to look, NULL for the
+/// default; `scores` has room for `capacity` scores, at least `n_lambdas` times `tree_around_count`, those of
+/// `lambdas[0]` first. `control` may be NULL.
 ///
 /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
 /// `TREE_ERROR_PARAMETER` names what is out of range.
@@ -132,8 +133,9 @@ pub unsafe extern "C" fn tree_lod_subject_init(
 pub unsafe extern "C" fn tree_lod_subject_scores(
     subject: *const tree_lod_subject,
     lambdas: *const f32,
+    n_lambdas: usize,
     scales: *const f32,
-    n: usize,
+    n_scales: usize,
     around: *const tree_around,
     control: *const tree_control,
     scores: *mut tree_score,
@@ -144,10 +146,14 @@ pub unsafe extern "C" fn tree_lod_subject_scores(
         let around = unsafe { tree_around::read(around) }?;
         let limits = unsafe { limits(control) }?;
         let rows = Resource::Pixels;
-        let lambdas = unsafe { slice(lambdas, n, &limits, rows, "lambdas") }?;
-        let scales = unsafe { slice(scales, n, &limits, rows, "scales") }?;
+        let lambdas = unsafe { slice(lambdas, n_lambdas, &limits, rows, "lambdas") }?;
+        let scales = unsafe { slice(scales, n_scales, &limits, rows, "scales") }?;
+        if n_scales != n_lambdas {
+            let problem = format!("scales: {n_scales} rows, {n_lambdas} are needed");
+            return Err(Failure::new(TREE_ERROR_INVALID, problem));
+        }
         let at: Vec<(f32, f32)> = lambdas.iter().copied().zip(scales.iter().copied()).collect();
-        room_for(around.cameras().len().saturating_mul(n), capacity, "scores")?;
+        room_for(around.cameras().len().saturating_mul(n_lambdas), capacity, "scores")?;
         let body = |control: &_| Ok(scores_at(&held.rust(), &at, &around, control)?);
         unsafe { fill_scores(scores, capacity, &run(control, body)?.concat()) }
     })

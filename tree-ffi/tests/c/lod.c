@@ -265,24 +265,25 @@ static void tables(const tree_mesh *mesh, const tree_mesh *bare, const tree_elem
     tree_score scores[8];
     double mean;
     float shares[] = {0.25f, 1}, scales[] = {4, 1};
-    OK(tree_lod_subject_scores(&subject, shares, scales, 2, &around, NULL, scores, 8));
+    OK(tree_lod_subject_scores(&subject, shares, 2, scales, 2, &around, NULL, scores, 8));
     OK(tree_score_mean_quality(scores, 4, &mean));
     CHECK(fabs(mean - cook.rows[0].quality) < 1e-6);
     OK(tree_score_mean_quality(scores + 4, 4, &mean));
     CHECK(mean == 1);
-    OK(tree_lod_subject_scores(&subject, NULL, NULL, 0, &around, NULL, NULL, 0));
+    OK(tree_lod_subject_scores(&subject, NULL, 0, NULL, 0, &around, NULL, NULL, 0));
     FAILS(TREE_ERROR_BUFFER, "scores",
-          tree_lod_subject_scores(&subject, shares, scales, 2, &around, NULL, scores, 7));
-    FAILS(TREE_ERROR_NULL, "scales", tree_lod_subject_scores(&subject, shares, NULL, 2, &around, NULL, scores, 8));
+          tree_lod_subject_scores(&subject, shares, 2, scales, 2, &around, NULL, scores, 7));
+    FAILS(TREE_ERROR_NULL, "scales", tree_lod_subject_scores(&subject, shares, 2, NULL, 2, &around, NULL, scores, 8));
+    FAILS(TREE_ERROR_INVALID, "scales", tree_lod_subject_scores(&subject, shares, 2, scales, 1, &around, NULL, scores, 8));
     scales[1] = 0;
     FAILS(TREE_ERROR_PARAMETER, "scale",
-          tree_lod_subject_scores(&subject, shares, scales, 2, &around, NULL, scores, 8));
+          tree_lod_subject_scores(&subject, shares, 2, scales, 2, &around, NULL, scores, 8));
     shares[0] = NAN;
     FAILS(TREE_ERROR_PARAMETER, "lambda",
-          tree_lod_subject_scores(&subject, shares, scales, 1, &around, NULL, scores, 8));
+          tree_lod_subject_scores(&subject, shares, 1, scales, 1, &around, NULL, scores, 8));
     shares[0] = 1.5f;
     FAILS(TREE_ERROR_PARAMETER, "lambda",
-          tree_lod_subject_scores(&subject, shares, scales, 1, &around, NULL, scores, 8));
+          tree_lod_subject_scores(&subject, shares, 1, scales, 1, &around, NULL, scores, 8));
     subject.mesh = bare;
     FAILS(TREE_ERROR_INVALID, "mesh lacks", tree_lod_table_measure(&subject, NULL, NULL, &none));
     subject.mesh = mesh;

@@ -183,7 +183,7 @@ static tree_lod_table *measured(const tree_lod_subject *subject) {
     double quality;
     tree_lod_row row;
     OK(tree_lod_table_at(table, 0.25f, &row));
-    OK(tree_lod_subject_scores(subject, &row.lambda, &row.scale, 1, &around, NULL, scores, 4));
+    OK(tree_lod_subject_scores(subject, &row.lambda, 1, &row.scale, 1, &around, NULL, scores, 4));
     OK(tree_score_mean_quality(scores, 4, &quality));
     CHECK(row.quality > 0.5f && fabs(quality - row.quality) < 1e-5);
     return table;

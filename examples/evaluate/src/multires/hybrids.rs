@@ -31,7 +31,7 @@ const IMPORTED: &str = "eztree_oak_medium";
 /// Below this height the crown of an imported tree is planes.
 const PLANES_BELOW: f32 = 200.0;
 /// Directions it is looked at from, around and from a little above.
-const AROUND: u8 = 3;
+const AROUND: u8 = 2;
 const PITCHES: [f32; 2] = [0.05, 0.4];
 /// Samples of a pixel in each direction.
 const SAMPLES: u32 = 2;

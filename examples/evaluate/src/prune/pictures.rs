@@ -20,7 +20,7 @@ const LAMBDAS: [f32; 4] = [1.0, 0.6, 0.2, 0.05];
 /// Pixels along the sides of a tree's picture at λ = 1.
 const SIZE: u32 = 420;
 /// Trees of the forest that is drawn.
-const TREES: u32 = 120;
+const TREES: u32 = 60;
 /// Pixels of its picture.
 const WIDE: [u32; 2] = [1280, 640];
 
