@@ -10088,17 +10088,19 @@ tree_status tree_scene_state_batches(struct tree_scene_state *state,
 // Makes `subject`, of `size` bytes, the default: its mesh, elements and order must be set.
 tree_status tree_lod_subject_init(struct tree_lod_subject *subject, size_t size);
 
-// Scores of a pruned model against the full one, which is drawn once, `n` times one for each view: with a share of
-// `lambdas[i]` of the foliage's triangles, 0 to 1, and elements grown to `scales[i]` times their area, 0.01 to
-// 10,000 (lengths grow by its square root). `around` says from where to look, NULL for the default; `scores` has room for
-// `capacity` scores, at least `n` times `tree_around_count`, those of `lambdas[0]` first. `control` may be NULL.
+// Scores of a pruned model against the full one, which is drawn once, for each of `n_lambdas` shares one for each view:
+// with `lambdas[i]` of the foliage's triangles, 0 to 1, and elements grown to `scales[i]` times their area, 0.01 to
+// 10,000 (lengths grow by its square root); `n_scales` is `n_lambdas`. `around` says from where to look, NULL for the
+// default; `scores` has room for `capacity` scores, at least `n_lambdas` times `tree_around_count`, those of
+// `lambdas[0]` first. `control` may be NULL.
 //
 // `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
 // `TREE_ERROR_PARAMETER` names what is out of range.
 tree_status tree_lod_subject_scores(const struct tree_lod_subject *subject,
                                     const float *lambdas,
+                                    size_t n_lambdas,
                                     const float *scales,
-                                    size_t n,
+                                    size_t n_scales,
                                     const struct tree_around *around,
                                     const struct tree_control *control,
                                     struct tree_score *scores,

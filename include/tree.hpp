@@ -1269,7 +1269,7 @@ struct LodScreen : tree_lod_screen {
 
 struct LodSubject : tree_lod_subject {
     LodSubject() : tree_lod_subject{} { tree_lod_subject_init(this, sizeof(tree_lod_subject)); }
-    bool scores(const Floats<3> &lambdas, Span<const float> scales, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const;
+    bool scores(Span<const float> lambdas, Span<const float> scales, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const;
 };
 
 struct LodTableParams : tree_lod_table_params {
@@ -4796,8 +4796,8 @@ inline std::tuple<size_t, size_t> SceneState::batches(const Scene &scene, Span<t
     detail::done(tree_scene_state_batches(get(), scene.get(), draws.data(), draws.size(), rows.data(), rows.size(), &n_draws, &n_rows));
     return {std::move(n_draws), std::move(n_rows)};
 }
-inline bool LodSubject::scores(const Floats<3> &lambdas, Span<const float> scales, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const {
-    return detail::done(tree_lod_subject_scores(this, lambdas, scales.data(), scales.size(), around, control, scores.data(), scores.size()), control);
+inline bool LodSubject::scores(Span<const float> lambdas, Span<const float> scales, Ref<tree_around> around, Ref<tree_control> control, Span<tree_score> scores) const {
+    return detail::done(tree_lod_subject_scores(this, lambdas.data(), lambdas.size(), scales.data(), scales.size(), around, control, scores.data(), scores.size()), control);
 }
 inline bool lod_plan(Ref<tree_lod_subject> subject, Ref<tree_control> control, Span<uint32_t> kept) {
     return detail::done(tree_lod_plan(subject, control, kept.data(), kept.size()), control);

@@ -16982,16 +16982,17 @@ namespace TreeFamily.Native
         public static extern int tree_lod_subject_init(tree_lod_subject* subject, UIntPtr size);
 
         /// <summary>
-        /// Scores of a pruned model against the full one, which is drawn once, `n` times one for each view: with a share of
-        /// `lambdas[i]` of the foliage's triangles, 0 to 1, and elements grown to `scales[i]` times their area, 0.01 to
-        /// 10,000 (lengths grow by its square root). `around` says from where to look, NULL for the default; `scores` has room for
-        /// `capacity` scores, at least `n` times `tree_around_count`, those of `lambdas[0]` first. `control` may be NULL.
+        /// Scores of a pruned model against the full one, which is drawn once, for each of `n_lambdas` shares one for each view:
+        /// with `lambdas[i]` of the foliage's triangles, 0 to 1, and elements grown to `scales[i]` times their area, 0.01 to
+        /// 10,000 (lengths grow by its square root); `n_scales` is `n_lambdas`. `around` says from where to look, NULL for the
+        /// default; `scores` has room for `capacity` scores, at least `n_lambdas` times `tree_around_count`, those of
+        /// `lambdas[0]` first. `control` may be NULL.
         ///
         /// `TREE_ERROR_INVALID` when the parts of the subject do not belong together,
         /// `TREE_ERROR_PARAMETER` names what is out of range.
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int tree_lod_subject_scores(tree_lod_subject* subject, float* lambdas, float* scales, UIntPtr n, tree_around* around, tree_control* control, tree_score* scores, UIntPtr capacity);
+        public static extern int tree_lod_subject_scores(tree_lod_subject* subject, float* lambdas, UIntPtr n_lambdas, float* scales, UIntPtr n_scales, tree_around* around, tree_control* control, tree_score* scores, UIntPtr capacity);
 
         /// <summary>
         /// Finds when outlines should become simpler, and when elements should go: writes the number of elements with which

@@ -5,7 +5,10 @@ use super::score::{fill_scores, tree_score};
 use super::take::{few, fill_some, room_for};
 use super::tiers::{TIERS_MAX, tree_tiers};
 use super::views::tree_around;
-use crate::border::{Result, Versioned, call, get, get_opt, init, read, slice, tree_status, vec3s};
+use crate::border::{
+    Failure, Result, TREE_ERROR_INVALID, Versioned, call, get, get_opt, init, read, slice,
+    tree_status, vec3s,
+};
 use crate::control::{limits, run, tree_control};
 use crate::mesh::tree_mesh;
 use std::borrow::Cow;
