@@ -1,9 +1,10 @@
 //! One case: photographs of a tree, and five trees of them.
 
-use super::score::{Score, mesh, score, seen};
+use super::score::{Score, dressed, score, seen};
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use tree_core::{Control, Seed, Tree};
+use tree_mesh::Look;
 use tree_model::glam::Vec2;
 use tree_model::particle::attractor::AttractorGraph;
 use tree_model::particle::session::{PhotoParams, Session, Shot};
@@ -40,10 +41,11 @@ pub(super) fn grow(
     let (mut trees, mut unseen, mut distance) = (Vec::<Tree>::new(), Vec::new(), 0.0_f64);
     let mut scores = vec![Vec::new(); views.len()];
     let mut different = 0;
+    let look = Look::built_in(session.tree(&control)?.tree.species())?;
     for seed in SEEDS {
         session.set_seed(Seed(seed));
         let tree = session.tree(&control)?.tree.clone();
-        let mesh = mesh(&tree, &control)?;
+        let mesh = dressed(&tree, &look, &control)?;
         for (view, scores) in views.iter().zip(&mut scores) {
             scores.push(score(&seen(&mesh, &view.camera, &control)?, &view.matte));
         }

@@ -82,8 +82,12 @@ fn cells(matte: &Matte, low: Vec2, side: f32) -> Vec<f32> {
 
 /// The mesh of a tree.
 pub(super) fn mesh(tree: &Tree, control: &Control) -> Result<Mesh, Box<dyn Error>> {
-    let look = Look::built_in(tree.species())?;
-    Ok(tree_mesh::build(tree, &look, &MeshParams::default(), control)?.mesh)
+    dressed(tree, &Look::built_in(tree.species())?, control)
+}
+
+/// The mesh of a tree in a look that is there already.
+pub(super) fn dressed(tree: &Tree, look: &Look, control: &Control) -> Result<Mesh, Box<dyn Error>> {
+    Ok(tree_mesh::build(tree, look, &MeshParams::default(), control)?.mesh)
 }
 
 /// What `mesh` covers as `camera` sees it.

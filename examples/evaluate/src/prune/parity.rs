@@ -6,7 +6,6 @@ use super::scene::{Forest, STANDARD};
 use super::{Outcome, Prepared, SEED, SPACING, information, mean};
 use crate::table::{Aim, Row, Table};
 use tree_core::Control;
-use tree_lod::cover::Around;
 use tree_lod::implicit;
 use tree_lod::order::{OrderParams, combined, density, golden, orientation, stochastic};
 use tree_lod::quality::{Distance, Scale, Table as Measured, TableParams};
@@ -61,11 +60,7 @@ pub(super) fn orders<'a>(
         orientation(elements, &hull, params, SEED, &control)?,
         combined(elements, params, SEED, &control)?,
     ];
-    // A column of Table 7.4 is a mean over all models: half the views of the others' tables do.
-    let half = table_params(Scale::Best);
-    let around = Around { azimuths: half.around.azimuths / 2, ..half.around };
-    let half = TableParams { around, ..half };
-    let measure = |order| Pruned::ordered_with(prepared.model, elements_of(), order, &half);
+    let measure = |order| Pruned::ordered(prepared.model, order, Scale::Best);
     std::iter::once(Ok(golden)).chain(orders.into_iter().map(measure)).collect()
 }
 

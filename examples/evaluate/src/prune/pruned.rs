@@ -71,9 +71,13 @@ impl<'a> Pruned<'a> {
         Ok(Self { mesh, elements, tiers, ranking, kept, table })
     }
 
-    /// Whole leaves in an order of the literature, scaled about their centres.
+    /// Whole leaves in an order of the literature, scaled about their centres. Its table is measured in half the views of
+    /// [`table_params`]: it is looked at as a mean over many models.
     pub(super) fn ordered(model: &'a Model, order: Vec<u32>, scale: Scale) -> Outcome<Self> {
-        Self::ordered_with(model, model.elements.clone(), order, &table_params(scale))
+        let params = table_params(scale);
+        let around = Around { azimuths: params.around.azimuths / 2, ..params.around };
+        let params = TableParams { around, ..params };
+        Self::ordered_with(model, model.elements.clone(), order, &params)
     }
 
     /// These elements in an order of the literature, with a table of these parameters.

@@ -12,6 +12,7 @@
 use super::cases::{self, Case, KINDS, OUT};
 use super::paint::{beside, difference, save};
 use super::view::{CELLS, MARGIN, Seen, Side, seen};
+use crate::measure::of_each;
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use std::fs;
@@ -34,9 +35,10 @@ struct Sum {
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(OUT)?;
     let mut all = Sum::default();
-    let kinds = KINDS.iter().map(cases::Kind::case).collect::<Result<Vec<_>, _>>()?;
-    for case in kinds.iter().chain(&cases::shared()?) {
-        all.take(case, table)?;
+    let mut cases = KINDS.iter().map(cases::Kind::case).collect::<Result<Vec<_>, _>>()?;
+    cases.extend(cases::shared()?);
+    for (case, found) in cases.iter().zip(of_each(&cases, measured)?) {
+        all.take(case, found, table);
     }
     for (values, metric) in all.values.iter().zip(METRICS) {
         let least = values.iter().copied().fold(1.0, f64::min);
@@ -56,21 +58,26 @@ fn info(table: &mut Table, case: &str, metric: &str, ours: f64, aim: Aim) {
     table.row(&Row { case, metric, paper: None, peer: None, ours, unit: "", aim });
 }
 
-impl Sum {
-    fn take(&mut self, case: &Case, table: &mut Table) -> Result<(), Box<dyn Error>> {
-        let (mut found, mut worst) = ([const { Vec::new() }; 2], f64::INFINITY);
-        for (session, ..) in &case.sessions()? {
-            let (_, mesh) = cases::mesh(session)?;
-            let parts = sides(session, &mesh, CELLS + 2 * MARGIN)?;
-            for (values, part) in found.iter_mut().zip(&parts) {
-                values.push(part.as_ref().map_or(0.0, Seen::iou));
-            }
-            let front = found[0].last().copied().unwrap_or(0.0);
-            if front < worst {
-                worst = front;
-                picture(&case.name, session, &mesh)?;
-            }
+/// Overlaps of each tree of a drawing, and a picture of the worst.
+fn measured(case: &Case) -> Result<[Vec<f64>; 2], Box<dyn Error>> {
+    let (mut found, mut worst) = ([const { Vec::new() }; 2], f64::INFINITY);
+    for (session, ..) in &case.sessions()? {
+        let (_, mesh) = cases::mesh(session)?;
+        let parts = sides(session, &mesh, CELLS + 2 * MARGIN)?;
+        for (values, part) in found.iter_mut().zip(&parts) {
+            values.push(part.as_ref().map_or(0.0, Seen::iou));
         }
+        let front = found[0].last().copied().unwrap_or(0.0);
+        if front < worst {
+            worst = front;
+            picture(&case.name, session, &mesh)?;
+        }
+    }
+    Ok(found)
+}
+
+impl Sum {
+    fn take(&mut self, case: &Case, found: [Vec<f64>; 2], table: &mut Table) {
         let several = case.trees.len() > 1;
         for (i, values) in found.into_iter().enumerate() {
             let least = values.iter().copied().fold(1.0, f64::min);
@@ -84,7 +91,6 @@ impl Sum {
             }
             self.values[i].push(least);
         }
-        Ok(())
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::cases::{self, Case, KINDS, OUT};
 use super::paint::{beside, save};
+use crate::measure::of_each;
 use crate::table::{Aim, Row, Table};
 use std::error::Error;
 use std::fs;
@@ -19,33 +20,49 @@ const PITCH: f32 = 0.25;
 
 pub(super) fn rows(table: &mut Table) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(OUT)?;
-    for kind in &KINDS {
-        let case = kind.case()?;
-        let (mut strokes, mut elements, mut refused) = (0, 0, 0);
-        let mut scene = Mesh::default();
-        for (session, report, at) in &case.sessions()? {
-            let (grown, mesh) = cases::mesh(session)?;
-            strokes += report.strokes;
-            refused += report.refused.len();
-            report.refused.iter().for_each(|why| eprintln!("{}: {why}", kind.name));
-            elements += grown.report.elements();
-            // Up the page is away from the viewer, as one sees it who looks down a little.
-            let away = at.y / libm::sinf(PITCH);
-            add(&mut scene, mesh, Vec3::new(at.x, 0.0, -away));
-        }
+    let made = of_each(&KINDS, Made::of)?;
+    for (kind, Made { strokes, refused, elements }) in KINDS.iter().zip(made) {
         let mut row = |metric: &str, paper: Option<f64>, ours: f64, aim: Aim| {
             table.row(&Row { case: kind.name, metric, paper, peer: None, ours, unit: "", aim });
         };
         row("strokes", Some(kind.strokes), f64::from(strokes), Aim::AtMost(kind.strokes));
         row("strokes refused", None, refused as f64, Aim::AtMost(0.0));
         row("elements", Some(kind.elements), elements as f64, Aim::None);
-        save(&picture(&case, &scene)?, kind.name)?;
     }
     let case = format!("pictures in {OUT}");
     let metric = "kinds of Table 1";
     let (paper, ours, aim) = (Some(8.0), KINDS.len() as f64, Aim::AtLeast(8.0));
     table.row(&Row { case: &case, metric, paper, peer: None, ours, unit: "", aim });
     Ok(())
+}
+
+/// What became of the drawing of a kind.
+#[derive(Default)]
+struct Made {
+    strokes: u32,
+    refused: usize,
+    elements: u64,
+}
+
+impl Made {
+    /// Makes its trees, and a picture of them.
+    fn of(kind: &cases::Kind) -> Result<Self, Box<dyn Error>> {
+        let case = kind.case()?;
+        let mut made = Self::default();
+        let mut scene = Mesh::default();
+        for (session, report, at) in &case.sessions()? {
+            let (grown, mesh) = cases::mesh(session)?;
+            made.strokes += report.strokes;
+            made.refused += report.refused.len();
+            report.refused.iter().for_each(|why| eprintln!("{}: {why}", kind.name));
+            made.elements += grown.report.elements();
+            // Up the page is away from the viewer, as one sees it who looks down a little.
+            let away = at.y / libm::sinf(PITCH);
+            add(&mut scene, mesh, Vec3::new(at.x, 0.0, -away));
+        }
+        save(&picture(&case, &scene)?, kind.name)?;
+        Ok(made)
+    }
 }
 
 /// Adds a mesh to others, at a place.
