@@ -1,6 +1,5 @@
 /* Every function of the interface, from C: `cargo test -p tree-ffi` compiles and runs this. */
 #include "check.h"
-#include <stdlib.h>
 
 int n_failures = 0;
 
@@ -28,20 +27,41 @@ tree_tree *an_oak_twig(void) {
     return tree;
 }
 
-static void (*const tests[])(void) = {
-    test_border, test_skeleton, test_foliage, test_volume, test_path, test_skeletonize, test_scan,
-    test_distance, test_growth, test_plastic, test_particle, test_look, test_mesh, test_instance,
-    test_engine, test_io, test_sketch, test_preview, test_photo, test_sketch_in, test_silhouette,
-    test_silhouette_in, test_lod, test_lod_select, test_prune, test_multires_chain, test_multires,
-    test_lsystem, test_impostor, test_octahedral, test_hybrid, test_threads,
-};
-
-/* `c_test PART OF`: every so many of the tests; all of them without. */
-int main(int n, char **arguments) {
-    size_t part = n > 2 ? (size_t)atoi(arguments[1]) : 0, of = n > 2 ? (size_t)atoi(arguments[2]) : 1;
+int main(void) {
     CHECK(tree_abi_version() == TREE_ABI_VERSION);
     size_t before = tree_live_objects();
-    for (size_t i = part; i < sizeof tests / sizeof *tests; i += of) tests[i]();
+    test_border();
+    test_skeleton();
+    test_foliage();
+    test_volume();
+    test_path();
+    test_skeletonize();
+    test_scan();
+    test_distance();
+    test_growth();
+    test_plastic();
+    test_particle();
+    test_look();
+    test_mesh();
+    test_instance();
+    test_engine();
+    test_io();
+    test_sketch();
+    test_preview();
+    test_photo();
+    test_sketch_in();
+    test_silhouette();
+    test_silhouette_in();
+    test_lod();
+    test_lod_select();
+    test_prune();
+    test_multires_chain();
+    test_multires();
+    test_lsystem();
+    test_impostor();
+    test_octahedral();
+    test_hybrid();
+    test_threads();
     /* Presets stay. */
     CHECK(tree_live_objects() <= before);
     printf(n_failures ? "%d failures\n" : "all is well\n", n_failures);
