@@ -32,7 +32,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime};
 
 /// Quick trees: two that are pruned, one without leaves, one that is only wood and a stream.
-const FOREST: &str = r#"{"name": "fern", "modeler": {"lsystem": "fern"}, "levels": 2, "views": 2}
+const FOREST: &str = r#"{"name": "flower", "modeler": {"lsystem": "abop-1.26"}, "levels": 2, "views": 2}
 {"name": "stick", "modeler": {"lsystem": "abop-1.24d"}, "outputs": ["mesh", "levels", "skeleton"]}
 
 {"name": "drawn", "modeler": {"sketch": "sapling.json"}, "species": "maple", "bare": true, "outputs": ["mesh", "stream"]}
@@ -90,7 +90,7 @@ fn a_line_gives_the_same_bytes_in_one_run_and_in_shards_that_share_all_trees() {
     let folder = folder("shards", FOREST);
     let whole = bake(&folder, "out", &[]);
     assert!(whole.failed.is_empty(), "{whole}");
-    assert_eq!(whole.baked, ["fern", "stick", "drawn", "snag"]);
+    assert_eq!(whole.baked, ["flower", "stick", "drawn", "snag"]);
     let mut seen = BTreeSet::new();
     for index in ["0", "1", "2"] {
         let part = bake(&folder, "parts", &["--shard", index, "--of", "3"]);
@@ -110,19 +110,19 @@ fn a_line_gives_the_same_bytes_in_one_run_and_in_shards_that_share_all_trees() {
 fn a_report_tells_of_what_lies_beside_it() {
     let folder = folder("report", FOREST);
     bake(&folder, "out", &[]);
-    let fern = report(&folder, "fern");
-    let levels = fern["triangles"]["levels"].as_array().unwrap();
+    let flower = report(&folder, "flower");
+    let levels = flower["triangles"]["levels"].as_array().unwrap();
     assert_eq!(levels.len(), 2);
     assert!(levels[0].as_u64() > levels[1].as_u64(), "triangles fall: {levels:?}");
-    assert!(fern["nodes"].as_u64() > Some(10) && fern["leaves"].as_u64() > Some(10), "{fern}");
-    assert!(fern["seconds"].as_f64() > Some(0.0));
+    assert!(flower["nodes"].as_u64() > Some(10) && flower["leaves"].as_u64() > Some(10), "{flower}");
+    assert!(flower["seconds"].as_f64() > Some(0.0));
     // Branches fall where there are no leaves.
     let stick = report(&folder, "stick");
     assert_eq!(stick["leaves"], 0);
     let levels = stick["triangles"]["levels"].as_array().unwrap();
     assert!(levels.first().unwrap().as_u64() > levels.last().unwrap().as_u64(), "{levels:?}");
     let found = files(&folder.join("out"));
-    for tree in ["fern", "stick", "drawn", "snag"] {
+    for tree in ["flower", "stick", "drawn", "snag"] {
         let report = report(&folder, tree);
         let told = report["files"].as_object().unwrap();
         for (name, bytes) in told {
@@ -144,12 +144,12 @@ fn what_is_finished_is_skipped_and_what_is_not_is_made_again() {
     let out = folder.join("out");
 
     // A file that is shorter than told; a report that never came; a line and an input that have changed.
-    fs::write(out.join("fern/fern.glb"), "glTF").unwrap();
+    fs::write(out.join("flower/flower.glb"), "glTF").unwrap();
     fs::remove_file(out.join("stick").join(store::REPORT)).unwrap();
     let again = bake(&folder, "out", &[]);
     assert_eq!(
         (again.baked, again.skipped),
-        (names(&["fern", "stick"]), names(&["drawn", "snag"]))
+        (names(&["flower", "stick"]), names(&["drawn", "snag"]))
     );
     assert!(files(&out) == first, "the bytes differ");
 
@@ -160,7 +160,7 @@ fn what_is_finished_is_skipped_and_what_is_not_is_made_again() {
     let changed = bake(&folder, "out", &[]);
     assert_eq!(
         (changed.baked, changed.skipped),
-        (names(&["drawn", "snag"]), names(&["fern", "stick"]))
+        (names(&["drawn", "snag"]), names(&["flower", "stick"]))
     );
     assert!(!out.join("snag/snag.glb").exists(), "an output that is no longer asked for");
     fs::remove_dir_all(folder).unwrap();
@@ -182,7 +182,7 @@ fn bakes_for_its_parent() {
 fn a_killed_run_leaves_whole_files_and_the_next_one_goes_on() {
     let line = FOREST.lines().next().unwrap();
     let lines: String = (0..40)
-        .map(|i| line.replace("\"fern\",", &format!("\"fern-{i}\", \"seed\": {i},")) + "\n")
+        .map(|i| line.replace("\"flower\",", &format!("\"flower-{i}\", \"seed\": {i},")) + "\n")
         .collect();
     let folder = folder("killed", &lines);
     let mut child = Command::new(std::env::current_exe().unwrap())
@@ -192,7 +192,7 @@ fn a_killed_run_leaves_whole_files_and_the_next_one_goes_on() {
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    let (third, patience) = (folder.join("out/fern-2/fern-2.glb"), Instant::now());
+    let (third, patience) = (folder.join("out/flower-2/flower-2.glb"), Instant::now());
     while !third.exists() && patience.elapsed() < Duration::from_secs(120) {
         std::thread::sleep(Duration::from_millis(1));
     }
@@ -209,7 +209,7 @@ fn a_killed_run_leaves_whole_files_and_the_next_one_goes_on() {
     let short: String = lines.lines().take(4).map(|line| format!("{line}\n")).collect();
     fs::write(folder.join("forest.jsonl"), short).unwrap();
     let rest = bake(&folder, "out", &[]);
-    assert!(rest.failed.is_empty() && rest.skipped.contains(&"fern-0".to_owned()), "{rest}");
+    assert!(rest.failed.is_empty() && rest.skipped.contains(&"flower-0".to_owned()), "{rest}");
     bake(&folder, "whole", &[]);
     let (whole, resumed) = (files(&folder.join("whole")), files(&folder.join("out")));
     assert!(whole.iter().all(|(path, bytes)| resumed.get(path) == Some(bytes)), "the bytes differ");

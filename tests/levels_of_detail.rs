@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use std::sync::LazyLock;
 use tree_core::glam::camera::rh::proj::directx::perspective_infinite_reverse;
 use tree_core::glam::{Mat4, Vec3};
 use tree_core::{Control, Seed};
@@ -25,11 +26,18 @@ fn grown(preset: &str, form: &LeafForm) -> Mesh {
 
 /// Few views: these tests are about whether it works, `evaluate -- prune` about how well.
 fn pruned(mesh: &Mesh) -> PrunedModel {
-    let around = Around { azimuths: 4, size: 96, ..Around::default() };
+    let around = Around { azimuths: 4, size: 64, ..Around::default() };
     let order = CoverageParams { around, ..CoverageParams::default() };
     let params = MakeParams { order: Some(order), ..MakeParams::default() };
     PrunedModel::make(mesh, &params, &Control::default()).unwrap()
 }
+
+/// An oak of cards, whole and pruned.
+static OAK: LazyLock<(Mesh, PrunedModel)> = LazyLock::new(|| {
+    let mesh = grown("oak", &LeafForm::Card);
+    let model = pruned(&mesh);
+    (mesh, model)
+});
 
 /// Quality of a level's own mesh, from sides that were not looked at before.
 fn quality(model: &PrunedModel, full: &Mesh, lambda: f32) -> f64 {
@@ -40,14 +48,13 @@ fn quality(model: &PrunedModel, full: &Mesh, lambda: f32) -> f64 {
 
 #[test]
 fn a_tree_of_cards_keeps_its_pixels_and_its_budgets() {
-    let mesh = grown("oak", &LeafForm::Card);
-    let model = pruned(&mesh);
+    let (mesh, model) = &*OAK;
     let all = model.schedule().n_triangles() as f64;
     let mut last = 1.01;
     for lambda in [1.0_f32, 0.5, 0.2, 0.05] {
         let drawn = model.level(lambda).unwrap().n_triangles as f64;
         assert!(drawn <= f64::from(lambda) * all + 0.5 && drawn >= 0.98 * f64::from(lambda) * all);
-        let found = quality(&model, &mesh, lambda);
+        let found = quality(model, mesh, lambda);
         assert!(found > 0.75 && found <= last + 1e-3, "{lambda}: {found} after {last}");
         last = found;
     }
@@ -63,8 +70,7 @@ fn modelled_leaves_lose_outline_before_they_are_dropped() {
 
 #[test]
 fn a_scene_of_pruned_models_draws_windows_within_their_buffers() {
-    let mesh = grown("oak", &LeafForm::Card);
-    let model = pruned(&mesh);
+    let (_, model) = &*OAK;
     let n_indices: usize = model.mesh().surfaces.iter().map(|s| s.indices.len()).sum();
     let scene_model = model.to_select_model(32, Distance::cook()).unwrap();
     let tree = |i: i32| Instance {

@@ -1,7 +1,9 @@
 #include "crown.h"
 #include <math.h>
 
+/* Plain: to draw the built-in textures takes longest, under valgrind minutes. */
 static tree_hybrid *a_hybrid(const tree_tree *tree) {
+    tree_look *look = NULL;
     tree_hybrid_params params;
     tree_leaf_box_params boxes;
     tree_card_params cards;
@@ -11,6 +13,7 @@ static tree_hybrid *a_hybrid(const tree_tree *tree) {
     OK(tree_leaf_box_params_init(&boxes, sizeof boxes));
     OK(tree_card_params_init(&cards, sizeof cards));
     OK(tree_metric_params_init(&metric, sizeof metric));
+    OK(tree_look_of_tree(tree, 1, &look));
     CHECK(params.wood_pixels == 0.5f && params.cards == NULL && params.seed == 0);
     OK(tree_hybrid_params_check(&params));
     boxes.least_leaves = 10;
@@ -23,16 +26,17 @@ static tree_hybrid *a_hybrid(const tree_tree *tree) {
     params.metric = &metric;
     params.wood_pixels = 0;
     FAILS(TREE_ERROR_PARAMETER, "wood_pixels", tree_hybrid_params_check(&params));
-    FAILS(TREE_ERROR_PARAMETER, "wood_pixels", tree_hybrid_make(tree, NULL, &params, NULL, &hybrid));
+    FAILS(TREE_ERROR_PARAMETER, "wood_pixels", tree_hybrid_make(tree, look, &params, NULL, &hybrid));
     params.wood_pixels = 0.5f;
     metric.metric = 99;
     FAILS(TREE_ERROR_ENUM, "TREE_METRIC_", tree_hybrid_params_check(&params));
     metric.metric = TREE_METRIC_LONGEST_PATH;
     cards.size = 15;
-    FAILS(TREE_ERROR_PARAMETER, "cards.size", tree_hybrid_make(tree, NULL, &params, NULL, &hybrid));
+    FAILS(TREE_ERROR_PARAMETER, "cards.size", tree_hybrid_make(tree, look, &params, NULL, &hybrid));
     CHECK(hybrid == NULL);
     cards.size = 16;
-    OK(tree_hybrid_make(tree, NULL, &params, NULL, &hybrid));
+    OK(tree_hybrid_make(tree, look, &params, NULL, &hybrid));
+    OK(tree_look_free(look));
     return hybrid;
 }
 

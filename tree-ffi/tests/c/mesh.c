@@ -71,15 +71,15 @@ static void building(void) {
     OK(tree_mesh_check_normals(mesh));
     OK(tree_mesh_free(mesh));
 
-    OK(tree_mesh_build_leaves(tree, NULL, &params, NULL, &mesh));
+    tree_look *look = NULL;
+    OK(tree_look_plain(NULL, &look));
+    OK(tree_mesh_build_leaves(tree, look, &params, NULL, &mesh));
     tree_mesh_totals leaves = {.struct_size = sizeof leaves};
     OK(tree_mesh_measure(mesh, &leaves));
     CHECK(leaves.n_surfaces == 2 && leaves.n_branches == 0 && leaves.n_triangles > 0);
     CHECK(leaves.n_triangles < totals.n_triangles);
     OK(tree_mesh_free(mesh));
 
-    tree_look *look = NULL;
-    OK(tree_look_plain(NULL, &look));
     params.min_sides = 50;
     FAILS(TREE_ERROR_PARAMETER, "min_sides", tree_mesh_build(tree, look, &params, NULL, NULL, &mesh));
     FAILS(TREE_ERROR_PARAMETER, "min_sides", tree_mesh_build_leaves(tree, look, &params, NULL, &mesh));

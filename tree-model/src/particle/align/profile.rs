@@ -109,8 +109,8 @@ fn reaches(tree: &Mask) -> Vec<Option<(usize, usize)>> {
         .map(|y| {
             let row = tree.row(y);
             let left = row.iter().position(|&covered| covered)?;
-            let right = row.iter().rposition(|&covered| covered)?;
-            Some((left, right + 1))
+            let after = row.iter().rposition(|&covered| covered).map_or(left, |last| last) + 1;
+            Some((left, after))
         })
         .collect()
 }

@@ -90,7 +90,7 @@ fn the_density_is_that_of_dense_least_squares_without_negative_values() {
         (vec![noisy(0.3, 6), noisy(2.0, 7)], 0.03, 0.5),
     ] {
         let params =
-            DensityParams { resolution: 6, evenness, rounding, ..DensityParams::default() };
+            DensityParams { resolution: 5, evenness, rounding, ..DensityParams::default() };
         let control = Control::default();
         let carved = carve(&views, &params, &control).unwrap();
         let (grid, report) = solve(&carved, &views, &params, &control).unwrap();
