@@ -114,7 +114,10 @@ fn a_report_tells_of_what_lies_beside_it() {
     let levels = flower["triangles"]["levels"].as_array().unwrap();
     assert_eq!(levels.len(), 2);
     assert!(levels[0].as_u64() > levels[1].as_u64(), "triangles fall: {levels:?}");
-    assert!(flower["nodes"].as_u64() > Some(10) && flower["leaves"].as_u64() > Some(10), "{flower}");
+    assert!(
+        flower["nodes"].as_u64() > Some(10) && flower["leaves"].as_u64() > Some(10),
+        "{flower}"
+    );
     assert!(flower["seconds"].as_f64() > Some(0.0));
     // Branches fall where there are no leaves.
     let stick = report(&folder, "stick");

@@ -124,7 +124,7 @@ int main(int n, char **arguments) {
     must(tree_pool_new(&one_thread, &one_thread_pool));
     for (unsigned i = 0; i < sizeof attacks / sizeof *attacks; i++) {
         if (i % n_parts == part)
-            run(&attacks[i], few ? 3 : 100);
+            run(&attacks[i], few ? 1 : 100);
         else
             for (unsigned k = 0; k < attacks[i].n_arguments; k++) turns[attacks[i].structs[k]]++;
     }

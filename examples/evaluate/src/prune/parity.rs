@@ -1,7 +1,7 @@
 //! Table 7.4: geometry saved against Cook at equal quality, along a camera path through a forest, without
 //! culling; and the quality of each order at some shares (§7.3).
 
-use super::pruned::{Pruned, held_out, table_params};
+use super::pruned::{Pruned, few_params, held_out};
 use super::scene::{Forest, STANDARD};
 use super::{Outcome, Prepared, SEED, SPACING, information, mean};
 use crate::table::{Aim, Row, Table};
@@ -51,7 +51,7 @@ pub(super) fn orders<'a>(
     let hull = implicit::surface(&field, &params.hull, &control)?;
     let few = TableParams {
         lambdas: SHARES.iter().rev().copied().chain([1.0]).collect(),
-        ..table_params(Scale::Best)
+        ..few_params(Scale::Best)
     };
     let elements_of = || prepared.model.elements.clone();
     let golden = Pruned::ordered_with(prepared.model, elements_of(), golden(elements)?, &few)?;
@@ -111,7 +111,7 @@ fn cooks(models: &[Prepared<'_>]) -> Outcome<Vec<Measured>> {
 fn cook_of_triangles<'a>(p: &Prepared<'a>) -> Outcome<Pruned<'a>> {
     let elements = p.ours.elements.clone();
     let order = stochastic(&elements, SEED);
-    Pruned::ordered_with(p.model, elements, order, &table_params(Scale::Cook))
+    Pruned::ordered_with(p.model, elements, order, &few_params(Scale::Cook))
 }
 
 /// Share of the geometry that Cook draws which is saved, in every frame.

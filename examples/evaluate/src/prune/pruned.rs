@@ -15,9 +15,19 @@ use tree_mesh::{Mesh, Surface};
 pub(super) const LAMBDAS: [f32; 16] =
     [0.01, 0.015, 0.02, 0.03, 0.05, 0.08, 0.125, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 
+/// Rows of the tables of orders of the literature, which are looked at as a mean over many models.
+const FEW_LAMBDAS: [f32; 10] = [0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0];
+
 /// How a table of the evaluation is measured: the views of the library's default.
 pub(super) fn table_params(scale: Scale) -> TableParams {
     TableParams { lambdas: LAMBDAS.to_vec(), scale, ..TableParams::default() }
+}
+
+/// How tables of orders of the literature are measured: fewer rows, and half the views.
+pub(super) fn few_params(scale: Scale) -> TableParams {
+    let params = table_params(scale);
+    let around = Around { azimuths: params.around.azimuths / 2, ..params.around };
+    TableParams { around, lambdas: FEW_LAMBDAS.to_vec(), ..params }
 }
 
 /// Views that neither orders nor tables have seen: eight azimuths, whole tree.
@@ -71,13 +81,9 @@ impl<'a> Pruned<'a> {
         Ok(Self { mesh, elements, tiers, ranking, kept, table })
     }
 
-    /// Whole leaves in an order of the literature, scaled about their centres. Its table is measured in half the views of
-    /// [`table_params`]: it is looked at as a mean over many models.
+    /// Whole leaves in an order of the literature, scaled about their centres, with a table of [`few_params`].
     pub(super) fn ordered(model: &'a Model, order: Vec<u32>, scale: Scale) -> Outcome<Self> {
-        let params = table_params(scale);
-        let around = Around { azimuths: params.around.azimuths / 2, ..params.around };
-        let params = TableParams { around, ..params };
-        Self::ordered_with(model, model.elements.clone(), order, &params)
+        Self::ordered_with(model, model.elements.clone(), order, &few_params(scale))
     }
 
     /// These elements in an order of the literature, with a table of these parameters.

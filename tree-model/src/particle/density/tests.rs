@@ -14,16 +14,16 @@ fn lawson_hanson(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
     let n = a.ncols();
     let mut x = DVector::zeros(n);
     let mut free = vec![false; n];
+    let (gram, moments) = (a.transpose() * a, a.transpose() * b);
     for _ in 0..3 * n {
-        let w = a.transpose() * (b - a * &x);
+        let w = &moments - &gram * &x;
         let next = (0..n).filter(|&j| !free[j]).max_by(|&i, &j| w[i].total_cmp(&w[j]));
         let Some(next) = next.filter(|&j| w[j] > 1e-9) else { break };
         free[next] = true;
         loop {
             let set: Vec<usize> = (0..n).filter(|&j| free[j]).collect();
-            let columns = a.select_columns(&set);
-            let normal = columns.transpose() * &columns;
-            let s = normal.cholesky().unwrap().solve(&(columns.transpose() * b));
+            let normal = gram.select_columns(&set).select_rows(&set);
+            let s = normal.cholesky().unwrap().solve(&moments.select_rows(&set));
             if s.iter().all(|&value| value > 0.0) {
                 x.fill(0.0);
                 set.iter().zip(s.iter()).for_each(|(&j, &value)| x[j] = value);
@@ -90,7 +90,7 @@ fn the_density_is_that_of_dense_least_squares_without_negative_values() {
         (vec![noisy(0.3, 6), noisy(2.0, 7)], 0.03, 0.5),
     ] {
         let params =
-            DensityParams { resolution: 5, evenness, rounding, ..DensityParams::default() };
+            DensityParams { resolution: 6, evenness, rounding, ..DensityParams::default() };
         let control = Control::default();
         let carved = carve(&views, &params, &control).unwrap();
         let (grid, report) = solve(&carved, &views, &params, &control).unwrap();
