@@ -54,7 +54,9 @@ static void building(void) {
     params.tangents = params.lightmap = 1;
     tree_mesh_report report = {.struct_size = sizeof report};
     tree_mesh *mesh = NULL;
-    OK(tree_mesh_build(tree, NULL, &params, NULL, &report, &mesh));
+    tree_look *look = NULL;
+    OK(tree_look_plain(NULL, &look));
+    OK(tree_mesh_build(tree, look, &params, NULL, &report, &mesh));
     CHECK(report.n_tubes == 2 && report.n_leaf_fallbacks == 0 && report.leaf_fallbacks == NULL);
 
     tree_mesh_totals totals = {.struct_size = sizeof totals};
@@ -71,8 +73,6 @@ static void building(void) {
     OK(tree_mesh_check_normals(mesh));
     OK(tree_mesh_free(mesh));
 
-    tree_look *look = NULL;
-    OK(tree_look_plain(NULL, &look));
     OK(tree_mesh_build_leaves(tree, look, &params, NULL, &mesh));
     tree_mesh_totals leaves = {.struct_size = sizeof leaves};
     OK(tree_mesh_measure(mesh, &leaves));
