@@ -80,7 +80,7 @@ fn run(table: &mut Table) -> Result<(), Box<dyn Error>> {
     });
     memory.push(resident());
     modelers(table, &fates);
-    let mut row = |metric, ours: f64, unit, aim| {
+    let mut row = |metric: &str, ours: f64, unit: &str, aim| {
         table.row(&Row { case: "all", metric, paper: None, peer: None, ours, unit, aim });
     };
     row("panics", count(&fates, |fate| matches!(fate, Fate::Panicked(_))), "", Aim::AtMost(0.0));
