@@ -1,8 +1,3 @@
 #![no_main]
 
-use tree_mesh::io::ply;
-
-libfuzzer_sys::fuzz_target!(|data: &[u8]| tree_fuzz::check(ply::from_slice(
-    data,
-    &tree_fuzz::control()
-)));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| tree_promises::meshes::ply(data));

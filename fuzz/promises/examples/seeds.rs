@@ -1,5 +1,5 @@
-//! Writes small valid files to start from: `cargo run --example seeds`, in this folder, in this folder, when a
-//! target reads something new. They are part of the repository; `fuzz/run` starts from them.
+//! Writes small valid files to start from: `cargo run -p tree-promises --example seeds`, when a target reads something new. They are part
+//! of the repository; `fuzz/run` and this crate's tests start from them.
 
 use std::error::Error;
 use std::fs;
@@ -104,13 +104,13 @@ fn streams(tree: &Tree) -> Result<(), Box<dyn Error>> {
 }
 
 fn save(target: &str, name: &str, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
-    let folder = Path::new("corpus").join(target);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../corpus").join(target);
     fs::create_dir_all(&folder)?;
     fs::write(folder.join(name), bytes)?;
     Ok(())
 }
 
-/// Programs of calls, as `targets/c_abi.rs` reads them.
+/// Programs of calls, as `c_abi` reads them.
 fn programs() -> Result<(), Box<dyn Error>> {
     let stick = [0, 0, 3, 0, 0, 0, 0, 4, 0, 4, 8, 0, 1, 1, 1, 255, 0, 1];
     let tree = [0, 5, 0, 1, 2, 4, 8, 0, 0, 0, 0, 4, 1];
