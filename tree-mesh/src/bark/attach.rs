@@ -10,6 +10,7 @@
 //! parent's line; a ring of radius r₂ across the direction t, off the parent's line by the vector d,
 //! is clear of radius r₁ when |d| − r₂·√(1 − (t·d/|d|)²) > r₁.
 
+use super::circle::Circles;
 use super::curve::{Curve, Place};
 use super::flare::Flare;
 use glam::Vec3;
@@ -73,6 +74,7 @@ struct Gap {
 pub(crate) struct Host<'a> {
     pub(crate) curve: Curve<'a>,
     pub(crate) flare: Flare,
+    pub(crate) circles: &'a Circles,
 }
 
 impl Host<'_> {
@@ -91,8 +93,8 @@ impl Host<'_> {
         }
         let offset = place.station.position - nearest.station.position;
         let distance = offset.length();
-        let wall = nearest.station.radius * self.flare.widest(along);
-        let radius = place.station.radius;
+        let wall = self.circles.widest(nearest.station.radius * self.flare.widest(along));
+        let radius = self.circles.widest(place.station.radius);
         let cosine = place.tangent.dot(offset) / distance.max(f32::MIN_POSITIVE);
         let lean = (1.0 - cosine * cosine).max(0.0).sqrt();
         Gap {
@@ -145,7 +147,8 @@ impl Host<'_> {
         let place = lateral.at(crossing);
         let cosine = place.tangent.dot(gap.up);
         let sine = (1.0 - cosine * cosine).max(0.0).sqrt().max(SINE_MIN);
-        let half_width = COLLAR * place.station.radius;
+        let radius = self.circles.widest(place.station.radius);
+        let half_width = COLLAR * radius;
         // Out through the base or past the tip the parent has no wall to slant through.
         let at_end = gap.along <= 0.0 || gap.along >= self.curve.length();
         let sine = if at_end { 1.0 } else { sine };
@@ -156,7 +159,7 @@ impl Host<'_> {
             center: gap.along,
             reach: [cosine, -cosine].map(|lean| {
                 let wide = COLLAR + (LEE - COLLAR) * (-3.0 * lean).clamp(0.0, 1.0);
-                wide * place.station.radius / sine
+                wide * radius / sine
             }),
             half_width,
             out: gap.offset,

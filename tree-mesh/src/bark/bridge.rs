@@ -269,7 +269,10 @@ impl Wall {
         let (low, high) = (host.rings.get(hole_ring)?, host.rings.get(hole_ring + 1)?);
         let chord = high.station.position - low.station.position;
         let up = chord.try_normalize().unwrap_or(low.frame.tangent);
-        let wide = |ring: &Ring| ring.station.radius * host.flare.widest(ring.station.along);
+        let wide = |ring: &Ring| {
+            let reach = host.plan.circles.reach(ring.n);
+            reach * ring.station.radius * host.flare.widest(ring.station.along)
+        };
         let rise = (high.station.along - low.station.along).max(f32::MIN_POSITIVE);
         let slope = (wide(high) - wide(low)) / rise;
         let least = wide(high).min(wide(low));

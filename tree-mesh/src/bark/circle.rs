@@ -14,6 +14,8 @@ pub(crate) struct Circles {
     /// The polygon of n sides starts at `starts[n]`.
     starts: Vec<usize>,
     corners: Vec<Vec2>,
+    /// How far out the corners of the polygon of n sides stand, in radii of the circle.
+    reaches: Vec<f32>,
     /// Radii from which a ring has more sides than `min_sides`: `(radius, sides)`, ascending.
     steps: Vec<(f32, u32)>,
 }
@@ -26,6 +28,7 @@ impl Circles {
             error: params.error.metres(),
             starts: Vec::new(),
             corners: Vec::new(),
+            reaches: (0..=params.max_sides).map(reach).collect(),
             steps: Vec::new(),
         };
         for n in 0..=params.max_sides {
@@ -41,8 +44,8 @@ impl Circles {
         circles
     }
 
-    /// The chord of a regular n-gon lies r·(1 − cos(π/n)) inside the circle, which must stay within
-    /// the error. Counts grow in steps, so that most strips join equal rings.
+    /// The chord of a regular n-gon within the circle lies r·(1 − cos(π/n)) inside it, which must stay within
+    /// the error; [`reach`] brings it out again by a third. Counts grow in steps, so that most strips join equal rings.
     fn find_steps(&mut self) {
         let mut n = 3;
         while n < self.max_sides {
@@ -74,14 +77,38 @@ impl Circles {
         &self.corners[start..start + n as usize]
     }
 
+    /// How far out the corners of the polygon of `n` sides stand, in radii of the circle: see [`reach`].
+    pub(crate) fn reach(&self, n: u32) -> f32 {
+        self.reaches[n as usize]
+    }
+
     /// How many sides a ring of this radius gets at this height.
     pub(crate) fn n_sides(&self, radius: f32, along: f32, flare: &Flare) -> u32 {
-        let radius = radius * flare.widest(along);
-        let step = self.steps.partition_point(|&(from, _)| from < radius);
-        let round = match step.checked_sub(1).and_then(|i| self.steps.get(i)) {
-            Some(&(_, n)) => n,
-            None => self.min_sides,
-        };
+        let round = self.n_round(radius * flare.widest(along));
         round.max(flare.min_sides(along)).clamp(self.min_sides, self.max_sides)
     }
+
+    /// How far out the corners of a ring of this radius stand where nothing asks for more of them, in metres.
+    pub(crate) fn widest(&self, radius: f32) -> f32 {
+        radius * self.reach(self.n_round(radius))
+    }
+
+    fn n_round(&self, radius: f32) -> u32 {
+        let step = self.steps.partition_point(|&(from, _)| from < radius);
+        match step.checked_sub(1).and_then(|i| self.steps.get(i)) {
+            Some(&(_, n)) => n.clamp(self.min_sides, self.max_sides),
+            None => self.min_sides,
+        }
+    }
+}
+
+/// A convex shape is as wide, averaged over the directions it is seen from, as its perimeter over π (Cauchy). So the
+/// polygon gets the circle's perimeter: with corners on the circle, a branch of three sides would look a sixth
+/// thinner than it is, and levels with fewer sides thinner than those before.
+fn reach(n: u32) -> f32 {
+    if n < 3 {
+        return 1.0;
+    }
+    let half = PI / n as f32;
+    half / libm::sinf(half)
 }

@@ -8,6 +8,7 @@
 //! * It never comes out. Then it is not drawn, and what it carries stands on what is below.
 
 use super::attach::{Exit, Host};
+use super::circle::Circles;
 use super::curves::{AXES_PER_PART, Curves};
 use super::flare::Flare;
 use super::plan::NONE;
@@ -46,6 +47,7 @@ pub(crate) struct Forest<'a> {
     pub(crate) axes: &'a Axes,
     pub(crate) curves: &'a Curves,
     pub(crate) flare: Flare,
+    pub(crate) circles: &'a Circles,
 }
 
 impl Forest<'_> {
@@ -101,7 +103,7 @@ impl Forest<'_> {
 
     fn host(&self, axis: u32) -> Option<Host<'_>> {
         let flare = if axis == 0 { self.flare } else { Flare::NONE };
-        Some(Host { curve: self.curves.get(axis)?, flare })
+        Some(Host { curve: self.curves.get(axis)?, flare, circles: self.circles })
     }
 
     /// Hands on laterals that fork where their host has no wall. Parents come first. Tells whether

@@ -106,7 +106,7 @@ impl Plan {
         let curves = Curves::draw(skeleton, axes, params, control)?;
         let flare = flare(skeleton, &curves, params);
         let circles = Circles::new(params);
-        let forest = Forest { skeleton, axes, curves: &curves, flare };
+        let forest = Forest { skeleton, axes, curves: &curves, flare, circles: &circles };
         let exits = forest.leave_all(control)?;
         let wishes = Wishes::group(&exits);
         control.check()?;

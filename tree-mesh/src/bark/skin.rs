@@ -76,12 +76,24 @@ impl<'a> Skin<'a> {
         let corner = self.plan.circles.corners(ring.n)[k as usize];
         let along = ring.station.along;
         if !self.flare.acts(along) {
-            return Round::new(ring, 0.0).position(corner);
+            return self.round(ring, 0.0).position(corner);
         }
         let stance = self.flare.stance(along, &ring.frame);
         let angle = TAU * k as f32 / ring.n as f32;
-        let radius = ring.station.radius * self.flare.at(along, angle).factor;
+        let reach = self.plan.circles.reach(ring.n);
+        let radius = reach * ring.station.radius * self.flare.at(along, angle).factor;
         ring.station.position + (stance.normal * corner.x + stance.binormal() * corner.y) * radius
+    }
+
+    fn round(&self, ring: &Ring, slope: f32) -> Round {
+        Round {
+            center: ring.station.position,
+            radius: ring.station.radius * self.plan.circles.reach(ring.n),
+            normal: ring.frame.normal,
+            binormal: ring.frame.binormal(),
+            tilt: ring.frame.tangent * slope,
+            unit: 1.0 / (1.0 + slope * slope).sqrt(),
+        }
     }
 
     /// Texture coordinates of corner `k`, which may go on past the seam.
@@ -112,7 +124,7 @@ impl<'a> Skin<'a> {
     pub(crate) fn shading(&self, i: usize, k: u32) -> (Vec3, Vec3) {
         let (ring, slope) = (&self.rings[i], self.slope(i));
         let corner = self.plan.circles.corners(ring.n)[(k % ring.n) as usize];
-        let round = Round::new(ring, slope);
+        let round = self.round(ring, slope);
         let along = ring.station.along;
         let sideways = round.tangent(corner);
         if !self.flare.acts(along) {
@@ -138,7 +150,7 @@ impl<'a> Skin<'a> {
         let slope = self.slope(i);
         let n = ring.n as usize;
         let first = out.global(out.next());
-        let round = Round::new(ring, slope);
+        let round = self.round(ring, slope);
         let uv = self.uv(ring, 0);
         let u_step = self.repeats / ring.n as f32;
         let rows = out.rows(n + 1);
@@ -237,6 +249,7 @@ impl<'a> Skin<'a> {
 /// A ring without flare. Bridges ask for the same corners as the ring itself and must get the same bits.
 struct Round {
     center: Vec3,
+    /// Of its corners.
     radius: f32,
     normal: Vec3,
     binormal: Vec3,
@@ -246,17 +259,6 @@ struct Round {
 }
 
 impl Round {
-    fn new(ring: &Ring, slope: f32) -> Self {
-        Self {
-            center: ring.station.position,
-            radius: ring.station.radius,
-            normal: ring.frame.normal,
-            binormal: ring.frame.binormal(),
-            tilt: ring.frame.tangent * slope,
-            unit: 1.0 / (1.0 + slope * slope).sqrt(),
-        }
-    }
-
     fn position(&self, corner: Vec2) -> Vec3 {
         self.center + (self.normal * corner.x + self.binormal * corner.y) * self.radius
     }

@@ -215,6 +215,7 @@ impl Wall<'_> {
         let frame = self.curve.frame(&place.station, place.tangent);
         let angle = libm::atan2f(wish.out.dot(frame.binormal()), wish.out.dot(frame.normal));
         let radius = place.station.radius * self.flare.widest(place.station.along);
+        let radius = radius * self.circles.reach(n);
         let half = libm::asinf((wish.half_width / radius).min(1.0)) * n as f32 / TAU;
         let middle = angle * n as f32 / TAU;
         let first = (middle - half + COVER).floor();
