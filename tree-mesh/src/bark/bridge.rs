@@ -25,6 +25,8 @@ const COSINE_MIN: f32 = 0.2;
 const FOOT: f32 = 1.3;
 /// Feet nearer to each other than this share of the radius lie in one place.
 const MERGED: f32 = 1e-3;
+/// The middle of a lateral stays off the rim by this share of the hole: on it, feet and rim would lie on one line.
+const MARGIN: f32 = 0.2;
 /// Where the rim is nearer than that, they stand at this share of the way to it.
 const CROWDED: f32 = 0.85;
 
@@ -61,6 +63,7 @@ pub(crate) fn fill(lateral: &Skin<'_>, host: &Skin<'_>, rims: &mut Rims, out: &m
     find_feet(ring, rims);
     let Some(wall) = Wall::of(host, plan.hole_ring as usize, &middle) else { return };
     let center = wall.spot(ring.station.position, ring.frame.tangent);
+    let center = wall.within(center, &rims.rims);
     let bridge = Bridge { lateral, ring, wall, center };
     let n = ring.n;
     let with_feet = lateral.plan.has_feet(lateral.axis);
@@ -320,13 +323,42 @@ impl Wall {
         self.upon(hit)
     }
 
+    /// The place on the wall nearest to `spot` that lies inside the rim, for laterals that the hole had to be moved from.
+    fn within(&self, spot: Spot, rims: &[Rim]) -> Spot {
+        let (mut low, mut high) = (Vec2::MAX, Vec2::MIN);
+        for rim in rims {
+            let (angle, height, _) = self.around(rim.position);
+            (low, high) = (low.min(Vec2::new(angle, height)), high.max(Vec2::new(angle, height)));
+        }
+        let (angle, height, _) = self.around(spot.position);
+        let at = Vec2::new(angle, height);
+        let margin = (high - low) * MARGIN;
+        let inside = at.max(low + margin).min(high - margin);
+        if inside == at { spot } else { self.at(inside.x, inside.y, self.radial(inside.x)) }
+    }
+
+    fn radial(&self, angle: f32) -> Vec3 {
+        let (sin, cos) = libm::sincosf(angle);
+        self.out * cos + self.side * sin
+    }
+
     /// The place on the wall straight out from the axis, at the height of `position`.
     fn upon(&self, position: Vec3) -> Spot {
+        let (angle, height, radial) = self.around(position);
+        self.at(angle, height, radial)
+    }
+
+    /// Angle from the hole's middle, height, and the direction out from the axis.
+    fn around(&self, position: Vec3) -> (f32, f32, Vec3) {
         let height = (position - self.axis).dot(self.up);
         let middle = self.axis + self.up * height;
         let radial = (position - middle).try_normalize().unwrap_or(self.out);
+        (libm::atan2f(radial.dot(self.side), radial.dot(self.out)), height, radial)
+    }
+
+    fn at(&self, angle: f32, height: f32, radial: Vec3) -> Spot {
+        let middle = self.axis + self.up * height;
         let radius = (self.radius + self.slope * height).max(self.least);
-        let angle = libm::atan2f(radial.dot(self.side), radial.dot(self.out));
         Spot {
             position: middle + radial * radius,
             normal: radial,
